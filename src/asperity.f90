@@ -1,0 +1,34 @@
+!> Elasto-plastic contact of rough faces: everything a caller needs, `use asperity`.
+module asperity
+   use asperity_contact_point, only: contact_response, contact_state, contact_tangent, &
+      no_opposite_surface, status_open, status_slip, status_stick, status_text, status_unset, &
+      update_contact_point
+   use asperity_contact_properties, only: contact_properties, new_contact_properties, &
+      rule_abaqus, rule_dissipative, slip_backward_euler, slip_exact
+   use asperity_error, only: computation_error, error_type, file_error, input_error
+   use asperity_kinds, only: wp
+   use asperity_normal_inverse, only: separation_for_pressure
+   use asperity_normal_law, only: evaluate_normal_law, normal_response
+   use asperity_presets, only: find_pair, find_surface, pair_preset, pairs, surface_preset, &
+      surfaces
+   use asperity_properties, only: equivalent_modulus, new_normal_properties, normal_properties
+   use asperity_single_asperity, only: asperity_response, evaluate_asperity, stage_elastic, &
+      stage_elastoplastic, stage_open, stage_plastic
+   use asperity_validity, only: area_above_nominal, closure_above_half_radius, &
+      pressure_above_hardness, roughness_number_high, roughness_number_low, &
+      stiffer_than_hertz, valid, validity_remark, validity_text
+   use asperity_version, only: asperity_version_text => version
+   implicit none
+   private
+   public :: area_above_nominal, asperity_response, asperity_version_text, &
+      closure_above_half_radius, computation_error, contact_properties, contact_response, &
+      contact_state, contact_tangent, equivalent_modulus, error_type, evaluate_asperity, &
+      evaluate_normal_law, file_error, find_pair, find_surface, input_error, &
+      new_contact_properties, new_normal_properties, no_opposite_surface, normal_properties, &
+      normal_response, pair_preset, pairs, pressure_above_hardness, roughness_number_high, &
+      roughness_number_low, rule_abaqus, rule_dissipative, separation_for_pressure, &
+      slip_backward_euler, slip_exact, stage_elastic, stage_elastoplastic, stage_open, &
+      stage_plastic, status_open, status_slip, status_stick, status_text, status_unset, &
+      stiffer_than_hertz, surface_preset, surfaces, update_contact_point, valid, &
+      validity_remark, validity_text, wp
+end module asperity

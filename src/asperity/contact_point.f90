@@ -1,0 +1,269 @@
+!> The contact-point update: the only path from relative motion to tractions. UINTER, the replays
+!> and every other host call it and nothing else.
+!>
+!> Within an increment the pressure changes first, at the elastic slip of the start, then the
+!> point slips at the pressure of the end. If the point closes within the increment, only the
+!> share of the motion after closing counts, for a straight path of the overclosure.
+module asperity_contact_point
+   use asperity_contact_properties, only: close_pressure_ratio, contact_properties, &
+      rule_dissipative
+   use asperity_error, only: error_type
+   use asperity_friction, only: integrate_slip, slip_path
+   use asperity_kinds, only: wp
+   use asperity_normal_inverse, only: separation_for_pressure
+   use asperity_normal_law, only: evaluate_normal_law, normal_response
+   use asperity_validity, only: valid
+   implicit none
+   private
+   public :: contact_state, contact_response, update_contact_point, contact_tangent, status_text
+
+   !> Contact status
+   enum, bind(c)
+      !> Never updated: nothing is known of the point's past
+      enumerator :: status_unset = 0
+      enumerator :: status_open, status_stick, status_slip
+   end enum
+   public :: status_unset, status_open, status_stick, status_slip
+
+   !> Overclosure that stands for "no opposite surface"; anything below a tenth of it does
+   real(wp), parameter, public :: no_opposite_surface = -1.0e36_wp
+
+   !> What a point remembers between increments. All zero is a fresh point.
+   type :: contact_state
+      !> `status_unset`, `status_open`, `status_stick` or `status_slip`
+      integer :: status = status_unset
+      !> Overclosure, mm
+      real(wp) :: overclosure = 0.0_wp
+      !> Pressure, MPa
+      real(wp) :: pressure = 0.0_wp
+      !> Stored normal energy per area, N/mm
+      real(wp) :: normal_energy = 0.0_wp
+      !> Elastic slip in the two slip directions, mm; zero while open
+      real(wp) :: elastic_slip(2) = 0.0_wp
+      !> Largest overclosure reached, mm: a slot for unloading memory; the law does not use it
+      real(wp) :: largest_closure = 0.0_wp
+      !> Frictional dissipation per area since the start, N/mm
+      real(wp) :: dissipation = 0.0_wp
+      !> Pressure coupling per area since the start, N/mm
+      real(wp) :: pressure_coupling = 0.0_wp
+      !> All validity flags reached so far
+      integer :: validity = valid
+   end type contact_state
+
+   !> Result of one update. Energies obey, on any path,
+   !> work = change of (normal_energy + tangential_energy) + dissipation - pressure_coupling.
+   type :: contact_response
+      !> Pressure and the two shear stresses, MPa: positive pressure compresses, shear stress has
+      !> the sign of the elastic slip
+      real(wp) :: traction(3) = 0.0_wp
+      !> tangent(i, j) = d traction(i)/d (overclosure, slip 1, slip 2)(j), MPa/mm; unsymmetric
+      real(wp) :: tangent(3, 3) = 0.0_wp
+      !> State at the end
+      type(contact_state) :: state
+      !> Stored normal energy per area at the end, N/mm
+      real(wp) :: normal_energy = 0.0_wp
+      !> Stored tangential energy per area at the end, mu p gamma^2/(2 gcrit), N/mm
+      real(wp) :: tangential_energy = 0.0_wp
+      !> Frictional dissipation per area of this increment, N/mm; never negative
+      real(wp) :: dissipation = 0.0_wp
+      !> Energy per area that a pressure change put into stored elastic slip in this increment,
+      !> N/mm; signed, zero for the dissipative rule
+      real(wp) :: pressure_coupling = 0.0_wp
+      !> Status at the end
+      integer :: status = status_open
+      !> Validity of this result
+      integer :: validity = valid
+   end type contact_response
+
+contains
+
+   !> Advance one contact point over one increment. Any finite input gives a finite result.
+   pure function update_contact_point(properties, start, overclosure, slip_increment, rotation) &
+         result(response)
+      !> Checked properties
+      type(contact_properties), intent(in) :: properties
+      !> State at the start of the increment
+      type(contact_state), intent(in) :: start
+      !> Overclosure at the end, mm; `no_opposite_surface` when there is none
+      real(wp), intent(in) :: overclosure
+      !> Relative tangential motion of the increment in the slip directions at the end, mm
+      real(wp), intent(in) :: slip_increment(2)
+      !> Rotation of the slip directions in the increment: a vector v becomes rotation v
+      real(wp), intent(in) :: rotation(2, 2)
+      type(contact_response) :: response
+      type(normal_response) :: normal
+
+      normal = evaluate_normal_law(properties%normal, properties%initial_separation - overclosure)
+      response%traction(1) = normal%pressure
+      response%tangent(1, 1) = normal%stiffness
+      response%normal_energy = normal%energy
+      response%validity = normal%validity
+      call slide(response, properties, start, overclosure, slip_increment, rotation)
+
+      associate (state => response%state)
+         state%status = response%status
+         state%overclosure = overclosure
+         state%pressure = normal%pressure
+         state%normal_energy = normal%energy
+         state%largest_closure = overclosure
+         if (start%status /= status_unset) &
+            state%largest_closure = max(overclosure, start%largest_closure)
+         state%dissipation = start%dissipation + response%dissipation
+         state%pressure_coupling = start%pressure_coupling + response%pressure_coupling
+         state%validity = ior(start%validity, response%validity)
+      end associate
+   end function update_contact_point
+
+   !> Tangential part of the update, at the pressure already found.
+   pure subroutine slide(response, properties, start, overclosure, slip_increment, rotation)
+      type(contact_response), intent(inout) :: response
+      type(contact_properties), intent(in) :: properties
+      type(contact_state), intent(in) :: start
+      real(wp), intent(in) :: overclosure, slip_increment(2), rotation(2, 2)
+      type(slip_path) :: path
+      real(wp) :: gamma(2), gamma_by_pressure(2), energy, kept_energy, share, share_by_overclosure
+      logical :: was_closed
+
+      was_closed = start%status == status_stick .or. start%status == status_slip
+      gamma = 0.0_wp
+      if (was_closed) gamma = matmul(rotation, start%elastic_slip)
+      energy = elastic_energy(properties, start%pressure, gamma)
+
+      associate (p => response%traction(1), r => response)
+         if (is_open(properties, p, was_closed)) then
+            ! the rule of the pressure acts down to the opening, then the rest is lost
+            r%status = status_open
+            kept_energy = elastic_energy(properties, p, gamma)
+            if (properties%friction_rule == rule_dissipative) then
+               r%dissipation = energy
+            else
+               r%pressure_coupling = kept_energy - energy
+               r%dissipation = kept_energy
+            end if
+            return
+         end if
+
+         gamma_by_pressure = 0.0_wp
+         if (properties%friction_rule == rule_dissipative .and. p > start%pressure) then
+            gamma_by_pressure = -gamma*(start%pressure/p)/p
+            gamma = gamma*(start%pressure/p)
+         end if
+         kept_energy = elastic_energy(properties, p, gamma)
+         if (properties%friction_rule == rule_dissipative) then
+            r%dissipation = max(energy - kept_energy, 0.0_wp)
+         else
+            r%pressure_coupling = kept_energy - energy
+         end if
+
+         call share_after_closing(properties, start, overclosure, share, share_by_overclosure)
+         path = integrate_slip(gamma, share*slip_increment, properties%critical_slip, &
+            properties%slip_integration)
+         r%status = merge(status_slip, status_stick, path%slips)
+         r%state%elastic_slip = path%elastic_slip
+         r%tangential_energy = elastic_energy(properties, p, path%elastic_slip)
+         r%dissipation = r%dissipation + properties%friction_coefficient*p*path%slipped
+
+         associate (scale => properties%friction_coefficient/properties%critical_slip)
+            r%traction(2:3) = scale*p*path%elastic_slip
+            r%tangent(2:3, 1) = scale*r%tangent(1, 1) &
+               *(path%elastic_slip + p*matmul(path%by_start, gamma_by_pressure)) &
+               + scale*p*share_by_overclosure*matmul(path%by_increment, slip_increment)
+            r%tangent(2:3, 2:3) = scale*p*share*path%by_increment
+         end associate
+      end associate
+   end subroutine slide
+
+   !> Tangent about a state, for perturbations: sticking points stick, slipping points slip on, so
+   !> they resist only across the slip direction. Nothing changes status.
+   pure function contact_tangent(properties, state) result(tangent)
+      !> Checked properties
+      type(contact_properties), intent(in) :: properties
+      !> State at the base of the perturbation
+      type(contact_state), intent(in) :: state
+      !> d traction(i)/d (overclosure, slip 1, slip 2)(j), MPa/mm
+      real(wp) :: tangent(3, 3)
+      type(normal_response) :: normal
+      real(wp) :: scale, across(2)
+
+      tangent = 0.0_wp
+      if (state%status == status_unset) return
+      normal = evaluate_normal_law(properties%normal, &
+         properties%initial_separation - state%overclosure)
+      tangent(1, 1) = normal%stiffness
+      if (state%status == status_open) return
+      scale = properties%friction_coefficient/properties%critical_slip
+      tangent(2:3, 1) = scale*normal%stiffness*state%elastic_slip
+      if (state%status == status_slip) then
+         across = [-state%elastic_slip(2), state%elastic_slip(1)]/properties%critical_slip
+         tangent(2:3, 2) = scale*normal%pressure*across*across(1)
+         tangent(2:3, 3) = scale*normal%pressure*across*across(2)
+      else
+         tangent(2, 2) = scale*normal%pressure
+         tangent(3, 3) = scale*normal%pressure
+      end if
+   end function contact_tangent
+
+   !> Name of a status: `unset`, `open`, `stick` or `slip`.
+   pure function status_text(status) result(text)
+      !> One of the status enumerators
+      integer, intent(in) :: status
+      character(len=:), allocatable :: text
+
+      select case (status)
+      case (status_unset)
+         text = 'unset'
+      case (status_stick)
+         text = 'stick'
+      case (status_slip)
+         text = 'slip'
+      case default
+         text = 'open'
+      end select
+   end function status_text
+
+   !> Open below p_open; an open point closes only above twice that.
+   pure logical function is_open(properties, pressure, was_closed)
+      type(contact_properties), intent(in) :: properties
+      real(wp), intent(in) :: pressure
+      logical, intent(in) :: was_closed
+
+      if (was_closed) then
+         is_open = pressure < properties%p_open
+      else
+         is_open = .not. pressure > close_pressure_ratio*properties%p_open
+      end if
+   end function is_open
+
+   !> Share of the increment that lies after closing, and its derivative by the overclosure.
+   !> One for a point that was closed, and where nothing is known of the path.
+   pure subroutine share_after_closing(properties, start, overclosure, share, by_overclosure)
+      type(contact_properties), intent(in) :: properties
+      type(contact_state), intent(in) :: start
+      real(wp), intent(in) :: overclosure
+      real(wp), intent(out) :: share, by_overclosure
+      type(error_type), allocatable :: error
+      real(wp) :: closing, travel
+
+      share = 1.0_wp
+      by_overclosure = 0.0_wp
+      if (start%status /= status_open) return
+      if (start%overclosure < 0.1_wp*no_opposite_surface) return
+      call separation_for_pressure(properties%normal, close_pressure_ratio*properties%p_open, &
+         closing, error)
+      closing = properties%initial_separation - closing
+      travel = overclosure - start%overclosure
+      if (allocated(error) .or. .not. (closing > start%overclosure .and. travel > 0.0_wp)) return
+      share = min(max((overclosure - closing)/travel, 0.0_wp), 1.0_wp)
+      by_overclosure = (closing - start%overclosure)/travel/travel
+   end subroutine share_after_closing
+
+   !> mu p gamma^2/(2 gcrit)
+   pure real(wp) function elastic_energy(properties, pressure, elastic_slip)
+      type(contact_properties), intent(in) :: properties
+      real(wp), intent(in) :: pressure, elastic_slip(2)
+
+      elastic_energy = 0.5_wp*properties%friction_coefficient*pressure &
+         *dot_product(elastic_slip, elastic_slip)/properties%critical_slip
+   end function elastic_energy
+
+end module asperity_contact_point

@@ -1,0 +1,109 @@
+!> Properties of one pair of faces: the normal law, friction and the datum of the overclosure.
+module asperity_contact_properties
+   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
+   use asperity_error, only: error_type, fatal_error
+   use asperity_kinds, only: wp
+   use asperity_properties, only: check_positive, normal_properties, pi
+   use asperity_text, only: to_text
+   implicit none
+   private
+   public :: contact_properties, new_contact_properties
+
+   !> What happens to the elastic slip when the pressure changes
+   enum, bind(c)
+      !> The elastic slip stays: shear stress follows the pressure, as in ABAQUS' own friction
+      enumerator :: rule_abaqus = 1
+      !> Pressure rising keeps the shear stress, falling keeps the elastic slip: creates no energy
+      enumerator :: rule_dissipative = 2
+   end enum
+   public :: rule_abaqus, rule_dissipative
+
+   !> How the slip of an increment is integrated
+   enum, bind(c)
+      !> Exactly, on a straight path: two half increments equal one
+      enumerator :: slip_exact = 1
+      !> Backward Euler (radial return), as in ABAQUS' own friction
+      enumerator :: slip_backward_euler = 2
+   end enum
+   public :: slip_exact, slip_backward_euler
+
+   !> A point opens below p_open = this times 2 pi eta R H sigma
+   real(wp), parameter, public :: open_pressure_factor = 1.0e-9_wp
+   !> ... and closes above p_open times this
+   real(wp), parameter, public :: close_pressure_ratio = 2.0_wp
+   !> Separation at zero overclosure when none is given, in sigma
+   real(wp), parameter, public :: default_initial_separation = 4.0_wp
+
+   !> Everything a contact point needs. Build it with `new_contact_properties`; read only after.
+   type :: contact_properties
+      !> Properties of the normal law
+      type(normal_properties) :: normal
+      !> Coulomb friction coefficient mu
+      real(wp) :: friction_coefficient = 0.0_wp
+      !> Critical elastic slip gcrit, mm: the largest |elastic slip|
+      real(wp) :: critical_slip = 1.0_wp
+      !> Separation at zero overclosure d0, mm: separation = d0 - overclosure
+      real(wp) :: initial_separation = 0.0_wp
+      !> `rule_abaqus` or `rule_dissipative`
+      integer :: friction_rule = rule_abaqus
+      !> `slip_exact` or `slip_backward_euler`
+      integer :: slip_integration = slip_exact
+      !> A closed point opens below this pressure, MPa; an open one closes above twice it
+      real(wp) :: p_open = 0.0_wp
+   end type contact_properties
+
+contains
+
+   !> Check friction and datum, and derive the opening pressure.
+   !> `error` is set when mu is negative, gcrit not above zero, d0 not finite, or an option unknown.
+   pure subroutine new_contact_properties(properties, normal, friction_coefficient, &
+         critical_slip, error, initial_separation, friction_rule, slip_integration)
+      !> Result
+      type(contact_properties), intent(out) :: properties
+      !> Checked properties of the normal law
+      type(normal_properties), intent(in) :: normal
+      !> Coulomb friction coefficient
+      real(wp), intent(in) :: friction_coefficient
+      !> Critical elastic slip, mm
+      real(wp), intent(in) :: critical_slip
+      !> Set when a property is refused
+      type(error_type), allocatable, intent(out) :: error
+      !> Separation at zero overclosure, mm; 4 sigma when absent; zero and negative are allowed
+      real(wp), intent(in), optional :: initial_separation
+      !> `rule_abaqus` (default) or `rule_dissipative`
+      integer, intent(in), optional :: friction_rule
+      !> `slip_exact` (default) or `slip_backward_euler`
+      integer, intent(in), optional :: slip_integration
+
+      properties%normal = normal
+      properties%friction_coefficient = friction_coefficient
+      properties%critical_slip = critical_slip
+      properties%initial_separation = default_initial_separation*normal%sigma
+      if (present(initial_separation)) properties%initial_separation = initial_separation
+      if (present(friction_rule)) properties%friction_rule = friction_rule
+      if (present(slip_integration)) properties%slip_integration = slip_integration
+      properties%p_open = open_pressure_factor &
+         *2.0_wp*pi*normal%eta*normal%radius*normal%hardness*normal%sigma
+
+      if (.not. (friction_coefficient >= 0.0_wp .and. ieee_is_finite(friction_coefficient))) then
+         call fatal_error(error, 'friction_coefficient = '//to_text(friction_coefficient)// &
+            ' is not allowed: it must be a finite number, zero or above')
+         return
+      end if
+      call check_positive(error, 'critical_slip', critical_slip, 'mm')
+      if (allocated(error)) return
+      if (.not. ieee_is_finite(properties%initial_separation)) then
+         call fatal_error(error, 'initial_separation = '//to_text(properties%initial_separation)// &
+            ' mm is not allowed: it must be a finite number; 4*sigma is usual')
+      else if (properties%friction_rule /= rule_abaqus &
+            .and. properties%friction_rule /= rule_dissipative) then
+         call fatal_error(error, 'friction_rule = '//to_text(properties%friction_rule)// &
+            ' is unknown: 1 is abaqus, 2 is dissipative')
+      else if (properties%slip_integration /= slip_exact &
+            .and. properties%slip_integration /= slip_backward_euler) then
+         call fatal_error(error, 'slip_integration = '//to_text(properties%slip_integration)// &
+            ' is unknown: 1 is exact, 2 is backward_euler')
+      end if
+   end subroutine new_contact_properties
+
+end module asperity_contact_properties

@@ -1,0 +1,120 @@
+!> Coulomb friction with elastic slip: tau = mu p gamma/gcrit, |gamma| <= gcrit (Eq. 27 with the
+!> regularisation of Table 3). Only the path of the elastic slip gamma is here, in two tangential
+!> directions; a second component of zero makes it one-dimensional. The pressure scales it.
+module asperity_friction
+   use asperity_contact_properties, only: slip_backward_euler
+   use asperity_kinds, only: wp
+   implicit none
+   private
+   public :: slip_path, integrate_slip
+
+   !> End of a straight increment of relative motion.
+   type :: slip_path
+      !> Elastic slip at the end, mm
+      real(wp) :: elastic_slip(2) = 0.0_wp
+      !> Its derivative by the increment
+      real(wp) :: by_increment(2, 2) = 0.0_wp
+      !> Its derivative by the elastic slip at the start
+      real(wp) :: by_start(2, 2) = 0.0_wp
+      !> Frictional dissipation divided by mu p, mm; never negative
+      real(wp) :: slipped = 0.0_wp
+      !> Whether the point slips at the end
+      logical :: slips = .false.
+   end type slip_path
+
+contains
+
+   !> Elastic slip after a straight increment of relative motion.
+   pure function integrate_slip(start, increment, critical_slip, slip_integration) result(path)
+      !> Elastic slip at the start, mm; not longer than the critical slip
+      real(wp), intent(in) :: start(2)
+      !> Relative tangential motion, mm
+      real(wp), intent(in) :: increment(2)
+      !> Critical elastic slip gcrit, mm
+      real(wp), intent(in) :: critical_slip
+      !> `slip_exact` or `slip_backward_euler`
+      integer, intent(in) :: slip_integration
+      type(slip_path) :: path
+
+      path%elastic_slip = start + increment
+      path%slips = norm2(path%elastic_slip) > critical_slip .and. norm2(increment) > 0.0_wp
+      if (.not. path%slips) then
+         path%by_increment = reshape([1.0_wp, 0.0_wp, 0.0_wp, 1.0_wp], [2, 2])
+         path%by_start = path%by_increment
+      else if (slip_integration == slip_backward_euler) then
+         call return_radially(path, critical_slip)
+      else
+         call follow_circle(path, start, increment, critical_slip)
+      end if
+   end function integrate_slip
+
+   !> Backward Euler: the trial slip is scaled back to the circle. The path is the chord to the
+   !> end point in stick, then slip at the end point.
+   pure subroutine return_radially(path, critical_slip)
+      type(slip_path), intent(inout) :: path
+      real(wp), intent(in) :: critical_slip
+      real(wp) :: length, direction(2), tangent(2)
+
+      length = norm2(path%elastic_slip)
+      direction = path%elastic_slip/length
+      tangent = [-direction(2), direction(1)]
+      path%elastic_slip = critical_slip*direction
+      path%by_increment = critical_slip/length*outer(tangent, tangent)
+      path%by_start = path%by_increment
+      path%slipped = length - critical_slip
+   end subroutine return_radially
+
+   !> Exact path: stick up to the circle |gamma| = gcrit = g, then slip along it, where the angle
+   !> theta from the motion to gamma obeys tan(theta/2) = tan(theta0/2) exp(-s/g) and the
+   !> dissipation is mu p g ln(sin theta0/sin theta). Written so that no direction is singular:
+   !> e is the direction of motion, n normal to it, c = cos theta0, tan(theta/2) = (b/g) k.
+   pure subroutine follow_circle(path, start, increment, critical_slip)
+      type(slip_path), intent(inout) :: path
+      real(wp), intent(in) :: start(2), increment(2), critical_slip
+      real(wp) :: e(2), n(2), tangent(2), length, a, b, c, one_minus_c, inside, stick, x, q, k
+      real(wp) :: t, cosine, sine, turn
+
+      length = norm2(increment)
+      e = increment/length
+      n = [-e(2), e(1)]
+      associate (g => critical_slip)
+         a = dot_product(start, e)
+         b = min(max(dot_product(start, n), -g), g)
+         inside = max((g - norm2(start))*(g + norm2(start)), 0.0_wp)
+         c = sqrt(a*a + inside)/g
+         one_minus_c = (b/g)**2/(1.0_wp + c)
+         if (a > 0.0_wp) then
+            stick = inside/(g*c + a)
+         else
+            stick = g*c - a
+         end if
+         stick = min(stick, length)
+         x = (length - stick)/g
+         q = exp(-x)
+         k = q/(1.0_wp + c)
+         t = b/g*k
+         cosine = (1.0_wp - t)*(1.0_wp + t)/(1.0_wp + t*t)
+         sine = 2.0_wp*t/(1.0_wp + t*t)
+         path%elastic_slip = g*(cosine*e + sine*n)
+         ! ln(1 + z) = 2 artanh(z/(2 + z)), with 1 - q^2 = tanh(x) (1 + q^2): no cancellation
+         t = -0.5_wp*one_minus_c*tanh(x)*(1.0_wp + q*q)
+         path%slipped = max(g*(x + 2.0_wp*atanh(t/(2.0_wp + t))), 0.0_wp)
+
+         t = b/g*k
+         tangent = -sine*e + cosine*n
+         turn = (tanh(0.5_wp*x)*(1.0_wp + q)*(1.0_wp - k*one_minus_c) + 2.0_wp*k*c*stick/g) &
+            /(1.0_wp + t*t)
+         path%by_increment = outer(tangent, -sine*e + turn*g/length*n)
+         path%by_start = outer(tangent, -sine*e + 2.0_wp*c*k/(1.0_wp + t*t)*n)
+      end associate
+   end subroutine follow_circle
+
+   pure function outer(u, v) result(matrix)
+      real(wp), intent(in) :: u(2), v(2)
+      real(wp) :: matrix(2, 2)
+
+      matrix(:, 1) = u*v(1)
+      matrix(:, 2) = u*v(2)
+   end function outer
+
+end module asperity_friction

@@ -1,0 +1,89 @@
+!> Inverse of the normal law: the separation at which it gives a pressure.
+module asperity_normal_inverse
+   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
+   use asperity_error, only: error_type, fatal_error
+   use asperity_kinds, only: wp
+   use asperity_normal_law, only: evaluate_normal_law, normal_response
+   use asperity_properties, only: normal_properties
+   use asperity_text, only: to_text
+   implicit none
+   private
+   public :: separation_for_pressure
+
+   integer, parameter :: max_iterations = 200
+   !> Separation over sigma beyond which every pressure underflows
+   real(wp), parameter :: farthest = 45.0_wp
+
+contains
+
+   !> Separation d with p(d) = pressure, to 4 eps max(sigma, |d|) of the direct evaluation.
+   !> Newton on ln p, which is nearly linear in d far away and concave, kept inside a bracket.
+   !> `error` is set unless the pressure is finite and above zero.
+   pure subroutine separation_for_pressure(properties, pressure, separation, error)
+      !> Checked properties
+      type(normal_properties), intent(in) :: properties
+      !> Pressure, MPa
+      real(wp), intent(in) :: pressure
+      !> Separation, mm
+      real(wp), intent(out) :: separation
+      !> Set when the pressure is refused
+      type(error_type), allocatable, intent(out) :: error
+      type(normal_response) :: response
+      real(wp) :: near, far, next, step, mismatch
+      integer :: iteration
+      logical :: settled
+
+      separation = 0.0_wp
+      if (.not. (pressure > 0.0_wp .and. ieee_is_finite(pressure))) then
+         call fatal_error(error, 'pressure = '//to_text(pressure)// &
+            ' MPa has no separation: it must be a finite number above zero')
+         return
+      end if
+
+      far = farthest*properties%sigma
+      near = -properties%sigma
+      do while (pressure_at(near) < pressure)
+         far = near
+         near = 2.0_wp*near
+      end do
+
+      separation = max(near, min(far, 0.0_wp))
+      settled = .false.
+      do iteration = 1, max_iterations
+         response = evaluate_normal_law(properties, separation)
+         if (response%pressure >= pressure) then
+            near = separation
+         else
+            far = separation
+         end if
+         step = huge(1.0_wp)
+         if (response%pressure > tiny(1.0_wp)) then
+            mismatch = log(response%pressure) - log(pressure)
+            if (abs(mismatch) < 0.5_wp) mismatch = log(response%pressure/pressure)
+            step = mismatch*response%pressure/response%stiffness
+         end if
+         next = separation + step
+         if (.not. (next >= near .and. next <= far) .and. .not. settled) then
+            next = 0.5_wp*(near + far)
+            step = next - separation
+         end if
+         separation = next
+         if (settled .or. .not. abs(step) > 0.0_wp) exit
+         ! Newton is quadratic: one more step from here is at round-off
+         settled = abs(step) <= 1.0e-9_wp*max(properties%sigma, abs(separation)) &
+            .or. far - near <= spacing(separation)
+      end do
+
+   contains
+
+      pure real(wp) function pressure_at(d)
+         real(wp), intent(in) :: d
+         type(normal_response) :: at_d
+
+         at_d = evaluate_normal_law(properties, d)
+         pressure_at = at_d%pressure
+      end function pressure_at
+
+   end subroutine separation_for_pressure
+
+end module asperity_normal_inverse

@@ -1,0 +1,137 @@
+!> Pairs and surfaces of the paper in N-mm-MPa. Table 2 mixes units: only asperity density in
+!> 1/um^2, radius in mm and sigma in um is physically admissible, and that is what was converted.
+module asperity_presets
+   use asperity_error, only: error_type, fatal_error
+   use asperity_kinds, only: wp
+   implicit none
+   private
+   public :: surface_preset, pair_preset, find_surface, find_pair
+
+   integer, parameter :: name_length = 24, note_length = 120
+
+   !> Measured roughness of one face (Table 2).
+   type :: surface_preset
+      !> Name, such as `unpolished-cross`
+      character(len=name_length) :: name
+      !> Standard deviation of summit heights, mm; the paper prints Sq in um
+      real(wp) :: sigma
+      !> Summit radius, mm; printed as 1/Spc without a unit
+      real(wp) :: radius
+      !> Asperity density, 1/mm^2; the paper prints Spd, which only fits in 1/um^2
+      real(wp) :: eta
+      !> Kurtosis Sku of the heights, 3 for a Gaussian surface
+      real(wp) :: kurtosis
+      !> What the paper printed and what was converted
+      character(len=note_length) :: note
+   end type surface_preset
+
+   !> Everything that the contact law needs for one pair of faces (Table 4 with sigma of Table 2).
+   type :: pair_preset
+      !> Name, such as `transverse-tangential`
+      character(len=name_length) :: name
+      !> Asperity density, 1/mm^2
+      real(wp) :: eta
+      !> Equivalent modulus, MPa
+      real(wp) :: modulus
+      !> Summit radius, mm
+      real(wp) :: radius
+      !> Hardness, MPa
+      real(wp) :: hardness
+      !> Mean contact pressure factor k
+      real(wp) :: yield_factor
+      !> Standard deviation of summit heights, mm
+      real(wp) :: sigma
+      !> Coulomb friction coefficient mu
+      real(wp) :: friction_coefficient
+      !> Critical elastic slip gcrit, mm
+      real(wp) :: critical_slip
+      !> What the paper printed and what was converted
+      character(len=note_length) :: note
+   end type pair_preset
+
+   !> The two pairs of Table 4
+   type(pair_preset), parameter, public :: pairs(2) = [ &
+      pair_preset('transverse-tangential', 206.0_wp, 297.0_wp, 0.1477_wp, 24.53_wp, 0.4_wp, &
+      0.0593_wp, 0.5_wp, 0.31_wp, &
+      'Table 4; eta 0.000206 read as 1/um^2; sigma 59.3 um from Table 2; H is the harder face, '// &
+      'E* not from Eq. 4'), &
+      pair_preset('tangential-tangential', 134.0_wp, 263.0_wp, 0.1142_wp, 12.14_wp, 0.4_wp, &
+      0.0416_wp, 0.5_wp, 0.31_wp, &
+      'Table 4; eta 0.000134 read as 1/um^2; sigma 41.6 um from Table 2; E* not from Eq. 4')]
+
+   !> The nine surfaces of Table 2
+   type(surface_preset), parameter, public :: surfaces(9) = [ &
+      surface_preset('unpolished-cross', 0.0593_wp, 0.1477_wp, 206.0_wp, 3.61_wp, &
+      'Table 2: Sq 59.3 (um), 1/Spc 0.1477 (mm), Spd 0.000206 (1/um^2)'), &
+      surface_preset('unpolished-tangential', 0.0416_wp, 0.1142_wp, 134.0_wp, 3.43_wp, &
+      'Table 2: Sq 41.6 (um), 1/Spc 0.1142 (mm), Spd 0.000134 (1/um^2)'), &
+      surface_preset('unpolished-radial', 0.0276_wp, 0.0696_wp, 127.0_wp, 3.23_wp, &
+      'Table 2: Sq 27.6 (um), 1/Spc 0.0696 (mm), Spd 0.000127 (1/um^2)'), &
+      surface_preset('mesh-200-cross', 0.0280_wp, 0.2437_wp, 330.0_wp, 3.49_wp, &
+      'Table 2: Sq 28.0 (um), 1/Spc 0.2437 (mm), Spd 0.000330 (1/um^2); the text says 120 mesh'), &
+      surface_preset('mesh-200-tangential', 0.0197_wp, 0.1508_wp, 297.0_wp, 3.21_wp, &
+      'Table 2: Sq 19.7 (um), 1/Spc 0.1508 (mm), Spd 0.000297 (1/um^2); the text says 120 mesh'), &
+      surface_preset('mesh-200-radial', 0.0156_wp, 0.1746_wp, 196.0_wp, 3.14_wp, &
+      'Table 2: Sq 15.6 (um), 1/Spc 0.1746 (mm), Spd 0.000196 (1/um^2); the text says 120 mesh'), &
+      surface_preset('mesh-400-cross', 0.0239_wp, 0.4465_wp, 322.0_wp, 3.34_wp, &
+      'Table 2: Sq 23.9 (um), 1/Spc 0.4465 (mm), Spd 0.000322 (1/um^2)'), &
+      surface_preset('mesh-400-tangential', 0.0147_wp, 0.3446_wp, 296.0_wp, 3.14_wp, &
+      'Table 2: Sq 14.7 (um), 1/Spc 0.3446 (mm), Spd 0.000296 (1/um^2)'), &
+      surface_preset('mesh-400-radial', 0.0117_wp, 0.2336_wp, 169.0_wp, 3.01_wp, &
+      'Table 2: Sq 11.7 (um), 1/Spc 0.2336 (mm), Spd 0.000169 (1/um^2)')]
+
+contains
+
+   !> The pair of that name; `error` lists the names when there is none.
+   pure subroutine find_pair(name, preset, error)
+      !> Name, such as `transverse-tangential`
+      character(len=*), intent(in) :: name
+      !> The pair found
+      type(pair_preset), intent(out) :: preset
+      !> Set when the name is unknown
+      type(error_type), allocatable, intent(out) :: error
+      integer :: i
+
+      preset = pairs(1)
+      do i = 1, size(pairs)
+         if (pairs(i)%name == name) then
+            preset = pairs(i)
+            return
+         end if
+      end do
+      call fatal_error(error, "pair = '"//name//"' is unknown; known pairs: "//joined(pairs%name))
+   end subroutine find_pair
+
+   !> The surface of that name; `error` lists the names when there is none.
+   pure subroutine find_surface(name, preset, error)
+      !> Name, such as `mesh-400-cross`
+      character(len=*), intent(in) :: name
+      !> The surface found
+      type(surface_preset), intent(out) :: preset
+      !> Set when the name is unknown
+      type(error_type), allocatable, intent(out) :: error
+      integer :: i
+
+      preset = surfaces(1)
+      do i = 1, size(surfaces)
+         if (surfaces(i)%name == name) then
+            preset = surfaces(i)
+            return
+         end if
+      end do
+      call fatal_error(error, "surface = '"//name//"' is unknown; known surfaces: "// &
+         joined(surfaces%name))
+   end subroutine find_surface
+
+   pure function joined(names) result(text)
+      character(len=*), intent(in) :: names(:)
+      character(len=:), allocatable :: text
+      integer :: i
+
+      text = trim(names(1))
+      do i = 2, size(names)
+         text = text//', '//trim(names(i))
+      end do
+   end function joined
+
+end module asperity_presets

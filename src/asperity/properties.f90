@@ -1,0 +1,194 @@
+!> Properties of one pair of rough faces for the normal law: checked once, with all constants
+!> that follow from them. Any consistent units; N-mm-MPa in messages, presets and examples.
+module asperity_properties
+   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
+   use asperity_error, only: error_type, fatal_error
+   use asperity_kinds, only: wp
+   use asperity_text, only: to_text
+   use asperity_validity, only: roughness_number_high, roughness_number_low, &
+      stiffer_than_hertz, valid
+   implicit none
+   private
+   public :: normal_properties, new_normal_properties, equivalent_modulus, check_positive
+
+   real(wp), parameter, public :: pi = acos(-1.0_wp)
+   !> w2/w1, Eq. 11
+   real(wp), parameter, public :: plastic_ratio = 110.0_wp
+   !> Smallest eta R sigma of an isotropic Gaussian surface: Nayak's alpha = 1.5, McCool's relations
+   real(wp), parameter, public :: roughness_number_min = 0.0249_wp
+   !> Above this eta R sigma a warning is given
+   real(wp), parameter, public :: roughness_number_max = 4.0_wp
+   !> Range of the yield factor over which the law is verified
+   real(wp), parameter, public :: yield_factor_min = 0.05_wp, yield_factor_max = 1.0_wp
+
+   !> Properties of the normal law. Build it with `new_normal_properties`; read only afterwards.
+   type :: normal_properties
+      !> Asperity density eta: summits per nominal area, 1/mm^2 (Eq. 24)
+      real(wp) :: eta = 0.0_wp
+      !> Equivalent modulus E*, MPa (Eq. 4)
+      real(wp) :: modulus = 0.0_wp
+      !> Summit radius R, mm
+      real(wp) :: radius = 0.0_wp
+      !> Hardness H, MPa
+      real(wp) :: hardness = 0.0_wp
+      !> Mean contact pressure factor k: yield starts at the mean pressure k H (Eq. 5)
+      real(wp) :: yield_factor = 0.0_wp
+      !> Standard deviation of summit heights, mm (Eq. 23)
+      real(wp) :: sigma = 0.0_wp
+      !> Deformation at first yield w1, mm (Eq. 6)
+      real(wp) :: w1 = 0.0_wp
+      !> Deformation at full plasticity w2, mm (Eq. 11)
+      real(wp) :: w2 = 0.0_wp
+      !> Exponents of mean pressure, area and force in the elasto-plastic stage (Eqs 14-19),
+      !> computed from the yield factor
+      real(wp) :: b1 = 0.0_wp, b2 = 0.0_wp, b3 = 0.0_wp
+      !> Force at first yield N1 = pi k H R w1, N (Eq. 7)
+      real(wp) :: n1 = 0.0_wp
+      !> Work of one summit's force up to w2, N mm
+      real(wp) :: energy_2 = 0.0_wp
+      !> Flags that hold for every result of these properties (see `asperity_validity`)
+      integer :: validity = valid
+   end type normal_properties
+
+contains
+
+   !> Check the properties of the normal law and derive its constants.
+   !> `error` is set, and `properties` unusable, when a value is not finite and positive, the
+   !> yield factor is outside 0.05 to 1, or eta R sigma is below 0.0249.
+   pure subroutine new_normal_properties(properties, eta, modulus, radius, hardness, &
+         yield_factor, sigma, error, accept_unphysical)
+      !> Result
+      type(normal_properties), intent(out) :: properties
+      !> Asperity density, 1/mm^2
+      real(wp), intent(in) :: eta
+      !> Equivalent modulus, MPa
+      real(wp), intent(in) :: modulus
+      !> Summit radius, mm
+      real(wp), intent(in) :: radius
+      !> Hardness, MPa
+      real(wp), intent(in) :: hardness
+      !> Mean contact pressure factor k
+      real(wp), intent(in) :: yield_factor
+      !> Standard deviation of summit heights, mm
+      real(wp), intent(in) :: sigma
+      !> Set when a property is refused
+      type(error_type), allocatable, intent(out) :: error
+      !> Let an eta R sigma below 0.0249 pass; results are then flagged
+      logical, intent(in), optional :: accept_unphysical
+      real(wp) :: number
+      logical :: accepted
+
+      call check_positive(error, 'eta', eta, '1/mm^2')
+      if (.not. allocated(error)) call check_positive(error, 'modulus', modulus, 'MPa')
+      if (.not. allocated(error)) call check_positive(error, 'radius', radius, 'mm')
+      if (.not. allocated(error)) call check_positive(error, 'hardness', hardness, 'MPa')
+      if (.not. allocated(error)) call check_positive(error, 'sigma', sigma, 'mm')
+      if (.not. allocated(error)) call check_yield_factor(error, yield_factor)
+      if (allocated(error)) return
+
+      properties%eta = eta
+      properties%modulus = modulus
+      properties%radius = radius
+      properties%hardness = hardness
+      properties%yield_factor = yield_factor
+      properties%sigma = sigma
+      properties%w1 = (0.75_wp*pi*yield_factor*(hardness/modulus))**2*radius
+      properties%w2 = plastic_ratio*properties%w1
+      properties%b1 = log(1.0_wp/yield_factor)/log(plastic_ratio)
+      properties%b2 = 1.0_wp + log(2.0_wp)/log(plastic_ratio)
+      properties%b3 = 1.0_wp + log(2.0_wp/yield_factor)/log(plastic_ratio)
+      properties%n1 = pi*yield_factor*hardness*radius*properties%w1
+      properties%energy_2 = properties%n1*properties%w1*(0.4_wp - 1.0_wp/(properties%b3 + 1.0_wp)) &
+         + 2.0_wp*pi*radius*hardness*properties%w2**2/(properties%b3 + 1.0_wp)
+      if (.not. (properties%n1 > tiny(1.0_wp) .and. ieee_is_finite(eta*properties%n1) &
+            .and. properties%w1/sigma > tiny(1.0_wp) .and. ieee_is_finite(properties%w2/sigma))) then
+         call fatal_error(error, 'modulus = '//to_text(modulus)//' MPa and hardness = '// &
+            to_text(hardness)//' MPa give a first yield at w1 = '//to_text(properties%w1)// &
+            ' mm that is out of range; check the units (N-mm-MPa)')
+         return
+      end if
+
+      number = eta*radius*sigma
+      accepted = .false.
+      if (present(accept_unphysical)) accepted = accept_unphysical
+      if (number < roughness_number_min) then
+         if (.not. accepted) then
+            call fatal_error(error, roughness_message(eta, radius, sigma))
+            return
+         end if
+         properties%validity = ior(properties%validity, roughness_number_low)
+      end if
+      if (number > roughness_number_max) &
+         properties%validity = ior(properties%validity, roughness_number_high)
+      if (properties%b3 > 1.5_wp) properties%validity = ior(properties%validity, stiffer_than_hertz)
+   end subroutine new_normal_properties
+
+   !> Equivalent modulus E* of two elastic bodies, MPa (Eq. 4).
+   pure elemental function equivalent_modulus(modulus_1, poisson_1, modulus_2, poisson_2) &
+         result(modulus)
+      !> Young's moduli, MPa
+      real(wp), intent(in) :: modulus_1, modulus_2
+      !> Poisson's ratios
+      real(wp), intent(in) :: poisson_1, poisson_2
+      real(wp) :: modulus
+
+      modulus = 1.0_wp/((1.0_wp - poisson_1**2)/modulus_1 + (1.0_wp - poisson_2**2)/modulus_2)
+   end function equivalent_modulus
+
+   !> Set `error` unless `value` is finite and above zero.
+   pure subroutine check_positive(error, name, value, unit)
+      !> Set when the value is refused
+      type(error_type), allocatable, intent(inout) :: error
+      !> Name of the property
+      character(len=*), intent(in) :: name
+      !> Its value
+      real(wp), intent(in) :: value
+      !> Its unit, for the message
+      character(len=*), intent(in) :: unit
+
+      if (ieee_is_finite(value)) then
+         if (value > 0.0_wp) return
+      end if
+      call fatal_error(error, name//' = '//to_text(value)// &
+         ' is not allowed: it must be a finite number above zero, in '//unit)
+   end subroutine check_positive
+
+   pure subroutine check_yield_factor(error, yield_factor)
+      type(error_type), allocatable, intent(inout) :: error
+      real(wp), intent(in) :: yield_factor
+
+      if (ieee_is_finite(yield_factor)) then
+         if (yield_factor >= yield_factor_min .and. yield_factor <= yield_factor_max) return
+      end if
+      call fatal_error(error, 'yield_factor = '//to_text(yield_factor)// &
+         ' is not allowed: it must lie between 0.05 and 1; the paper uses 0.4')
+   end subroutine check_yield_factor
+
+   !> Name the unit slip that most likely made eta R sigma too small.
+   pure function roughness_message(eta, radius, sigma) result(message)
+      real(wp), intent(in) :: eta, radius, sigma
+      character(len=:), allocatable :: message
+      character(len=:), allocatable :: slip
+      real(wp) :: number
+
+      number = eta*radius*sigma
+      if (plausible(number*1.0e6_wp)) then
+         slip = 'eta looks like 1/um^2, give it in 1/mm^2 (times 1e6)'
+      else if (plausible(number*1.0e3_wp)) then
+         slip = 'eta looks like 1/um^2 and sigma (or radius) like um, give eta in 1/mm^2 '// &
+            '(times 1e6) and lengths in mm (times 1e-3)'
+      else
+         slip = 'check the units of eta (1/mm^2), radius (mm) and sigma (mm)'
+      end if
+      message = 'eta*radius*sigma = '//to_text(eta)//'*'//to_text(radius)//'*'//to_text(sigma)// &
+         ' = '//to_text(number, 3)//' is below 0.0249, which no isotropic Gaussian surface has: '// &
+         slip//', or set accept_unphysical'
+   end function roughness_message
+
+   pure logical function plausible(number)
+      real(wp), intent(in) :: number
+
+      plausible = number >= roughness_number_min .and. number <= roughness_number_max
+   end function plausible
+
+end module asperity_properties

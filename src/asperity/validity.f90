@@ -1,0 +1,72 @@
+!> Limits past which a result is still computed but no longer means what the law assumes.
+!> Validity is part of every result: a sum of the flags below, `valid` (zero) when none is set.
+module asperity_validity
+   implicit none
+   private
+   public :: validity_text, validity_remark
+
+   !> No limit is passed
+   integer, parameter, public :: valid = 0
+   !> Real area above nominal area: asperities would overlap
+   integer, parameter, public :: area_above_nominal = 1
+   !> Pressure above the hardness: no such contact exists
+   integer, parameter, public :: pressure_above_hardness = 2
+   !> Mean closure of the summits in contact above half their radius: past the sphere's equator
+   integer, parameter, public :: closure_above_half_radius = 4
+   !> Yield factor below 2/sqrt(110): the elasto-plastic stage is stiffer than Hertz (b3 > 1.5)
+   integer, parameter, public :: stiffer_than_hertz = 8
+   !> eta R sigma above 4: rougher than any surface measured so far
+   integer, parameter, public :: roughness_number_high = 16
+   !> eta R sigma below 0.0249, let pass by `accept_unphysical`: no isotropic Gaussian surface
+   integer, parameter, public :: roughness_number_low = 32
+
+   integer, parameter :: name_length = 26, remark_length = 72
+   integer, parameter :: n_flags = 6
+   character(len=name_length), parameter :: names(n_flags) = [character(len=name_length) :: &
+      'area_above_nominal', 'pressure_above_hardness', 'closure_above_half_radius', &
+      'stiffer_than_hertz', 'roughness_number_high', 'roughness_number_low']
+   character(len=remark_length), parameter :: remarks(n_flags) = [character(len=remark_length) :: &
+      'real area above nominal area: asperities overlap, pressure is too high', &
+      'pressure above the hardness: outside the model', &
+      'mean closure of touching summits above radius/2: spheres do not apply', &
+      'yield_factor below 0.1907: elasto-plastic stage stiffer than Hertz', &
+      'eta*radius*sigma above 4: rougher than any measured surface', &
+      'eta*radius*sigma below 0.0249: no isotropic Gaussian surface has it']
+
+contains
+
+   !> Names of the set flags joined by `+`, or `valid`.
+   pure function validity_text(flags) result(text)
+      !> Sum of flags
+      integer, intent(in) :: flags
+      character(len=:), allocatable :: text
+
+      text = joined(flags, names, '+')
+      if (text == '') text = 'valid'
+   end function validity_text
+
+   !> What the set flags mean, joined by `; `, or nothing.
+   pure function validity_remark(flags) result(text)
+      !> Sum of flags
+      integer, intent(in) :: flags
+      character(len=:), allocatable :: text
+
+      text = joined(flags, remarks, '; ')
+   end function validity_remark
+
+   !> The entries of `list` whose flag is set.
+   pure function joined(flags, list, separator) result(text)
+      integer, intent(in) :: flags
+      character(len=*), intent(in) :: list(:), separator
+      character(len=:), allocatable :: text
+      integer :: i
+
+      text = ''
+      do i = 1, size(list)
+         if (.not. btest(flags, i - 1)) cycle
+         if (text /= '') text = text//separator
+         text = text//trim(list(i))
+      end do
+   end function joined
+
+end module asperity_validity
