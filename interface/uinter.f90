@@ -1,0 +1,170 @@
+!> ABAQUS/Standard user subroutine UINTER for rough contact, the 47 arguments of release 6.12 to
+!> 2025. It reads PROPS and STATEV (see uinter_slots), calls the contact-point update and writes
+!> every output. It keeps nothing between calls: no SAVE, no COMMON, no I/O, so any number of
+!> threads may call it. Deck, signs and slots: README.md.
+subroutine uinter( &
+   stress, ddsddr, dviscous, dstructural, flux, ddfddt, ddsddt, ddfddr, statev, sed, sfd, spd, &
+   svd, scd, pnewdt, rdisp, drdisp, temp, dtemp, predef, dpred, time, dtime, freqr, ciname, &
+   slname, msname, props, coords, alocaldir, drot, area, chrlngth, node, ndir, nstatv, npred, &
+   nprops, mcrd, kstep, kinc, kit, linper, lopenclose, lstate, lsdi, lprint)
+   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
+   use asperity, only: contact_properties, contact_response, contact_state, contact_tangent, &
+      error_type, no_opposite_surface, status_open, update_contact_point, validity_remark, wp
+   use asperity_text, only: to_text
+   use uinter_slots, only: n_statev, properties_from_props, state_from_statev, state_pressure, &
+      state_validity, state_warned, statev_from_state
+   implicit none
+   integer, intent(in) :: node, ndir, nstatv, npred, nprops, mcrd, kstep, kinc, kit, linper, lprint
+   real(wp), intent(inout) :: stress(ndir)
+   real(wp), intent(inout) :: ddsddr(ndir, ndir), dviscous(ndir, ndir), dstructural(ndir, ndir)
+   real(wp), intent(inout) :: flux(2), ddfddt(2, 2), ddsddt(ndir, 2), ddfddr(2, ndir)
+   real(wp), intent(inout) :: statev(nstatv)
+   real(wp), intent(inout) :: sed, sfd, spd, svd, scd, pnewdt
+   real(wp), intent(in) :: rdisp(ndir), drdisp(ndir), temp(2), dtemp(2)
+   real(wp), intent(in) :: predef(2, npred), dpred(2, npred), time(2), dtime, freqr
+   character(len=80), intent(in) :: ciname, slname, msname
+   real(wp), intent(in) :: props(nprops), coords(mcrd), alocaldir(3, 3), drot(2, 2)
+   real(wp), intent(in) :: area, chrlngth
+   integer, intent(inout) :: lopenclose, lstate, lsdi
+
+   interface
+      !> ABAQUS: message to the message file; lop -1 warns, -3 reports an error and stops.
+      subroutine stdb_abqerr(lop, string, intv, realv, charv)
+         use asperity_kinds, only: wp
+         implicit none
+         integer, intent(in) :: lop
+         character(len=*), intent(in) :: string
+         integer, intent(in) :: intv(*)
+         real(wp), intent(in) :: realv(*)
+         character(len=8), intent(in) :: charv(*)
+      end subroutine stdb_abqerr
+      !> ABAQUS: ends the job.
+      subroutine xit()
+      end subroutine xit
+   end interface
+
+   !> Time step factor asked for when the host's numbers are not finite
+   real(wp), parameter :: cut_back = 0.25_wp
+   !> Larger numbers than this are a host gone wrong
+   real(wp), parameter :: largest = 1.0e30_wp
+   integer, parameter :: warning = -1, fatal = -3
+   type(contact_properties) :: properties
+   type(contact_state) :: start
+   type(contact_response) :: response
+   type(error_type), allocatable :: error
+   real(wp) :: slip(2), rotation(2, 2), overclosure, tangent(3, 3)
+   integer :: shear
+
+   associate (unused_reals => [temp, dtemp, predef, dpred, time, dtime, freqr, coords, &
+         alocaldir, area, chrlngth], unused_names => slname//msname, &
+         unused_integers => [kstep, kinc, lsdi, lprint])
+   end associate
+
+   ddsddr = 0.0_wp
+   dviscous = 0.0_wp
+   dstructural = 0.0_wp
+   flux = 0.0_wp
+   ddfddt = 0.0_wp
+   ddsddt = 0.0_wp
+   ddfddr = 0.0_wp
+   sfd = 0.0_wp
+   spd = 0.0_wp
+   svd = 0.0_wp
+   scd = 0.0_wp
+
+   call properties_from_props(props, properties, error)
+   if (.not. allocated(error)) call check_sizes(error)
+   if (allocated(error)) then
+      call tell(fatal, error%message)
+      call xit()
+      stress = 0.0_wp
+      sed = 0.0_wp
+      return
+   end if
+
+   shear = ndir - 1
+   start = state_from_statev(statev)
+   if (linper == 1) then
+      tangent = contact_tangent(properties, start)
+      ddsddr = tangent(:ndir, :ndir)
+      stress = matmul(ddsddr, rdisp)
+      return
+   end if
+
+   slip = 0.0_wp
+   rotation = reshape([1.0_wp, 0.0_wp, 0.0_wp, 1.0_wp], [2, 2])
+   overclosure = no_opposite_surface
+   if (.not. ieee_is_finite(rdisp(1))) then
+      pnewdt = cut_back
+      return
+   end if
+   if (rdisp(1) > 0.1_wp*no_opposite_surface) then
+      overclosure = rdisp(1)
+      slip(:shear) = drdisp(2:)
+      if (ndir == 3) rotation = drot
+   end if
+   if (.not. computable([max(overclosure, 0.0_wp), slip, reshape(rotation, [4]), &
+         statev(state_pressure:n_statev)])) then
+      pnewdt = cut_back
+      return
+   end if
+
+   response = update_contact_point(properties, start, overclosure, slip, rotation)
+   stress = response%traction(:ndir)
+   ddsddr = response%tangent(:ndir, :ndir)
+   sed = response%normal_energy + response%tangential_energy
+   sfd = response%dissipation
+   lopenclose = merge(0, 1, response%status == status_open)
+   lstate = response%status
+   call warn_once(response%validity)
+   call statev_from_state(response%state, statev)
+
+contains
+
+   !> Refuse what would be read or written out of bounds.
+   subroutine check_sizes(error)
+      type(error_type), allocatable, intent(out) :: error
+
+      if (nstatv < n_statev) then
+         allocate (error)
+         error%message = 'DEPVAR = '//to_text(nstatv)//' is too small: give DEPVAR = '// &
+            to_text(n_statev)//' on *SURFACE INTERACTION'
+      else if (ndir /= 2 .and. ndir /= 3) then
+         allocate (error)
+         error%message = 'NDIR = '//to_text(ndir)//' is not allowed: it must be 2 or 3'
+      end if
+   end subroutine check_sizes
+
+   !> Finite, and far from overflow.
+   pure logical function computable(values)
+      real(wp), intent(in) :: values(:)
+
+      computable = all(ieee_is_finite(values))
+      if (computable) computable = all(abs(values) < largest)
+   end function computable
+
+   !> Warn, in the first iteration of an increment, of flags not yet warned of at this point:
+   !> those of this trial, and those that came up in a later iteration of an earlier increment.
+   subroutine warn_once(validity)
+      integer, intent(in) :: validity
+      integer :: reached, warned, fresh
+
+      reached = nint(statev(state_validity))
+      warned = nint(statev(state_warned))
+      if (kit == 0) then
+         fresh = iand(ior(validity, reached), not(warned))
+         if (fresh /= 0) call tell(warning, validity_remark(fresh))
+         warned = ior(warned, fresh)
+      end if
+      statev(state_warned) = ior(warned, reached)
+   end subroutine warn_once
+
+   subroutine tell(lop, message)
+      integer, intent(in) :: lop
+      character(len=*), intent(in) :: message
+
+      call stdb_abqerr(lop, 'ASPERITY UINTER, INTERACTION '//trim(ciname)//', NODE '// &
+         to_text(node)//': '//message, [0], [0.0_wp], ['        '])
+   end subroutine tell
+
+end subroutine uinter

@@ -1,0 +1,186 @@
+!> What stands where in PROPS and STATEV of UINTER, and nothing else: every reader and writer of
+!> the two arrays uses these names.
+module uinter_slots
+   use asperity, only: contact_properties, contact_state, error_type, new_contact_properties, &
+      new_normal_properties, normal_properties, valid, wp
+   use asperity_error, only: fatal_error
+   use asperity_text, only: to_text
+   implicit none
+   private
+   public :: properties_from_props, props_from_properties, state_from_statev, statev_from_state
+
+   !> Slots of PROPS, N-mm-MPa
+   enum, bind(c)
+      !> mu, and gcrit in mm
+      enumerator :: prop_friction_coefficient = 1, prop_critical_slip
+      !> eta in 1/mm^2, E* in MPa
+      enumerator :: prop_eta, prop_modulus
+      !> 3.14 or better: kept in the paper's place as a guard against a shifted list, not used
+      enumerator :: prop_pi
+      !> R in mm, H in MPa, k
+      enumerator :: prop_radius, prop_hardness, prop_yield_factor
+      !> sigma in mm, which the paper's list lacks
+      enumerator :: prop_sigma
+      !> d0 in mm, taken literally; 4 sigma when the list ends before
+      enumerator :: prop_initial_separation
+      !> 0 default, 1 abaqus, 2 dissipative
+      enumerator :: prop_friction_rule
+      !> 0 default, 1 exact, 2 backward Euler
+      enumerator :: prop_slip_integration
+      !> 1 lets an eta R sigma below 0.0249 pass
+      enumerator :: prop_accept_unphysical
+   end enum
+   !> Length of the longest list
+   integer, parameter, public :: n_props = prop_accept_unphysical
+
+   !> Slots of STATEV; all zero is a fresh point
+   enum, bind(c)
+      !> 0 never called, 1 open, 2 stick, 3 slip
+      enumerator :: state_status = 1
+      !> Overclosure, mm; pressure, MPa; stored normal energy, N/mm
+      enumerator :: state_overclosure, state_pressure, state_normal_energy
+      !> Elastic slip in the two slip directions, mm
+      enumerator :: state_elastic_slip_1, state_elastic_slip_2
+      !> Largest overclosure reached, mm
+      enumerator :: state_largest_closure
+      !> Frictional dissipation and pressure coupling since the start, N/mm
+      enumerator :: state_dissipation, state_pressure_coupling
+      !> Sum of the validity flags reached, and of those already warned about
+      enumerator :: state_validity, state_warned
+   end enum
+   public :: state_status, state_overclosure, state_pressure, state_normal_energy, &
+      state_elastic_slip_1, state_elastic_slip_2, state_largest_closure, state_dissipation, &
+      state_pressure_coupling, state_validity, state_warned
+   !> DEPVAR that UINTER needs
+   integer, parameter, public :: n_statev = state_warned
+
+   !> How far PROPS(5) may be from pi: 3.14 passes
+   real(wp), parameter :: pi_tolerance = 0.01_wp
+   real(wp), parameter :: pi = acos(-1.0_wp)
+
+contains
+
+   !> Read and check PROPS. `error` is set when the list is too short or too long, PROPS(5) is
+   !> not near pi, or a property is refused.
+   pure subroutine properties_from_props(props, properties, error)
+      !> The property list
+      real(wp), intent(in) :: props(:)
+      !> Checked properties
+      type(contact_properties), intent(out) :: properties
+      !> Set when the list is refused
+      type(error_type), allocatable, intent(out) :: error
+      type(normal_properties) :: normal
+      integer :: rule, integration
+
+      if (size(props) < prop_sigma .or. size(props) > n_props) then
+         call fatal_error(error, length_message(size(props)))
+         return
+      end if
+      if (.not. abs(props(prop_pi) - pi) < pi_tolerance) then
+         call fatal_error(error, 'PROPS(5) = '//to_text(props(prop_pi))//' must be pi (3.14 or '// &
+            'better): the list seems shifted; check that the line after *SURFACE INTERACTION '// &
+            'is blank or a thickness, and the order of the properties')
+         return
+      end if
+      call new_normal_properties(normal, props(prop_eta), props(prop_modulus), &
+         props(prop_radius), props(prop_hardness), props(prop_yield_factor), props(prop_sigma), &
+         error, accept_unphysical=choice(props, prop_accept_unphysical) == 1)
+      if (allocated(error)) return
+
+      rule = max(choice(props, prop_friction_rule), 1)
+      integration = max(choice(props, prop_slip_integration), 1)
+      if (size(props) < prop_initial_separation) then
+         call new_contact_properties(properties, normal, props(prop_friction_coefficient), &
+            props(prop_critical_slip), error)
+      else
+         call new_contact_properties(properties, normal, props(prop_friction_coefficient), &
+            props(prop_critical_slip), error, props(prop_initial_separation), rule, integration)
+      end if
+   end subroutine properties_from_props
+
+   !> The full property list that gives these properties.
+   pure function props_from_properties(properties) result(props)
+      !> Checked properties
+      type(contact_properties), intent(in) :: properties
+      real(wp) :: props(n_props)
+
+      props(prop_friction_coefficient) = properties%friction_coefficient
+      props(prop_critical_slip) = properties%critical_slip
+      props(prop_eta) = properties%normal%eta
+      props(prop_modulus) = properties%normal%modulus
+      props(prop_pi) = pi
+      props(prop_radius) = properties%normal%radius
+      props(prop_hardness) = properties%normal%hardness
+      props(prop_yield_factor) = properties%normal%yield_factor
+      props(prop_sigma) = properties%normal%sigma
+      props(prop_initial_separation) = properties%initial_separation
+      props(prop_friction_rule) = properties%friction_rule
+      props(prop_slip_integration) = properties%slip_integration
+      ! properties that exist have been accepted
+      props(prop_accept_unphysical) = 1.0_wp
+   end function props_from_properties
+
+   !> State of a point from STATEV.
+   pure function state_from_statev(statev) result(state)
+      !> At least `n_statev` numbers
+      real(wp), intent(in) :: statev(:)
+      type(contact_state) :: state
+
+      state%status = nint(statev(state_status))
+      state%overclosure = statev(state_overclosure)
+      state%pressure = statev(state_pressure)
+      state%normal_energy = statev(state_normal_energy)
+      state%elastic_slip = [statev(state_elastic_slip_1), statev(state_elastic_slip_2)]
+      state%largest_closure = statev(state_largest_closure)
+      state%dissipation = statev(state_dissipation)
+      state%pressure_coupling = statev(state_pressure_coupling)
+      state%validity = ior(valid, nint(statev(state_validity)))
+   end function state_from_statev
+
+   !> Write a state to STATEV; the slot of warnings is left alone.
+   pure subroutine statev_from_state(state, statev)
+      !> State of the point
+      type(contact_state), intent(in) :: state
+      !> At least `n_statev` numbers
+      real(wp), intent(inout) :: statev(:)
+
+      statev(state_status) = state%status
+      statev(state_overclosure) = state%overclosure
+      statev(state_pressure) = state%pressure
+      statev(state_normal_energy) = state%normal_energy
+      statev(state_elastic_slip_1) = state%elastic_slip(1)
+      statev(state_elastic_slip_2) = state%elastic_slip(2)
+      statev(state_largest_closure) = state%largest_closure
+      statev(state_dissipation) = state%dissipation
+      statev(state_pressure_coupling) = state%pressure_coupling
+      statev(state_validity) = state%validity
+   end subroutine statev_from_state
+
+   !> Whole number in a slot, 0 when the list ends before it, -1 when it is not a small number.
+   pure integer function choice(props, slot)
+      real(wp), intent(in) :: props(:)
+      integer, intent(in) :: slot
+
+      choice = 0
+      if (slot > size(props)) return
+      choice = -1
+      if (abs(props(slot)) < 10.0_wp) choice = nint(props(slot))
+      if (abs(props(slot) - choice) > 0.0_wp) choice = -1
+   end function choice
+
+   pure function length_message(length) result(message)
+      integer, intent(in) :: length
+      character(len=:), allocatable :: message
+
+      message = 'PROPERTIES = '//to_text(length)//' is not allowed: give 9 to '//to_text(n_props)
+      if (length == prop_sigma - 1) then
+         message = message//'; the eight of the paper lack sigma, without which the law has no '// &
+            'length scale: add sigma, the standard deviation of summit heights in mm, as the '// &
+            'ninth (Table 2 prints it in um)'
+      else
+         message = message//' (mu, gcrit, eta, E*, pi, R, H, k, sigma, d0, friction rule, '// &
+            'slip integration, accept unphysical)'
+      end if
+   end function length_message
+
+end module uinter_slots

@@ -1,0 +1,262 @@
+!> A host that plays ABAQUS for one contact point: it calls UINTER several times an increment from
+!> the values at its start, with every output poisoned beforehand, accepts or cuts back, and keeps
+!> the history of everything that UINTER returned.
+module replay_host
+   use, intrinsic :: ieee_arithmetic, only: ieee_is_nan, ieee_quiet_nan, ieee_value
+   use asperity, only: computation_error, contact_properties, error_type, no_opposite_surface, wp
+   use asperity_error, only: fatal_error
+   use asperity_text, only: to_text
+   use uinter_signature, only: uinter_interface
+   use uinter_slots, only: n_statev, props_from_properties
+   implicit none
+   private
+   public :: host_point, host_record, new_host_point, try_increment, accept_increment, &
+      run_increment
+
+   !> Everything that UINTER was given and returned in one call.
+   type :: host_record
+      !> Step and total time at the end of the increment, s; its length, s
+      real(wp) :: time(2) = 0.0_wp, dtime = 0.0_wp
+      !> Relative position at the end and its increment, mm
+      real(wp), allocatable :: rdisp(:), drdisp(:)
+      !> Tractions, MPa, and their derivative by the relative motion, MPa/mm
+      real(wp), allocatable :: stress(:), ddsddr(:, :)
+      real(wp), allocatable :: statev(:)
+      !> Stored energy per area, total, N/mm
+      real(wp) :: sed = 0.0_wp
+      !> Frictional, plastic, viscous and creep dissipation per area in the increment, N/mm
+      real(wp) :: sfd = 0.0_wp, spd = 0.0_wp, svd = 0.0_wp, scd = 0.0_wp
+      !> Time step factor asked for; not below 1 unless a cut is wanted
+      real(wp) :: pnewdt = 0.0_wp
+      integer :: lopenclose = -1, lstate = -1, lsdi = 0
+      !> Calls of UINTER in this increment so far
+      integer :: calls = 0
+   end type host_record
+
+   !> One contact point of the host.
+   type :: host_point
+      procedure(uinter_interface), pointer, nopass :: routine => null()
+      !> PROPS
+      real(wp), allocatable :: props(:)
+      integer :: ndir = 3
+      !> Values at the start of the increment
+      type(host_record) :: start
+      !> Values of the last call
+      type(host_record) :: trial
+      !> Accepted increments
+      type(host_record), allocatable :: history(:)
+      !> Increments asked to be repeated so far
+      integer :: cutbacks = 0
+      integer :: increments = 0
+      !> Rotation of the slip directions since the start
+      real(wp) :: rotation(2, 2) = reshape([1.0_wp, 0.0_wp, 0.0_wp, 1.0_wp], [2, 2])
+   end type host_point
+
+   real(wp), parameter :: large_pnewdt = 1.0e30_wp
+   integer, parameter :: max_discontinuities = 10, max_cutbacks = 30
+   !> RDISP(1) below this means that no opposite surface was found
+   real(wp), parameter :: no_surface = 0.1_wp*no_opposite_surface
+
+contains
+
+   !> A fresh point that calls `routine` with the full property list of `properties`.
+   subroutine new_host_point(point, routine, properties, ndir, props, nstatv)
+      !> Result
+      type(host_point), intent(out) :: point
+      !> The UINTER to be called
+      procedure(uinter_interface) :: routine
+      !> Checked properties
+      type(contact_properties), intent(in) :: properties
+      !> 2 or 3 components; 3 when absent
+      integer, intent(in), optional :: ndir
+      !> Another property list in place of that of `properties`
+      real(wp), intent(in), optional :: props(:)
+      !> Length of STATEV; what UINTER needs when absent
+      integer, intent(in), optional :: nstatv
+      integer :: n
+
+      point%routine => routine
+      point%props = props_from_properties(properties)
+      if (present(props)) point%props = props
+      if (present(ndir)) point%ndir = ndir
+      n = n_statev
+      if (present(nstatv)) n = nstatv
+      associate (start => point%start)
+         allocate (start%rdisp(point%ndir), start%drdisp(point%ndir), start%stress(point%ndir), &
+            start%ddsddr(point%ndir, point%ndir), start%statev(n), source=0.0_wp)
+         start%rdisp(1) = no_opposite_surface
+      end associate
+      point%trial = point%start
+      allocate (point%history(0))
+   end subroutine new_host_point
+
+   !> One iteration: call UINTER from the start of the increment for a trial motion, and again
+   !> while it changes LOPENCLOSE. `point%trial` holds what it returned. `error` is set when an
+   !> output was left unset or the status never settles.
+   subroutine try_increment(point, overclosure, slip_increment, dtime, error, rotation, linper)
+      !> The point
+      type(host_point), intent(inout) :: point
+      !> RDISP(1) at the end, mm
+      real(wp), intent(in) :: overclosure
+      !> DRDISP(2:), mm
+      real(wp), intent(in) :: slip_increment(:)
+      !> Length of the increment, s
+      real(wp), intent(in) :: dtime
+      !> Set when UINTER broke its contract
+      type(error_type), allocatable, intent(out) :: error
+      !> DROT
+      real(wp), intent(in), optional :: rotation(2, 2)
+      !> 1 in a linear perturbation step, where motions are perturbations
+      integer, intent(in), optional :: linper
+      integer :: lopenclose, repeat
+      real(wp) :: drot(2, 2)
+      integer :: perturbation
+
+      drot = reshape([1.0_wp, 0.0_wp, 0.0_wp, 1.0_wp], [2, 2])
+      if (present(rotation)) drot = rotation
+      perturbation = 0
+      if (present(linper)) perturbation = linper
+      do repeat = 1, max_discontinuities
+         lopenclose = point%trial%lopenclose
+         call call_routine(point, overclosure, slip_increment, dtime, drot, perturbation)
+         call check_outputs(point%trial, error)
+         if (allocated(error)) return
+         if (point%trial%lopenclose == lopenclose .or. perturbation == 1) return
+      end do
+      call fatal_error(error, 'LOPENCLOSE keeps changing at overclosure = '// &
+         to_text(overclosure)//' mm', computation_error)
+   end subroutine try_increment
+
+   !> Accept the last trial: it becomes the start of the next increment.
+   subroutine accept_increment(point, rotation)
+      !> The point
+      type(host_point), intent(inout) :: point
+      !> DROT of the increment
+      real(wp), intent(in), optional :: rotation(2, 2)
+      type(host_record), allocatable :: grown(:)
+
+      if (present(rotation)) point%rotation = matmul(rotation, point%rotation)
+      point%increments = point%increments + 1
+      if (point%increments > size(point%history)) then
+         allocate (grown(max(64, 2*size(point%history))))
+         grown(:size(point%history)) = point%history
+         call move_alloc(grown, point%history)
+      end if
+      point%history(point%increments) = point%trial
+      point%start = point%trial
+      point%start%calls = 0
+      point%trial%calls = 0
+   end subroutine accept_increment
+
+   !> A whole increment of prescribed motion: cut back as UINTER asks, then accept. `error` is set
+   !> when it cannot be finished.
+   subroutine run_increment(point, overclosure, slip_increment, dtime, error, rotation)
+      !> The point
+      type(host_point), intent(inout) :: point
+      !> RDISP(1) at the end, mm
+      real(wp), intent(in) :: overclosure
+      !> DRDISP(2:), mm
+      real(wp), intent(in) :: slip_increment(:)
+      !> Length of the increment, s
+      real(wp), intent(in) :: dtime
+      !> Set when UINTER broke its contract or asks for ever smaller increments
+      type(error_type), allocatable, intent(out) :: error
+      !> DROT; an increment with rotation is not cut
+      real(wp), intent(in), optional :: rotation(2, 2)
+      real(wp) :: done, part, from
+      integer :: cuts
+
+      done = 0.0_wp
+      part = 1.0_wp
+      cuts = 0
+      from = point%start%rdisp(1)
+      if (from < no_surface) from = overclosure
+      do while (done < 1.0_wp)
+         part = min(part, 1.0_wp - done)
+         if (done + part >= 1.0_wp) then
+            call try_increment(point, overclosure, part*slip_increment, part*dtime, error, rotation)
+         else
+            call try_increment(point, from + (done + part)*(overclosure - from), &
+               part*slip_increment, part*dtime, error, rotation)
+         end if
+         if (allocated(error)) return
+         if (point%trial%pnewdt < 1.0_wp) then
+            cuts = cuts + 1
+            point%cutbacks = point%cutbacks + 1
+            part = part*point%trial%pnewdt
+            if (cuts <= max_cutbacks .and. .not. present(rotation)) cycle
+            call fatal_error(error, 'UINTER asks to cut the increment for ever at overclosure = '// &
+               to_text(overclosure)//' mm', computation_error)
+            return
+         end if
+         call accept_increment(point, rotation)
+         done = done + part
+         if (part <= 0.0_wp) exit
+      end do
+   end subroutine run_increment
+
+   !> One call, from the values at the start of the increment, outputs poisoned.
+   subroutine call_routine(point, overclosure, slip_increment, dtime, drot, linper)
+      type(host_point), intent(inout) :: point
+      real(wp), intent(in) :: overclosure, slip_increment(:), dtime, drot(2, 2)
+      integer, intent(in) :: linper
+      character(len=80), parameter :: ciname = 'WOOD', slname = 'SLAVE', msname = 'MASTER'
+      real(wp), parameter :: zero_2(2) = 0.0_wp, zero_field(2, 1) = 0.0_wp, zero_3(3) = 0.0_wp
+      real(wp), parameter :: axes(3, 3) = reshape([1.0_wp, 0.0_wp, 0.0_wp, 0.0_wp, 1.0_wp, &
+         0.0_wp, 0.0_wp, 0.0_wp, 1.0_wp], [3, 3])
+      real(wp) :: bad, dviscous(point%ndir, point%ndir), dstructural(point%ndir, point%ndir)
+      real(wp) :: flux(2), ddfddt(2, 2), ddsddt(point%ndir, 2), ddfddr(2, point%ndir)
+      integer :: calls, lopenclose, lstate
+
+      calls = point%trial%calls
+      lopenclose = point%trial%lopenclose
+      lstate = point%trial%lstate
+      point%trial = point%start
+      bad = ieee_value(1.0_wp, ieee_quiet_nan)
+      dviscous = bad
+      dstructural = bad
+      flux = bad
+      ddfddt = bad
+      ddsddt = bad
+      ddfddr = bad
+      associate (t => point%trial)
+         t%calls = calls + 1
+         t%lopenclose = lopenclose
+         t%lstate = lstate
+         t%lsdi = 0
+         t%ddsddr = bad
+         t%sfd = bad
+         t%spd = bad
+         t%svd = bad
+         t%scd = bad
+         t%pnewdt = large_pnewdt
+         t%dtime = dtime
+         t%time = point%start%time + dtime
+         t%rdisp(1) = overclosure
+         t%drdisp(1) = overclosure - point%start%rdisp(1)
+         t%drdisp(2:) = slip_increment
+         t%rdisp(2:) = point%start%rdisp(2:) + slip_increment
+         call point%routine(t%stress, t%ddsddr, dviscous, dstructural, flux, ddfddt, ddsddt, &
+            ddfddr, t%statev, t%sed, t%sfd, t%spd, t%svd, t%scd, t%pnewdt, t%rdisp, t%drdisp, &
+            zero_2, zero_2, zero_field, zero_field, t%time, dtime, 0.0_wp, ciname, slname, &
+            msname, point%props, zero_3, axes, drot, 1.0_wp, 1.0_wp, 1, point%ndir, &
+            size(t%statev), 1, size(point%props), 3, 1, point%increments + 1, calls, linper, &
+            t%lopenclose, t%lstate, t%lsdi, 0)
+         if (any(ieee_is_nan([dviscous, dstructural])) .or. any(ieee_is_nan([flux, &
+            reshape(ddfddt, [4]), reshape(ddsddt, [2*point%ndir]), &
+            reshape(ddfddr, [2*point%ndir])]))) t%sfd = bad
+      end associate
+   end subroutine call_routine
+
+   !> `error` is set when an output still holds the poison.
+   subroutine check_outputs(record, error)
+      type(host_record), intent(in) :: record
+      type(error_type), allocatable, intent(out) :: error
+
+      if (any(ieee_is_nan(record%stress)) .or. any(ieee_is_nan(record%ddsddr)) &
+         .or. any(ieee_is_nan([record%sed, record%sfd, record%spd, record%svd, record%scd]))) &
+         call fatal_error(error, 'UINTER returned a number that is not one, or left an output '// &
+         'unset, at overclosure = '//to_text(record%rdisp(1))//' mm', computation_error)
+   end subroutine check_outputs
+
+end module replay_host

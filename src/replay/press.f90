@@ -1,0 +1,149 @@
+!> Press: one contact point closed and opened again through UINTER, by a ramp of pressure or of
+!> overclosure (the paper's Fig. 17).
+module replay_press
+   use asperity, only: computation_error, contact_properties, error_type, evaluate_normal_law, &
+      normal_response, separation_for_pressure, wp
+   use asperity_error, only: fatal_error
+   use asperity_properties, only: check_positive
+   use asperity_text, only: to_text
+   use replay_host, only: accept_increment, host_point, new_host_point, try_increment
+   use uinter_signature, only: uinter_interface
+   implicit none
+   private
+   public :: press_settings, press_step, run_press
+
+   !> Load path: up in one ramp, down to zero in another.
+   type :: press_settings
+      !> What is ramped: `pressure` or `overclosure`
+      character(len=16) :: control = 'pressure'
+      !> Value at the top of the ramp, MPa or mm
+      real(wp) :: peak = 4.7_wp
+      !> Increments of each ramp
+      integer :: increments = 50
+      !> Duration of each ramp, s
+      real(wp) :: step_time = 1.0_wp
+   end type press_settings
+
+   !> One increment of the replay.
+   type :: press_step
+      !> Step time, s
+      real(wp) :: time = 0.0_wp
+      !> Overclosure and separation, mm
+      real(wp) :: overclosure = 0.0_wp, separation = 0.0_wp
+      !> Pressure, MPa, and normal stiffness, MPa/mm, as UINTER returned them
+      real(wp) :: pressure = 0.0_wp, stiffness = 0.0_wp
+      !> Real over nominal area; contacts, 1/mm^2; stored energy, N/mm
+      real(wp) :: area_fraction = 0.0_wp, contact_density = 0.0_wp, energy = 0.0_wp
+      !> Shares of the pressure by stage
+      real(wp) :: elastic_share = 1.0_wp, elastoplastic_share = 0.0_wp, plastic_share = 0.0_wp
+      !> Contact status and validity flags
+      integer :: status = 0, validity = 0
+   end type press_step
+
+   integer, parameter :: max_increments = 1000000, max_iterations = 20
+   real(wp), parameter :: pressure_tolerance = 1.0e-12_wp
+   procedure(uinter_interface) :: uinter
+
+contains
+
+   !> Replay a press. `error` is set when a setting is not allowed or UINTER broke its contract.
+   subroutine run_press(settings, properties, steps, error)
+      !> Load path
+      type(press_settings), intent(in) :: settings
+      !> Checked properties
+      type(contact_properties), intent(in) :: properties
+      !> Start, ramp up, ramp down
+      type(press_step), allocatable, intent(out) :: steps(:)
+      !> Set on failure
+      type(error_type), allocatable, intent(out) :: error
+      type(host_point) :: point
+      real(wp) :: target, dtime
+      integer :: i
+
+      call check_settings(settings, error)
+      if (allocated(error)) return
+      call new_host_point(point, uinter, properties, ndir=2)
+      allocate (steps(2*settings%increments + 1))
+      do i = 0, 2*settings%increments
+         target = settings%peak*real(settings%increments - abs(settings%increments - i), wp) &
+            /settings%increments
+         dtime = merge(settings%step_time/settings%increments, 0.0_wp, i > 0)
+         if (settings%control == 'overclosure') then
+            call try_increment(point, target, [0.0_wp], dtime, error)
+         else
+            call reach_pressure(point, properties, target, dtime, error)
+         end if
+         if (allocated(error)) return
+         call accept_increment(point)
+         steps(i + 1) = step_of(point, properties)
+      end do
+   end subroutine run_press
+
+   !> Newton on the pressure that UINTER returns, from the inverse of the law. Zero pressure is
+   !> the separation at which the point has just opened.
+   subroutine reach_pressure(point, properties, pressure, dtime, error)
+      type(host_point), intent(inout) :: point
+      type(contact_properties), intent(in) :: properties
+      real(wp), intent(in) :: pressure, dtime
+      type(error_type), allocatable, intent(out) :: error
+      real(wp) :: overclosure, separation, wanted
+      integer :: iteration
+
+      wanted = max(pressure, 0.5_wp*properties%p_open)
+      call separation_for_pressure(properties%normal, wanted, separation, error)
+      if (allocated(error)) return
+      overclosure = properties%initial_separation - separation
+      do iteration = 1, max_iterations
+         call try_increment(point, overclosure, [0.0_wp], dtime, error)
+         if (allocated(error)) return
+         associate (p => point%trial%stress(1))
+            if (abs(p - wanted) <= pressure_tolerance*wanted*(1.0_wp + abs(overclosure) &
+               /properties%normal%sigma)) return
+            overclosure = overclosure + (wanted - p)/point%trial%ddsddr(1, 1)
+         end associate
+      end do
+      call fatal_error(error, 'no overclosure found for pressure = '//to_text(pressure)//' MPa', &
+         computation_error)
+   end subroutine reach_pressure
+
+   !> What happened in the accepted increment.
+   pure function step_of(point, properties) result(step)
+      type(host_point), intent(in) :: point
+      type(contact_properties), intent(in) :: properties
+      type(press_step) :: step
+      type(normal_response) :: normal
+
+      step%time = point%start%time(1)
+      step%overclosure = point%start%rdisp(1)
+      step%separation = properties%initial_separation - step%overclosure
+      step%pressure = point%start%stress(1)
+      step%stiffness = point%start%ddsddr(1, 1)
+      step%energy = point%start%sed
+      step%status = point%start%lstate
+      normal = evaluate_normal_law(properties%normal, step%separation)
+      step%area_fraction = normal%area_fraction
+      step%contact_density = normal%contact_density
+      step%elastic_share = normal%elastic_share
+      step%elastoplastic_share = normal%elastoplastic_share
+      step%plastic_share = normal%plastic_share
+      step%validity = normal%validity
+   end function step_of
+
+   pure subroutine check_settings(settings, error)
+      type(press_settings), intent(in) :: settings
+      type(error_type), allocatable, intent(out) :: error
+
+      if (settings%control /= 'pressure' .and. settings%control /= 'overclosure') then
+         call fatal_error(error, "control = '"//trim(settings%control)// &
+            "' is unknown: it must be 'pressure' or 'overclosure'")
+      else if (settings%increments < 1 .or. settings%increments > max_increments) then
+         call fatal_error(error, 'increments = '//to_text(settings%increments)// &
+            ' is not allowed: it must lie between 1 and '//to_text(max_increments))
+      else
+         call check_positive(error, 'peak', settings%peak, 'MPa or mm')
+         if (.not. allocated(error)) &
+            call check_positive(error, 'step_time', settings%step_time, 's')
+      end if
+   end subroutine check_settings
+
+end module replay_press

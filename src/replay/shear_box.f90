@@ -1,0 +1,187 @@
+!> Direct shear of two discs under dead weight (the paper's Figs 13-18), every step through
+!> UINTER. The weight fixes the pressure, so the box tests friction, not the normal law; the
+!> closure under load is what the normal law says.
+module replay_shear_box
+   use asperity, only: computation_error, contact_properties, error_type, evaluate_normal_law, &
+      normal_response, separation_for_pressure, wp
+   use asperity_error, only: fatal_error
+   use asperity_text, only: to_text
+   use replay_host, only: accept_increment, host_point, new_host_point, try_increment
+   use replay_shear_settings, only: box_path, check_shear_settings, current_area, &
+      overlap_area, shear_settings
+   use uinter_signature, only: uinter_interface
+   use uinter_slots, only: state_elastic_slip_1, state_normal_energy, state_pressure_coupling
+   implicit none
+   private
+   public :: shear_settings, shear_step, run_shear_box, overlap_area
+
+   !> One increment of the replay. Energies are totals over the overlap, N mm.
+   type :: shear_step
+      !> Time since the box moves, s
+      real(wp) :: time = 0.0_wp
+      !> Displacement of the box, relative motion of the faces, mm
+      real(wp) :: displacement = 0.0_wp, slip = 0.0_wp
+      !> Overclosure and separation, mm; separation over sigma
+      real(wp) :: overclosure = 0.0_wp, separation = 0.0_wp, separation_over_sigma = 0.0_wp
+      !> Area of the discs' overlap, mm^2
+      real(wp) :: overlap_area = 0.0_wp
+      !> Normal stress on the overlap, MPa
+      real(wp) :: normal_stress = 0.0_wp
+      !> Shear force, N
+      real(wp) :: shear_force = 0.0_wp
+      !> Shear stress on the full disc and on the overlap, MPa
+      real(wp) :: shear_stress_nominal = 0.0_wp, shear_stress = 0.0_wp
+      !> Real area over overlap area
+      real(wp) :: area_fraction = 0.0_wp
+      !> Stored normal and tangential energy, N mm
+      real(wp) :: normal_energy = 0.0_wp, tangential_energy = 0.0_wp
+      !> Frictional dissipation and pressure coupling since the start, N mm
+      real(wp) :: dissipation = 0.0_wp, pressure_coupling = 0.0_wp
+      !> Shares of the pressure by stage
+      real(wp) :: elastic_share = 1.0_wp, elastoplastic_share = 0.0_wp, plastic_share = 0.0_wp
+      !> Contact status and validity flags
+      integer :: status = 0, validity = 0
+   end type shear_step
+
+   integer, parameter :: max_iterations = 40
+   !> Balance is found to this part of the weight, and of gcrit
+   real(wp), parameter :: balance_tolerance = 1.0e-11_wp
+   real(wp), parameter :: seconds_per_minute = 60.0_wp
+   !> Displacement when none is given, mm
+   real(wp), parameter :: default_displacement = 3.0_wp
+   procedure(uinter_interface) :: uinter
+
+   interface
+      !> LAPACK: solve a x = b by elimination.
+      subroutine dgesv(n, nrhs, a, lda, ipiv, b, ldb, info)
+         use asperity_kinds, only: wp
+         implicit none
+         integer, intent(in) :: n, nrhs, lda, ldb
+         real(wp), intent(inout) :: a(lda, *), b(ldb, *)
+         integer, intent(out) :: ipiv(*), info
+      end subroutine dgesv
+   end interface
+
+contains
+
+   !> Replay a shear test. The first step is the seated box at rest. `error` is set when a setting
+   !> is not allowed, balance is not found or UINTER broke its contract.
+   subroutine run_shear_box(settings, properties, steps, error)
+      !> Specimen, load and path
+      type(shear_settings), intent(in) :: settings
+      !> Checked properties
+      type(contact_properties), intent(in) :: properties
+      !> Seated box, then every increment
+      type(shear_step), allocatable, intent(out) :: steps(:)
+      !> Set on failure
+      type(error_type), allocatable, intent(out) :: error
+      type(host_point) :: point
+      real(wp), allocatable :: turns(:), path(:)
+      integer :: i
+
+      if (allocated(settings%displacement)) then
+         allocate (turns, source=settings%displacement)
+      else
+         allocate (turns, source=[default_displacement])
+      end if
+      call check_shear_settings(settings, turns, error)
+      if (allocated(error)) return
+      path = box_path(turns, settings%displacement_increment)
+      call new_host_point(point, uinter, properties, ndir=2)
+      allocate (steps(size(path)))
+      do i = 1, size(path)
+         call balance(point, settings, properties, path(i), seconds_per_minute &
+            *abs(path(i) - path(max(i - 1, 1)))/settings%rate, error)
+         if (allocated(error)) return
+         steps(i) = step_of(point, settings, properties, path(i))
+         if (i > 1) call add_energies(steps(i), steps(i - 1), point)
+         call accept_increment(point)
+      end do
+   end subroutine run_shear_box
+
+   !> Find overclosure and slip so that the pressure carries the weight and the slip plus the
+   !> specimens' shear is the displacement of the box: Newton with the tangent of UINTER.
+   subroutine balance(point, settings, properties, displacement, dtime, error)
+      type(host_point), intent(inout) :: point
+      type(shear_settings), intent(in) :: settings
+      type(contact_properties), intent(in) :: properties
+      real(wp), intent(in) :: displacement, dtime
+      type(error_type), allocatable, intent(out) :: error
+      real(wp) :: weight, area, separation, residual(2, 1), jacobian(2, 2), overclosure, slip
+      real(wp) :: compliance
+      integer :: iteration, pivots(2), info
+
+      weight = settings%normal_stress*overlap_area(settings%diameter, 0.0_wp)
+      area = current_area(settings, displacement)
+      compliance = settings%shear_compliance*area
+      call separation_for_pressure(properties%normal, weight/area, separation, error)
+      if (allocated(error)) return
+      overclosure = properties%initial_separation - separation
+      slip = displacement - compliance*point%start%stress(2)
+      do iteration = 1, max_iterations
+         call try_increment(point, overclosure, [slip - point%start%rdisp(2)], dtime, error)
+         if (allocated(error)) return
+         associate (stress => point%trial%stress, tangent => point%trial%ddsddr)
+            residual(1, 1) = area*stress(1)/weight - 1.0_wp
+            residual(2, 1) = slip + compliance*stress(2) - displacement
+            if (abs(residual(1, 1)) <= balance_tolerance .and. &
+               abs(residual(2, 1)) <= balance_tolerance*properties%critical_slip) return
+            jacobian(1, :) = area*tangent(1, :)/weight
+            jacobian(2, :) = compliance*tangent(2, :) + [0.0_wp, 1.0_wp]
+         end associate
+         call dgesv(2, 1, jacobian, 2, pivots, residual, 2, info)
+         if (info /= 0) exit
+         overclosure = overclosure - residual(1, 1)
+         slip = slip - residual(2, 1)
+      end do
+      call fatal_error(error, 'no balance found at displacement = '//to_text(displacement)// &
+         ' mm; try a smaller displacement_increment', computation_error)
+   end subroutine balance
+
+   !> What happened in the trial that balances.
+   pure function step_of(point, settings, properties, displacement) result(step)
+      type(host_point), intent(in) :: point
+      type(shear_settings), intent(in) :: settings
+      type(contact_properties), intent(in) :: properties
+      real(wp), intent(in) :: displacement
+      type(shear_step) :: step
+      type(normal_response) :: normal
+
+      associate (trial => point%trial)
+         step%time = trial%time(1)
+         step%displacement = displacement
+         step%slip = trial%rdisp(2)
+         step%overclosure = trial%rdisp(1)
+         step%separation = properties%initial_separation - step%overclosure
+         step%separation_over_sigma = step%separation/properties%normal%sigma
+         step%overlap_area = current_area(settings, displacement)
+         step%normal_stress = trial%stress(1)
+         step%shear_stress = trial%stress(2)
+         step%shear_force = step%overlap_area*step%shear_stress
+         step%shear_stress_nominal = step%shear_force/overlap_area(settings%diameter, 0.0_wp)
+         step%normal_energy = step%overlap_area*trial%statev(state_normal_energy)
+         step%tangential_energy = step%overlap_area*0.5_wp*trial%stress(2) &
+            *trial%statev(state_elastic_slip_1)
+         step%status = trial%lstate
+      end associate
+      normal = evaluate_normal_law(properties%normal, step%separation)
+      step%area_fraction = normal%area_fraction
+      step%elastic_share = normal%elastic_share
+      step%elastoplastic_share = normal%elastoplastic_share
+      step%plastic_share = normal%plastic_share
+      step%validity = normal%validity
+   end function step_of
+
+   !> Add what the increment dissipated and coupled, on the overlap at its end.
+   pure subroutine add_energies(step, last, point)
+      type(shear_step), intent(inout) :: step
+      type(shear_step), intent(in) :: last
+      type(host_point), intent(in) :: point
+
+      step%dissipation = last%dissipation + step%overlap_area*point%trial%sfd
+      step%pressure_coupling = last%pressure_coupling + step%overlap_area &
+         *(point%trial%statev(state_pressure_coupling) - &
+         point%start%statev(state_pressure_coupling))
+   end subroutine add_energies
+
+end module replay_shear_box

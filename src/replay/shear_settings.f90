@@ -1,0 +1,123 @@
+!> Settings of the shear box: specimen, load and path.
+module replay_shear_settings
+   use asperity, only: error_type, wp
+   use asperity_error, only: fatal_error
+   use asperity_properties, only: check_positive
+   use asperity_text, only: to_text
+   implicit none
+   private
+   public :: shear_settings, check_shear_settings, box_path, overlap_area, current_area
+
+   !> Specimen, load and path.
+   type :: shear_settings
+      !> Diameter of both discs, mm
+      real(wp) :: diameter = 61.8_wp
+      !> Normal stress of the dead weight on the full disc, MPa
+      real(wp) :: normal_stress = 0.05_wp
+      !> Speed of the lower box, mm/min
+      real(wp) :: rate = 1.2_wp
+      !> Turning points of the lower box, mm; 3 mm when not allocated
+      real(wp), allocatable :: displacement(:)
+      !> Largest step, mm
+      real(wp) :: displacement_increment = 0.02_wp
+      !> Whether the discs' overlap shrinks with displacement
+      logical :: shrinking_overlap = .true.
+      !> Shear compliance of the two specimens together, mm/N
+      real(wp) :: shear_compliance = 0.0_wp
+   end type shear_settings
+
+   integer, parameter :: max_steps = 1000000
+
+contains
+
+   !> `error` is set when a setting is not allowed.
+   pure subroutine check_shear_settings(settings, turns, error)
+      !> Settings
+      type(shear_settings), intent(in) :: settings
+      !> Turning points, mm
+      real(wp), intent(in) :: turns(:)
+      !> Set when a setting is refused
+      type(error_type), allocatable, intent(out) :: error
+      integer :: i
+
+      call check_positive(error, 'diameter', settings%diameter, 'mm')
+      if (.not. allocated(error)) &
+         call check_positive(error, 'normal_stress', settings%normal_stress, 'MPa')
+      if (.not. allocated(error)) call check_positive(error, 'rate', settings%rate, 'mm/min')
+      if (.not. allocated(error)) call check_positive(error, 'displacement_increment', &
+         settings%displacement_increment, 'mm')
+      if (allocated(error)) return
+      if (.not. (settings%shear_compliance >= 0.0_wp &
+            .and. settings%shear_compliance < huge(1.0_wp))) then
+         call fatal_error(error, 'shear_compliance = '//to_text(settings%shear_compliance)// &
+            ' is not allowed: it must be a finite number, zero or above, in mm/N')
+      else if (size(turns) == 0) then
+         call fatal_error(error, 'displacement is empty: give at least one turning point in mm')
+      else if (.not. all(abs(turns) < 0.9_wp*settings%diameter)) then
+         i = findloc(.not. abs(turns) < 0.9_wp*settings%diameter, .true., 1)
+         call fatal_error(error, 'displacement = '//to_text(turns(i))// &
+            ' mm is not allowed: it must be a number below 0.9*diameter = '// &
+            to_text(0.9_wp*settings%diameter, 6)//' mm in size')
+      else if (sum([(real(steps_between(turns, i, settings%displacement_increment), wp), &
+            i=1, size(turns))]) > max_steps) then
+         call fatal_error(error, 'displacement_increment = '// &
+            to_text(settings%displacement_increment)//' mm gives more than '// &
+            to_text(max_steps)//' steps; make it larger')
+      end if
+   end subroutine check_shear_settings
+
+   !> Area in contact at a displacement of the box, mm^2.
+   pure real(wp) function current_area(settings, displacement)
+      !> Settings
+      type(shear_settings), intent(in) :: settings
+      !> Displacement of the box, mm
+      real(wp), intent(in) :: displacement
+
+      current_area = overlap_area(settings%diameter, &
+         merge(displacement, 0.0_wp, settings%shrinking_overlap))
+   end function current_area
+
+   !> Overlap of two discs of one diameter whose centres are apart, mm^2.
+   pure elemental real(wp) function overlap_area(diameter, displacement)
+      !> Diameter and distance of the centres, mm
+      real(wp), intent(in) :: diameter, displacement
+      real(wp) :: ratio
+
+      ratio = min(abs(displacement)/diameter, 1.0_wp)
+      overlap_area = 0.5_wp*diameter**2*(acos(ratio) - ratio*sqrt(1.0_wp - ratio**2))
+   end function overlap_area
+
+   !> Positions of the box from zero through the turning points in equal steps each.
+   pure function box_path(turns, increment) result(path)
+      !> Turning points and largest step, mm
+      real(wp), intent(in) :: turns(:), increment
+      real(wp), allocatable :: path(:)
+      real(wp) :: from
+      integer :: i, j, n, next
+
+      allocate (path(1 + sum([(steps_between(turns, i, increment), i=1, size(turns))])))
+      path(1) = 0.0_wp
+      next = 2
+      do i = 1, size(turns)
+         from = path(next - 1)
+         n = steps_between(turns, i, increment)
+         do j = 1, n
+            path(next) = from + (turns(i) - from)*(real(j, wp)/n)
+            next = next + 1
+         end do
+      end do
+   end function box_path
+
+   !> Steps from turning point i - 1 (or zero) to i.
+   pure integer function steps_between(turns, i, increment)
+      real(wp), intent(in) :: turns(:), increment
+      integer, intent(in) :: i
+      real(wp) :: from
+
+      from = 0.0_wp
+      if (i > 1) from = turns(i - 1)
+      ! the small part keeps 3/0.02 at 150
+      steps_between = ceiling(min(abs(turns(i) - from)/increment*(1.0_wp - 1.0e-12_wp), 1.0e9_wp))
+   end function steps_between
+
+end module replay_shear_settings
