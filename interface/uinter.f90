@@ -11,10 +11,12 @@ subroutine uinter( &
    use asperity, only: contact_properties, contact_response, contact_state, contact_tangent, &
       error_type, no_opposite_surface, status_open, update_contact_point, validity_remark, wp
    use asperity_text, only: to_text
-   use uinter_slots, only: n_statev, properties_from_props, state_from_statev, state_pressure, &
+   use uinter_slots, only: n_statev, properties_from_props, state_dissipation, &
+      state_elastic_slip_2, state_from_statev, state_pressure, state_pressure_coupling, &
       state_validity, state_warned, statev_from_state
    implicit none
-   integer, intent(in) :: node, ndir, nstatv, npred, nprops, mcrd, kstep, kinc, kit, linper, lprint
+   integer, intent(in) :: node, ndir, nstatv, npred, nprops, mcrd, kstep, kinc, kit
+   integer, intent(in) :: linper, lprint
    real(wp), intent(inout) :: stress(ndir)
    real(wp), intent(inout) :: ddsddr(ndir, ndir), dviscous(ndir, ndir), dstructural(ndir, ndir)
    real(wp), intent(inout) :: flux(2), ddfddt(2, 2), ddsddt(ndir, 2), ddfddr(2, ndir)
@@ -104,7 +106,8 @@ subroutine uinter( &
       if (ndir == 3) rotation = drot
    end if
    if (.not. computable([max(overclosure, 0.0_wp), slip, reshape(rotation, [4]), &
-         statev(state_pressure:n_statev)])) then
+         statev(state_pressure:state_elastic_slip_2), statev(state_dissipation), &
+         statev(state_pressure_coupling)])) then
       pnewdt = cut_back
       return
    end if

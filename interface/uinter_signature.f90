@@ -14,9 +14,11 @@ module uinter_signature
          linper, lopenclose, lstate, lsdi, lprint)
          use asperity_kinds, only: wp
          implicit none
-         integer, intent(in) :: node, ndir, nstatv, npred, nprops, mcrd, kstep, kinc, kit, linper, lprint
+         integer, intent(in) :: node, ndir, nstatv, npred, nprops, mcrd, kstep, kinc, kit
+         integer, intent(in) :: linper, lprint
          real(wp), intent(inout) :: stress(ndir)
-         real(wp), intent(inout) :: ddsddr(ndir, ndir), dviscous(ndir, ndir), dstructural(ndir, ndir)
+         real(wp), intent(inout) :: ddsddr(ndir, ndir), dviscous(ndir, ndir)
+         real(wp), intent(inout) :: dstructural(ndir, ndir)
          real(wp), intent(inout) :: flux(2), ddfddt(2, 2), ddsddt(ndir, 2), ddfddr(2, ndir)
          real(wp), intent(inout) :: statev(nstatv)
          real(wp), intent(inout) :: sed, sfd, spd, svd, scd, pnewdt

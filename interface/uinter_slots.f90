@@ -2,7 +2,7 @@
 !> the two arrays uses these names.
 module uinter_slots
    use asperity, only: contact_properties, contact_state, error_type, new_contact_properties, &
-      new_normal_properties, normal_properties, valid, wp
+      new_normal_properties, normal_properties, rule_abaqus, slip_exact, valid, wp
    use asperity_error, only: fatal_error
    use asperity_text, only: to_text
    implicit none
@@ -87,8 +87,10 @@ contains
          error, accept_unphysical=choice(props, prop_accept_unphysical) == 1)
       if (allocated(error)) return
 
-      rule = max(choice(props, prop_friction_rule), 1)
-      integration = max(choice(props, prop_slip_integration), 1)
+      rule = choice(props, prop_friction_rule)
+      if (rule == 0) rule = rule_abaqus
+      integration = choice(props, prop_slip_integration)
+      if (integration == 0) integration = slip_exact
       if (size(props) < prop_initial_separation) then
          call new_contact_properties(properties, normal, props(prop_friction_coefficient), &
             props(prop_critical_slip), error)

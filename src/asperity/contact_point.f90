@@ -59,7 +59,7 @@ module asperity_contact_point
       !> tangent(i, j) = d traction(i)/d (overclosure, slip 1, slip 2)(j), MPa/mm; unsymmetric
       real(wp) :: tangent(3, 3) = 0.0_wp
       !> State at the end
-      type(contact_state) :: state
+      type(contact_state) :: state = contact_state()
       !> Stored normal energy per area at the end, N/mm
       real(wp) :: normal_energy = 0.0_wp
       !> Stored tangential energy per area at the end, mu p gamma^2/(2 gcrit), N/mm

@@ -101,7 +101,8 @@ contains
       properties%energy_2 = properties%n1*properties%w1*(0.4_wp - 1.0_wp/(properties%b3 + 1.0_wp)) &
          + 2.0_wp*pi*radius*hardness*properties%w2**2/(properties%b3 + 1.0_wp)
       if (.not. (properties%n1 > tiny(1.0_wp) .and. ieee_is_finite(eta*properties%n1) &
-            .and. properties%w1/sigma > tiny(1.0_wp) .and. ieee_is_finite(properties%w2/sigma))) then
+            .and. properties%w1/sigma > tiny(1.0_wp) &
+            .and. ieee_is_finite(properties%w2/sigma))) then
          call fatal_error(error, 'modulus = '//to_text(modulus)//' MPa and hardness = '// &
             to_text(hardness)//' MPa give a first yield at w1 = '//to_text(properties%w1)// &
             ' mm that is out of range; check the units (N-mm-MPa)')
@@ -181,8 +182,8 @@ contains
          slip = 'check the units of eta (1/mm^2), radius (mm) and sigma (mm)'
       end if
       message = 'eta*radius*sigma = '//to_text(eta)//'*'//to_text(radius)//'*'//to_text(sigma)// &
-         ' = '//to_text(number, 3)//' is below 0.0249, which no isotropic Gaussian surface has: '// &
-         slip//', or set accept_unphysical'
+         ' = '//to_text(number, 3)//' is below 0.0249, which no isotropic Gaussian surface '// &
+         'has: '//slip//', or set accept_unphysical'
    end function roughness_message
 
    pure logical function plausible(number)

@@ -78,7 +78,7 @@ contains
       if (exponent < 0) then
          text = sign_text//'0.'//repeat('0', -exponent - 1)//figures
       else
-         if (len(figures) < exponent + 2) figures = figures//repeat('0', exponent + 2 - len(figures))
+         figures = figures//repeat('0', max(exponent + 2 - len(figures), 0))
          text = sign_text//figures(:exponent + 1)//'.'//figures(exponent + 2:)
       end if
    end function plain

@@ -185,8 +185,8 @@ contains
             point%cutbacks = point%cutbacks + 1
             part = part*point%trial%pnewdt
             if (cuts <= max_cutbacks .and. .not. present(rotation)) cycle
-            call fatal_error(error, 'UINTER asks to cut the increment for ever at overclosure = '// &
-               to_text(overclosure)//' mm', computation_error)
+            call fatal_error(error, 'UINTER asks to cut the increment for ever at '// &
+               'overclosure = '//to_text(overclosure)//' mm', computation_error)
             return
          end if
          call accept_increment(point, rotation)

@@ -86,7 +86,7 @@ contains
       end if
       call check_shear_settings(settings, turns, error)
       if (allocated(error)) return
-      path = box_path(turns, settings%displacement_increment)
+      call box_path(turns, settings%displacement_increment, path)
       call new_host_point(point, uinter, properties, ndir=2)
       allocate (steps(size(path)))
       do i = 1, size(path)

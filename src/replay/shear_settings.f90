@@ -88,10 +88,11 @@ contains
    end function overlap_area
 
    !> Positions of the box from zero through the turning points in equal steps each.
-   pure function box_path(turns, increment) result(path)
+   pure subroutine box_path(turns, increment, path)
       !> Turning points and largest step, mm
       real(wp), intent(in) :: turns(:), increment
-      real(wp), allocatable :: path(:)
+      !> Positions, mm, the first of them zero
+      real(wp), allocatable, intent(out) :: path(:)
       real(wp) :: from
       integer :: i, j, n, next
 
@@ -106,7 +107,7 @@ contains
             next = next + 1
          end do
       end do
-   end function box_path
+   end subroutine box_path
 
    !> Steps from turning point i - 1 (or zero) to i.
    pure integer function steps_between(turns, i, increment)

@@ -1,0 +1,55 @@
+!> Properties and random contact points for the tests of the update and of UINTER.
+module contact_cases
+   use asperity, only: contact_properties, error_type, find_pair, new_contact_properties, &
+      new_normal_properties, normal_properties, pair_preset, rule_abaqus, slip_exact, wp
+   use random_inputs, only: random_properties, random_stream
+   implicit none
+   private
+   public :: pair_properties, random_contact
+
+   real(wp), parameter, public :: identity(2, 2) = reshape([1.0_wp, 0.0_wp, 0.0_wp, 1.0_wp], [2, 2])
+
+contains
+
+   !> The pair `transverse-tangential`, or another, with a friction rule and a slip integration.
+   function pair_properties(friction_rule, slip_integration, pair) result(properties)
+      integer, intent(in), optional :: friction_rule, slip_integration
+      character(len=*), intent(in), optional :: pair
+      type(contact_properties) :: properties
+      type(pair_preset) :: preset
+      type(normal_properties) :: normal
+      type(error_type), allocatable :: error
+      integer :: rule, integration
+
+      if (present(pair)) then
+         call find_pair(pair, preset, error)
+      else
+         call find_pair('transverse-tangential', preset, error)
+      end if
+      call new_normal_properties(normal, preset%eta, preset%modulus, preset%radius, &
+         preset%hardness, preset%yield_factor, preset%sigma, error)
+      rule = rule_abaqus
+      if (present(friction_rule)) rule = friction_rule
+      integration = slip_exact
+      if (present(slip_integration)) integration = slip_integration
+      call new_contact_properties(properties, normal, preset%friction_coefficient, &
+         preset%critical_slip, error, friction_rule=rule, slip_integration=integration)
+      if (allocated(error)) error stop 'the pair of the tests is refused'
+   end function pair_properties
+
+   !> Random properties over the range of metals and wood.
+   subroutine random_contact(stream, properties, friction_rule, slip_integration)
+      type(random_stream), intent(inout) :: stream
+      type(contact_properties), intent(out) :: properties
+      integer, intent(in) :: friction_rule, slip_integration
+      type(normal_properties) :: normal
+      type(error_type), allocatable :: error
+
+      call random_properties(stream, normal, 1.0e-5_wp, 1.0_wp, 0.1_wp)
+      call new_contact_properties(properties, normal, stream%uniform(0.05_wp, 1.0_wp), &
+         normal%sigma*stream%log_uniform(0.1_wp, 10.0_wp), error, &
+         normal%sigma*stream%uniform(-1.0_wp, 6.0_wp), friction_rule, slip_integration)
+      if (allocated(error)) error stop 'the random contact of the tests is refused'
+   end subroutine random_contact
+
+end module contact_cases

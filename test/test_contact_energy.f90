@@ -1,0 +1,250 @@
+!> Energy ledgers of the contact-point update: the work is integrated independently, by Gauss
+!> quadrature of the tractions along the path, never taken from the ledgers.
+module test_contact_energy
+   use, intrinsic :: iso_fortran_env, only: int64
+   use asperity, only: contact_properties, contact_response, contact_state, evaluate_normal_law, &
+      normal_response, rule_abaqus, rule_dissipative, slip_backward_euler, slip_exact, &
+      status_open, status_slip, update_contact_point, wp
+   use asperity_gauss_legendre, only: n_points, nodes, weights
+   use contact_cases, only: identity, pair_properties, random_contact
+   use funit, only: anyExceptions, assertEqual, assertGreaterThan, assertGreaterThanOrEqual, &
+      assertLessThan, TestMethod, TestSuite
+   use measurements, only: record
+   use random_inputs, only: random_stream
+   implicit none
+   private
+   public :: suite_contact_energy
+
+   integer(int64), parameter :: seed = 14142135_int64
+   real(wp), parameter :: none(2) = 0.0_wp
+
+contains
+
+   function suite_contact_energy() result(suite)
+      type(TestSuite) :: suite
+
+      suite = TestSuite('contact energy')
+      call suite%addTest(TestMethod('work = stored + dissipated - coupling', test_identity))
+      call suite%addTest(TestMethod('pressure coupling of the rule abaqus', test_coupling))
+      call suite%addTest(TestMethod('the dissipative rule creates no energy', test_no_creation))
+      call suite%addTest(TestMethod('the work integral can fail', test_work_can_fail))
+   end function suite_contact_energy
+
+   !> Random paths of six increments, both rules and both integrations. The error is relative to
+   !> the energies that pass through the increment.
+   subroutine test_identity()
+      type(random_stream) :: stream
+      type(contact_properties) :: p
+      type(contact_state) :: start
+      type(contact_response) :: last, next
+      real(wp) :: overclosure, slip(2), work, change, scale, worst
+      integer :: i, j, rule, integration, slipping, opened
+
+      stream = random_stream(seed)
+      worst = 0.0_wp
+      slipping = 0
+      opened = 0
+      do i = 1, 800
+         rule = merge(rule_abaqus, rule_dissipative, mod(i, 2) == 0)
+         integration = merge(slip_exact, slip_backward_euler, mod(i/2, 2) == 0)
+         call random_contact(stream, p, rule, integration)
+         last = contact_response()
+         start = contact_state()
+         do j = 1, 6
+            overclosure = p%initial_separation &
+               - stream%uniform(-0.5_wp, merge(7.0_wp, 3.5_wp, j == 5))*p%normal%sigma
+            slip = p%critical_slip &
+               *[stream%uniform(-1.5_wp, 1.5_wp), stream%uniform(-1.5_wp, 1.5_wp)]
+            next = update_contact_point(p, start, overclosure, slip, identity)
+            work = normal_work(p, start, overclosure) + tangential_work(p, start, next, slip)
+            change = next%normal_energy + next%tangential_energy &
+               - last%normal_energy - last%tangential_energy
+            scale = next%normal_energy + last%normal_energy + next%dissipation &
+               + next%tangential_energy + last%tangential_energy
+            worst = max(worst, abs(work - (change + next%dissipation - next%pressure_coupling)) &
+               /scale)
+            call assertGreaterThanOrEqual(next%dissipation, 0.0_wp, 'dissipation')
+            if (anyExceptions()) return
+            if (next%status == status_slip) slipping = slipping + 1
+            if (next%status == status_open) opened = opened + 1
+            last = next
+            start = next%state
+         end do
+      end do
+      call record('contact_point.energy_identity', worst)
+      call assertGreaterThan(slipping, 1000, 'increments that slip')
+      call assertGreaterThan(opened, 20, 'increments that open')
+      call assertLessThan(worst, 1.0e-12_wp, 'largest error over the energies')
+   end subroutine test_identity
+
+   !> Slip at 0.05 MPa, press to 4.7 MPa, slip back, release: mu gamma^2/(2 gcrit) times the
+   !> change of pressure comes out of nothing, and stands in the ledger of the coupling.
+   subroutine test_coupling()
+      type(contact_properties) :: p
+      type(contact_response) :: r
+      type(normal_response) :: low, high
+      real(wp), parameter :: gamma = 0.3_wp
+      real(wp) :: coupling, expected
+
+      p = pair_properties(rule_abaqus)
+      low = evaluate_normal_law(p%normal, p%initial_separation - 0.0541_wp)
+      high = evaluate_normal_law(p%normal, p%initial_separation - 0.1423_wp)
+      r = update_contact_point(p, contact_state(), 0.0541_wp, [gamma, 0.0_wp], identity)
+      r = update_contact_point(p, r%state, 0.1423_wp, none, identity)
+      coupling = r%pressure_coupling
+      expected = 0.5_wp*p%friction_coefficient*gamma**2/p%critical_slip &
+         *(high%pressure - low%pressure)
+      call assertEqual(expected, coupling, 1.0e-14_wp, 'pressing stores')
+      call assertEqual(0.3375_wp, coupling, 0.001_wp, 'about 4.65 MPa')
+      r = update_contact_point(p, r%state, 0.1423_wp, [-gamma, 0.0_wp], identity)
+      call assertEqual(0.0_wp, r%tangential_energy, 1.0e-15_wp, 'slipping back gives it out')
+      r = update_contact_point(p, r%state, 0.0541_wp, none, identity)
+      call assertEqual(0.0_wp, r%pressure_coupling, 1.0e-15_wp, 'nothing to take back')
+      call assertEqual(0.0_wp, r%state%dissipation, 0.0_wp, 'nothing was dissipated')
+   end subroutine test_coupling
+
+   !> Closed cycles from and to the open state: the work put in is never negative.
+   subroutine test_no_creation()
+      type(random_stream) :: stream
+      type(contact_properties) :: p
+      type(contact_response) :: r
+      type(contact_state) :: start
+      real(wp) :: work, least, overclosure, slip(2), loss
+      integer :: i, j
+
+      stream = random_stream(seed + 1)
+      least = huge(1.0_wp)
+      do i = 1, 300
+         call random_contact(stream, p, rule_dissipative, &
+            merge(slip_exact, slip_backward_euler, mod(i, 2) == 0))
+         start = contact_state()
+         work = 0.0_wp
+         loss = 0.0_wp
+         do j = 1, 12
+            overclosure = p%initial_separation - stream%uniform(0.0_wp, 3.0_wp)*p%normal%sigma
+            if (j == 12) overclosure = p%initial_separation - 40.0_wp*p%normal%sigma
+            slip = p%critical_slip &
+               *[stream%uniform(-0.7_wp, 0.7_wp), stream%uniform(-0.7_wp, 0.7_wp)]
+            r = update_contact_point(p, start, overclosure, slip, identity)
+            work = work + normal_work(p, start, overclosure) + tangential_work(p, start, r, slip)
+            loss = loss + r%dissipation
+            call assertEqual(0.0_wp, r%pressure_coupling, 0.0_wp, 'no coupling')
+            start = r%state
+         end do
+         least = min(least, work/loss)
+         if (anyExceptions()) return
+      end do
+      call record('contact_point.dissipative.least_work_over_loss', least)
+      call assertEqual(1.0_wp, least, 1.0e-9_wp, 'all work is lost, none created')
+   end subroutine test_no_creation
+
+   !> The independent work differs from what a wrong coefficient would give.
+   subroutine test_work_can_fail()
+      type(contact_properties) :: p, wrong
+      type(contact_response) :: r
+      real(wp), parameter :: slip(2) = [0.5_wp, 0.2_wp]
+      real(wp) :: work
+
+      p = pair_properties()
+      wrong = p
+      wrong%friction_coefficient = 1.001_wp*p%friction_coefficient
+      r = update_contact_point(p, contact_state(), 0.1_wp, slip, identity)
+      work = tangential_work(p, contact_state(), r, slip)
+      call assertEqual(r%tangential_energy + r%dissipation, work, 1.0e-13_wp, 'right')
+      r = update_contact_point(wrong, contact_state(), 0.1_wp, slip, identity)
+      call assertGreaterThan(abs(r%tangential_energy + r%dissipation - work), 1.0e-4_wp*work, &
+         'wrong')
+   end subroutine test_work_can_fail
+
+   !> Integral of p d(overclosure), in panels of two sigma, from the state's overclosure or from
+   !> where the pressure vanishes.
+   function normal_work(p, start, overclosure) result(work)
+      type(contact_properties), intent(in) :: p
+      type(contact_state), intent(in) :: start
+      real(wp), intent(in) :: overclosure
+      real(wp) :: work, from, left, right
+      type(normal_response) :: law
+      integer :: i, panel, panels
+
+      from = start%overclosure
+      if (start%status == 0) from = p%initial_separation - 12.0_wp*p%normal%sigma
+      panels = max(1, ceiling(0.5_wp*abs(overclosure - from)/p%normal%sigma))
+      work = 0.0_wp
+      do panel = 1, panels
+         left = from + (overclosure - from)*real(panel - 1, wp)/panels
+         right = from + (overclosure - from)*real(panel, wp)/panels
+         do i = 1, n_points
+            law = evaluate_normal_law(p%normal, p%initial_separation &
+               - 0.5_wp*(left + right + nodes(i)*(right - left)))
+            work = work + 0.5_wp*(right - left)*weights(i)*law%pressure
+         end do
+      end do
+   end function normal_work
+
+   !> Integral of the shear stress over the tangential motion at the end pressure: the stress at
+   !> parts of the motion comes from updates with those parts. Backward Euler's path is the chord
+   !> of the elastic slip, then slip at its end.
+   function tangential_work(p, start, end, slip) result(work)
+      type(contact_properties), intent(in) :: p
+      type(contact_state), intent(in) :: start
+      type(contact_response), intent(in) :: end
+      real(wp), intent(in) :: slip(2)
+      type(contact_response) :: at
+      type(contact_state) :: pressed
+      real(wp) :: work, motion(2), low, high, middle
+      integer :: i
+
+      work = 0.0_wp
+      if (end%status == status_open) return
+      at = update_contact_point(p, start, end%state%overclosure, none, identity)
+      pressed = at%state
+      motion = slip
+      if (start%status == status_open) then
+         ! motion before closing does no work
+         at = update_contact_point(p, start, end%state%overclosure, 1.0e-6_wp*slip, identity)
+         motion = at%state%elastic_slip/1.0e-6_wp
+      end if
+      if (p%slip_integration == slip_backward_euler) then
+         work = leg(pressed, end%state%elastic_slip - pressed%elastic_slip, 0.0_wp, 1.0_wp) &
+            + dot_product(end%traction(2:3), motion - end%state%elastic_slip &
+            + pressed%elastic_slip)
+         return
+      end if
+      low = 0.0_wp
+      high = 1.0_wp
+      if (end%status == status_slip) then
+         do i = 1, 60
+            middle = 0.5_wp*(low + high)
+            at = update_contact_point(p, pressed, end%state%overclosure, middle*motion, identity)
+            if (at%status == status_slip) then
+               high = middle
+            else
+               low = middle
+            end if
+         end do
+         work = leg(pressed, motion, 0.0_wp, low) + leg(pressed, motion, low, 1.0_wp)
+      else
+         work = leg(pressed, motion, 0.0_wp, 1.0_wp)
+      end if
+
+   contains
+
+      function leg(from, motion, begin, finish) result(part)
+         type(contact_state), intent(in) :: from
+         real(wp), intent(in) :: motion(2), begin, finish
+         real(wp) :: part
+         type(contact_response) :: at
+         integer :: i
+
+         part = 0.0_wp
+         do i = 1, n_points
+            at = update_contact_point(p, from, from%overclosure, &
+               0.5_wp*(begin + finish + nodes(i)*(finish - begin))*motion, identity)
+            part = part + 0.5_wp*(finish - begin)*weights(i) &
+               *dot_product(at%traction(2:3), motion)
+         end do
+      end function leg
+
+   end function tangential_work
+
+end module test_contact_energy
