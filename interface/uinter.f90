@@ -11,9 +11,8 @@ subroutine uinter( &
    use asperity, only: contact_properties, contact_response, contact_state, contact_tangent, &
       error_type, no_opposite_surface, status_open, update_contact_point, validity_remark, wp
    use asperity_text, only: to_text
-   use uinter_slots, only: n_statev, properties_from_props, state_dissipation, &
-      state_elastic_slip_2, state_from_statev, state_pressure, state_pressure_coupling, &
-      state_validity, state_warned, statev_from_state
+   use uinter_slots, only: n_statev, properties_from_props, state_from_statev, state_validity, &
+      state_warned, statev_from_state
    implicit none
    integer, intent(in) :: node, ndir, nstatv, npred, nprops, mcrd, kstep, kinc, kit
    integer, intent(in) :: linper, lprint
@@ -55,11 +54,11 @@ subroutine uinter( &
    type(contact_response) :: response
    type(error_type), allocatable :: error
    real(wp) :: slip(2), rotation(2, 2), overclosure, tangent(3, 3)
-   integer :: shear
 
-   associate (unused_reals => [temp, dtemp, predef, dpred, time, dtime, freqr, coords, &
-         alocaldir, area, chrlngth], unused_names => slname//msname, &
-         unused_integers => [kstep, kinc, lsdi, lprint])
+   associate (u1 => temp, u2 => dtemp, u3 => predef, u4 => dpred, u5 => time, u6 => dtime, &
+         u7 => freqr, u8 => coords, u9 => alocaldir, u10 => area, u11 => chrlngth, &
+         u12 => slname, u13 => msname, u14 => kstep, u15 => kinc, u16 => lsdi, u17 => lprint)
+      ! arguments of the interface that the law does not need
    end associate
 
    ddsddr = 0.0_wp
@@ -84,7 +83,10 @@ subroutine uinter( &
       return
    end if
 
-   shear = ndir - 1
+   if (.not. (ieee_is_finite(rdisp(1)) .and. computable(statev(:n_statev)))) then
+      pnewdt = cut_back
+      return
+   end if
    start = state_from_statev(statev)
    if (linper == 1) then
       tangent = contact_tangent(properties, start)
@@ -96,18 +98,12 @@ subroutine uinter( &
    slip = 0.0_wp
    rotation = reshape([1.0_wp, 0.0_wp, 0.0_wp, 1.0_wp], [2, 2])
    overclosure = no_opposite_surface
-   if (.not. ieee_is_finite(rdisp(1))) then
-      pnewdt = cut_back
-      return
-   end if
    if (rdisp(1) > 0.1_wp*no_opposite_surface) then
       overclosure = rdisp(1)
-      slip(:shear) = drdisp(2:)
+      slip(:ndir - 1) = drdisp(2:)
       if (ndir == 3) rotation = drot
    end if
-   if (.not. computable([max(overclosure, 0.0_wp), slip, reshape(rotation, [4]), &
-         statev(state_pressure:state_elastic_slip_2), statev(state_dissipation), &
-         statev(state_pressure_coupling)])) then
+   if (.not. computable([overclosure, slip, reshape(rotation, [4])])) then
       pnewdt = cut_back
       return
    end if
@@ -138,12 +134,13 @@ contains
       end if
    end subroutine check_sizes
 
-   !> Finite, and far from overflow.
+   !> Finite, and far from overflow; the value for no opposite surface passes.
    pure logical function computable(values)
       real(wp), intent(in) :: values(:)
 
       computable = all(ieee_is_finite(values))
-      if (computable) computable = all(abs(values) < largest)
+      if (computable) computable = all(abs(values) < largest &
+         .or. values < 0.1_wp*no_opposite_surface)
    end function computable
 
    !> Warn, in the first iteration of an increment, of flags not yet warned of at this point:
