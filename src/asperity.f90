@@ -17,10 +17,10 @@ module asperity
    use asperity_validity, only: area_above_nominal, closure_above_half_radius, &
       pressure_above_hardness, roughness_number_high, roughness_number_low, &
       stiffer_than_hertz, valid, validity_remark, validity_text
-   use asperity_version, only: asperity_version_text => version
+   use asperity_version, only: version
    implicit none
    private
-   public :: area_above_nominal, asperity_response, asperity_version_text, &
+   public :: area_above_nominal, asperity_response, &
       closure_above_half_radius, computation_error, contact_properties, contact_response, &
       contact_state, contact_tangent, equivalent_modulus, error_type, evaluate_asperity, &
       evaluate_normal_law, file_error, find_pair, find_surface, input_error, &
@@ -30,5 +30,5 @@ module asperity
       slip_backward_euler, slip_exact, stage_elastic, stage_elastoplastic, stage_open, &
       stage_plastic, status_open, status_slip, status_stick, status_text, status_unset, &
       stiffer_than_hertz, surface_preset, surfaces, update_contact_point, valid, &
-      validity_remark, validity_text, wp
+      validity_remark, validity_text, version, wp
 end module asperity

@@ -65,35 +65,31 @@ contains
       !> Separation d, mm; any finite value up to 1e150 sigma in size
       real(wp), intent(in) :: separation
       type(normal_response) :: response
-      type(piece_type) :: elastic, elastoplastic, plastic
-      real(wp) :: h, moments(0:2), exponent, total, unit_pressure
+      type(piece_type) :: pieces(3)
+      real(wp) :: h, moments(0:2), exponent, decay, total, root(3), share(3)
 
       h = separation/properties%sigma
-      elastic = elastic_piece(properties, separation)
-      elastoplastic = elastoplastic_piece(properties, separation)
-      plastic = plastic_piece(properties, separation)
-
-      exponent = 0.5_wp*max(h, 0.0_wp)**2
-      call rescale(elastic, exponent)
-      call rescale(elastoplastic, exponent)
-      call rescale(plastic, exponent)
+      pieces = [elastic_piece(properties, separation), &
+         elastoplastic_piece(properties, separation), plastic_piece(properties, separation)]
       moments = tail_moments(h)
+      exponent = 0.5_wp*max(h, 0.0_wp)**2
+      ! root of the scale of each piece relative to exp(-exponent)
+      root = exp(0.5_wp*(exponent - pieces%exponent))
+      decay = exp(-exponent)
 
       associate (p => properties, r => response)
-         unit_pressure = p%eta*p%n1
-         total = elastic%pressure + elastoplastic%pressure + plastic%pressure
-         r%pressure = unit_pressure*total*exp(-exponent)
-         r%stiffness = unit_pressure/p%w1*exp(-exponent) &
-            *(elastic%stiffness + elastoplastic%stiffness + plastic%stiffness)
-         r%area_fraction = p%eta*pi*p%radius*p%w1*exp(-exponent) &
-            *(elastic%area + elastoplastic%area + plastic%area)
-         r%energy = unit_pressure*p%w1*exp(-exponent) &
-            *(elastic%energy + elastoplastic%energy + plastic%energy)
-         r%contact_density = p%eta*moments(0)*exp(-exponent)
+         total = sum(root*root*pieces%pressure)
+         r%pressure = p%eta*p%n1*total*decay
+         r%stiffness = p%eta*p%n1/p%w1*sum(root*root*pieces%stiffness)*decay
+         r%area_fraction = p%eta*pi*p%radius*p%w1*sum(root*root*pieces%area)*decay
+         r%energy = p%eta*p%n1*p%w1*sum(root*root*pieces%energy)*decay
+         r%contact_density = p%eta*moments(0)*decay
          if (total > 0.0_wp) then
-            r%elastic_share = elastic%pressure/total
-            r%elastoplastic_share = elastoplastic%pressure/total
-            r%plastic_share = plastic%pressure/total
+            ! root by root, so that a share underflows only when it is no normal number itself
+            share = pieces%pressure/total*root*root
+            r%elastic_share = share(1)
+            r%elastoplastic_share = share(2)
+            r%plastic_share = share(3)
          end if
          r%validity = p%validity
          if (r%area_fraction > 1.0_wp) r%validity = ior(r%validity, area_above_nominal)
@@ -213,19 +209,5 @@ contains
          *exp(-(t - anchor)*(h + 0.5_wp*(t + anchor)))
       rule%n = rule%n + n_points
    end subroutine add_panel
-
-   !> Bring the integrals of a piece to another scale exp(-exponent), exponent <= the piece's.
-   pure subroutine rescale(piece, exponent)
-      type(piece_type), intent(inout) :: piece
-      real(wp), intent(in) :: exponent
-      real(wp) :: factor
-
-      factor = exp(exponent - piece%exponent)
-      piece%pressure = factor*piece%pressure
-      piece%stiffness = factor*piece%stiffness
-      piece%area = factor*piece%area
-      piece%energy = factor*piece%energy
-      piece%exponent = exponent
-   end subroutine rescale
 
 end module asperity_normal_law

@@ -2,6 +2,7 @@
 !> that follow from them. Any consistent units; N-mm-MPa in messages, presets and examples.
 module asperity_properties
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
+   use asperity_double_double, only: assignment(=), double_double, operator(*), quotient
    use asperity_error, only: error_type, fatal_error
    use asperity_kinds, only: wp
    use asperity_text, only: to_text
@@ -18,6 +19,11 @@ module asperity_properties
    real(wp), parameter, public :: roughness_number_min = 0.0249_wp
    !> Above this eta R sigma a warning is given
    real(wp), parameter, public :: roughness_number_max = 4.0_wp
+   !> Range of every other property, wide of any system of units
+   real(wp), parameter :: smallest = 1.0e-20_wp, largest = 1.0e20_wp
+   !> 3 pi/4 to 32 digits
+   type(double_double), parameter :: three_quarters_pi = &
+      double_double(2.356194490192345_wp, 9.184850993605148436e-17_wp)
    !> Range of the yield factor over which the law is verified
    real(wp), parameter, public :: yield_factor_min = 0.05_wp, yield_factor_max = 1.0_wp
 
@@ -53,8 +59,8 @@ module asperity_properties
 contains
 
    !> Check the properties of the normal law and derive its constants.
-   !> `error` is set, and `properties` unusable, when a value is not finite and positive, the
-   !> yield factor is outside 0.05 to 1, or eta R sigma is below 0.0249.
+   !> `error` is set, and `properties` unusable, when a value is not above zero (1e-20 to 1e20),
+   !> the yield factor is outside 0.05 to 1, or eta R sigma is below 0.0249.
    pure subroutine new_normal_properties(properties, eta, modulus, radius, hardness, &
          yield_factor, sigma, error, accept_unphysical)
       !> Result
@@ -75,6 +81,7 @@ contains
       type(error_type), allocatable, intent(out) :: error
       !> Let an eta R sigma below 0.0249 pass; results are then flagged
       logical, intent(in), optional :: accept_unphysical
+      type(double_double) :: strain
       real(wp) :: number
       logical :: accepted
 
@@ -92,22 +99,15 @@ contains
       properties%hardness = hardness
       properties%yield_factor = yield_factor
       properties%sigma = sigma
-      properties%w1 = (0.75_wp*pi*yield_factor*(hardness/modulus))**2*radius
-      properties%w2 = plastic_ratio*properties%w1
+      strain = quotient(hardness, modulus)*yield_factor*three_quarters_pi
+      properties%w1 = strain*strain*radius
+      properties%w2 = strain*strain*radius*plastic_ratio
       properties%b1 = log(1.0_wp/yield_factor)/log(plastic_ratio)
       properties%b2 = 1.0_wp + log(2.0_wp)/log(plastic_ratio)
       properties%b3 = 1.0_wp + log(2.0_wp/yield_factor)/log(plastic_ratio)
       properties%n1 = pi*yield_factor*hardness*radius*properties%w1
       properties%energy_2 = properties%n1*properties%w1*(0.4_wp - 1.0_wp/(properties%b3 + 1.0_wp)) &
          + 2.0_wp*pi*radius*hardness*properties%w2**2/(properties%b3 + 1.0_wp)
-      if (.not. (properties%n1 > tiny(1.0_wp) .and. ieee_is_finite(eta*properties%n1) &
-            .and. properties%w1/sigma > tiny(1.0_wp) &
-            .and. ieee_is_finite(properties%w2/sigma))) then
-         call fatal_error(error, 'modulus = '//to_text(modulus)//' MPa and hardness = '// &
-            to_text(hardness)//' MPa give a first yield at w1 = '//to_text(properties%w1)// &
-            ' mm that is out of range; check the units (N-mm-MPa)')
-         return
-      end if
 
       number = eta*radius*sigma
       accepted = .false.
@@ -136,7 +136,7 @@ contains
       modulus = 1.0_wp/((1.0_wp - poisson_1**2)/modulus_1 + (1.0_wp - poisson_2**2)/modulus_2)
    end function equivalent_modulus
 
-   !> Set `error` unless `value` is finite and above zero.
+   !> Set `error` unless `value` is a number above zero (1e-20 to 1e20).
    pure subroutine check_positive(error, name, value, unit)
       !> Set when the value is refused
       type(error_type), allocatable, intent(inout) :: error
@@ -148,10 +148,10 @@ contains
       character(len=*), intent(in) :: unit
 
       if (ieee_is_finite(value)) then
-         if (value > 0.0_wp) return
+         if (value >= smallest .and. value <= largest) return
       end if
       call fatal_error(error, name//' = '//to_text(value)// &
-         ' is not allowed: it must be a finite number above zero, in '//unit)
+         ' is not allowed: it must be a number above zero (1e-20 to 1e20), in '//unit)
    end subroutine check_positive
 
    pure subroutine check_yield_factor(error, yield_factor)

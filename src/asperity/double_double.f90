@@ -1,0 +1,79 @@
+!> Products and quotients with twice the digits, as a sum of two doubles. The constants w1 and w2
+!> are found with it: far in the tail of the heights one bit of theirs is worth 1e-12 of a result.
+module asperity_double_double
+   use asperity_kinds, only: wp
+   implicit none
+   private
+   public :: double_double, quotient, operator(*), assignment(=)
+
+   !> The number high + low, |low| at most half a unit in the last place of high.
+   type :: double_double
+      real(wp) :: high = 0.0_wp, low = 0.0_wp
+   end type double_double
+
+   !> Product of two, or of one and a real, to about 30 digits.
+   interface operator(*)
+      module procedure :: multiply
+      module procedure :: multiply_real
+   end interface operator(*)
+
+   !> Round to a real.
+   interface assignment(=)
+      module procedure :: round
+   end interface assignment(=)
+
+   !> 2^27 + 1, which splits a double into two halves of 26 bits (Dekker 1971)
+   real(wp), parameter :: splitter = 134217729.0_wp
+
+contains
+
+   !> a/b to about 30 digits. Operands between 1e-140 and 1e140 in size.
+   pure elemental function quotient(a, b) result(q)
+      !> Numerator and denominator
+      real(wp), intent(in) :: a, b
+      type(double_double) :: q, back
+
+      q%high = a/b
+      back = exact_product(q%high, b)
+      q%low = ((a - back%high) - back%low)/b
+   end function quotient
+
+   pure elemental function multiply(a, b) result(c)
+      type(double_double), intent(in) :: a, b
+      type(double_double) :: c
+
+      c = exact_product(a%high, b%high)
+      c%low = c%low + (a%high*b%low + a%low*b%high)
+   end function multiply
+
+   pure elemental function multiply_real(a, b) result(c)
+      type(double_double), intent(in) :: a
+      real(wp), intent(in) :: b
+      type(double_double) :: c
+
+      c = exact_product(a%high, b)
+      c%low = c%low + a%low*b
+   end function multiply_real
+
+   !> a*b without error.
+   pure elemental function exact_product(a, b) result(c)
+      real(wp), intent(in) :: a, b
+      type(double_double) :: c
+      real(wp) :: a_high, a_low, b_high, b_low
+
+      c%high = a*b
+      a_high = splitter*a - (splitter*a - a)
+      b_high = splitter*b - (splitter*b - b)
+      a_low = a - a_high
+      b_low = b - b_high
+      c%low = ((a_high*b_high - c%high) + a_high*b_low + a_low*b_high) + a_low*b_low
+   end function exact_product
+
+   pure elemental subroutine round(x, a)
+      real(wp), intent(out) :: x
+      type(double_double), intent(in) :: a
+
+      x = a%high + a%low
+   end subroutine round
+
+end module asperity_double_double
