@@ -9,10 +9,13 @@ subroutine uinter( &
    nprops, mcrd, kstep, kinc, kit, linper, lopenclose, lstate, lsdi, lprint)
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use asperity, only: contact_properties, contact_response, contact_state, contact_tangent, &
-      error_type, no_opposite_surface, status_open, update_contact_point, validity_remark, wp
+      error_type, no_opposite_surface, no_surface_limit, status_open, status_slip, status_stick, &
+      status_unset, update_contact_point, validity_remark, wp
+   use asperity_error, only: fatal_error
    use asperity_text, only: to_text
-   use uinter_slots, only: n_statev, properties_from_props, state_from_statev, state_validity, &
-      state_warned, statev_from_state
+   use uinter_slots, only: n_statev, properties_from_props, state_elastic_slip_2, &
+      state_from_statev, state_pressure, state_status, state_validity, state_warned, &
+      statev_from_state
    implicit none
    integer, intent(in) :: node, ndir, nstatv, npred, nprops, mcrd, kstep, kinc, kit
    integer, intent(in) :: linper, lprint
@@ -74,7 +77,7 @@ subroutine uinter( &
    scd = 0.0_wp
 
    call properties_from_props(props, properties, error)
-   if (.not. allocated(error)) call check_sizes(error)
+   if (.not. allocated(error)) call check_state(error)
    if (allocated(error)) then
       call tell(fatal, error%message)
       call xit()
@@ -83,12 +86,18 @@ subroutine uinter( &
       return
    end if
 
-   if (.not. (ieee_is_finite(rdisp(1)) .and. computable(statev(:n_statev)))) then
+   if (.not. (computable(statev(state_pressure:state_elastic_slip_2)) &
+      .and. all(ieee_is_finite(statev(:n_statev))) .and. ieee_is_finite(rdisp(1)))) then
       pnewdt = cut_back
       return
    end if
    start = state_from_statev(statev)
+
    if (linper == 1) then
+      if (.not. computable(rdisp)) then
+         pnewdt = cut_back
+         return
+      end if
       tangent = contact_tangent(properties, start)
       ddsddr = tangent(:ndir, :ndir)
       stress = matmul(ddsddr, rdisp)
@@ -98,14 +107,14 @@ subroutine uinter( &
    slip = 0.0_wp
    rotation = reshape([1.0_wp, 0.0_wp, 0.0_wp, 1.0_wp], [2, 2])
    overclosure = no_opposite_surface
-   if (rdisp(1) > 0.1_wp*no_opposite_surface) then
+   if (rdisp(1) > no_surface_limit) then
       overclosure = rdisp(1)
       slip(:ndir - 1) = drdisp(2:)
       if (ndir == 3) rotation = drot
-   end if
-   if (.not. computable([overclosure, slip, reshape(rotation, [4])])) then
-      pnewdt = cut_back
-      return
+      if (.not. computable([overclosure, slip, reshape(rotation, [4])])) then
+         pnewdt = cut_back
+         return
+      end if
    end if
 
    response = update_contact_point(properties, start, overclosure, slip, rotation)
@@ -120,27 +129,29 @@ subroutine uinter( &
 
 contains
 
-   !> Refuse what would be read or written out of bounds.
-   subroutine check_sizes(error)
+   !> Refuse what would be read or written out of bounds, and a STATEV that is not ours.
+   subroutine check_state(error)
       type(error_type), allocatable, intent(out) :: error
 
       if (nstatv < n_statev) then
-         allocate (error)
-         error%message = 'DEPVAR = '//to_text(nstatv)//' is too small: give DEPVAR = '// &
-            to_text(n_statev)//' on *SURFACE INTERACTION'
+         call fatal_error(error, 'DEPVAR = '//to_text(nstatv)//' is too small: give DEPVAR = '// &
+            to_text(n_statev)//' on *SURFACE INTERACTION')
       else if (ndir /= 2 .and. ndir /= 3) then
-         allocate (error)
-         error%message = 'NDIR = '//to_text(ndir)//' is not allowed: it must be 2 or 3'
+         call fatal_error(error, 'NDIR = '//to_text(ndir)//' is not allowed: it must be 2 or 3')
+      else if (.not. any(abs(statev(state_status) - [status_unset, status_open, status_stick, &
+            status_slip]) <= 0.0_wp)) then
+         call fatal_error(error, 'STATEV(1) = '//to_text(statev(state_status))//' is no '// &
+            'contact status (0 to 3): STATEV must be zero at the start, and nothing else may '// &
+            'write to it')
       end if
-   end subroutine check_sizes
+   end subroutine check_state
 
-   !> Finite, and far from overflow; the value for no opposite surface passes.
+   !> Finite, and far from overflow.
    pure logical function computable(values)
       real(wp), intent(in) :: values(:)
 
       computable = all(ieee_is_finite(values))
-      if (computable) computable = all(abs(values) < largest &
-         .or. values < 0.1_wp*no_opposite_surface)
+      if (computable) computable = all(abs(values) < largest)
    end function computable
 
    !> Warn, in the first iteration of an increment, of flags not yet warned of at this point:

@@ -1,8 +1,9 @@
 !> What stands where in PROPS and STATEV of UINTER, and nothing else: every reader and writer of
 !> the two arrays uses these names.
 module uinter_slots
+   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use asperity, only: contact_properties, contact_state, error_type, new_contact_properties, &
-      new_normal_properties, normal_properties, rule_abaqus, slip_exact, valid, wp
+      new_normal_properties, normal_properties, rule_abaqus, slip_exact, wp
    use asperity_error, only: fatal_error
    use asperity_text, only: to_text
    implicit none
@@ -70,27 +71,31 @@ contains
       !> Set when the list is refused
       type(error_type), allocatable, intent(out) :: error
       type(normal_properties) :: normal
-      integer :: rule, integration
+      integer :: rule, integration, accept
 
       if (size(props) < prop_sigma .or. size(props) > n_props) then
-         call fatal_error(error, length_message(size(props)))
+         call refuse_length(error, size(props))
          return
       end if
-      if (.not. abs(props(prop_pi) - pi) < pi_tolerance) then
+      if (.not. near_pi(props(prop_pi))) then
          call fatal_error(error, 'PROPS(5) = '//to_text(props(prop_pi))//' must be pi (3.14 or '// &
             'better): the list seems shifted; check that the line after *SURFACE INTERACTION '// &
             'is blank or a thickness, and the order of the properties')
          return
       end if
+      call read_option(props, prop_friction_rule, 'the friction rule is 1 for abaqus, 2 for '// &
+         'dissipative, 0 for the default', 2, rule, error)
+      call read_option(props, prop_slip_integration, 'the slip integration is 1 for exact, 2 '// &
+         'for backward Euler, 0 for the default', 2, integration, error)
+      call read_option(props, prop_accept_unphysical, '1 accepts unphysical values, 0 does not', &
+         1, accept, error)
+      if (allocated(error)) return
+      if (rule == 0) rule = rule_abaqus
+      if (integration == 0) integration = slip_exact
       call new_normal_properties(normal, props(prop_eta), props(prop_modulus), &
          props(prop_radius), props(prop_hardness), props(prop_yield_factor), props(prop_sigma), &
-         error, accept_unphysical=choice(props, prop_accept_unphysical) == 1)
+         error, accept_unphysical=accept == 1)
       if (allocated(error)) return
-
-      rule = choice(props, prop_friction_rule)
-      if (rule == 0) rule = rule_abaqus
-      integration = choice(props, prop_slip_integration)
-      if (integration == 0) integration = slip_exact
       if (size(props) < prop_initial_separation) then
          call new_contact_properties(properties, normal, props(prop_friction_coefficient), &
             props(prop_critical_slip), error)
@@ -136,7 +141,7 @@ contains
       state%largest_closure = statev(state_largest_closure)
       state%dissipation = statev(state_dissipation)
       state%pressure_coupling = statev(state_pressure_coupling)
-      state%validity = ior(valid, nint(statev(state_validity)))
+      state%validity = nint(statev(state_validity))
    end function state_from_statev
 
    !> Write a state to STATEV; the slot of warnings is left alone.
@@ -158,31 +163,49 @@ contains
       statev(state_validity) = state%validity
    end subroutine statev_from_state
 
-   !> Whole number in a slot, 0 when the list ends before it, -1 when it is not a small number.
-   pure integer function choice(props, slot)
+   pure logical function near_pi(value)
+      real(wp), intent(in) :: value
+
+      near_pi = ieee_is_finite(value)
+      if (near_pi) near_pi = abs(value - pi) < pi_tolerance
+   end function near_pi
+
+   !> Whole number of an option, 0 when the list ends before it.
+   pure subroutine read_option(props, slot, name, largest, option, error)
       real(wp), intent(in) :: props(:)
-      integer, intent(in) :: slot
+      integer, intent(in) :: slot, largest
+      character(len=*), intent(in) :: name
+      integer, intent(out) :: option
+      type(error_type), allocatable, intent(inout) :: error
+      logical :: known
 
-      choice = 0
-      if (slot > size(props)) return
-      choice = -1
-      if (abs(props(slot)) < 10.0_wp) choice = nint(props(slot))
-      if (abs(props(slot) - choice) > 0.0_wp) choice = -1
-   end function choice
-
-   pure function length_message(length) result(message)
-      integer, intent(in) :: length
-      character(len=:), allocatable :: message
-
-      message = 'PROPERTIES = '//to_text(length)//' is not allowed: give 9 to '//to_text(n_props)
-      if (length == prop_sigma - 1) then
-         message = message//'; the eight of the paper lack sigma, without which the law has no '// &
-            'length scale: add sigma, the standard deviation of summit heights in mm, as the '// &
-            'ninth (Table 2 prints it in um)'
+      option = 0
+      if (allocated(error) .or. slot > size(props)) return
+      known = .false.
+      if (ieee_is_finite(props(slot))) &
+         known = any(abs(props(slot) - [0.0_wp, 1.0_wp, 2.0_wp]) <= 0.0_wp) &
+         .and. props(slot) <= largest
+      if (known) then
+         option = nint(props(slot))
       else
-         message = message//' (mu, gcrit, eta, E*, pi, R, H, k, sigma, d0, friction rule, '// &
-            'slip integration, accept unphysical)'
+         call fatal_error(error, 'PROPS('//to_text(slot)//') = '//to_text(props(slot))// &
+            ' is not allowed: '//name)
       end if
-   end function length_message
+   end subroutine read_option
+
+   !> Say what is missing.
+   pure subroutine refuse_length(error, length)
+      type(error_type), allocatable, intent(out) :: error
+      integer, intent(in) :: length
+      character(len=:), allocatable :: remedy
+
+      remedy = ' (mu, gcrit, eta, E*, pi, R, H, k, sigma, d0, friction rule, slip integration, '// &
+         'accept unphysical)'
+      if (length == prop_sigma - 1) remedy = '; the eight of the paper lack sigma, without '// &
+         'which the law has no length scale: add sigma, the standard deviation of summit '// &
+         'heights in mm, as the ninth (Table 2 prints it in um)'
+      call fatal_error(error, 'PROPERTIES = '//to_text(length)//' is not allowed: give 9 to '// &
+         to_text(n_props)//remedy)
+   end subroutine refuse_length
 
 end module uinter_slots

@@ -72,8 +72,8 @@ contains
          end do
       end do
       call record('contact_point.energy_identity', worst)
-      call assertGreaterThan(slipping, 1000, 'increments that slip')
-      call assertGreaterThan(opened, 20, 'increments that open')
+      call assertGreaterThan(slipping, 1000, message='increments that slip')
+      call assertGreaterThan(opened, 20, message='increments that open')
       call assertLessThan(worst, 1.0e-12_wp, 'largest error over the energies')
    end subroutine test_identity
 

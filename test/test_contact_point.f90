@@ -161,11 +161,11 @@ contains
          if (start%status == status_open .and. whole%status /= status_open) closings = closings + 1
          worst = max(worst, norm2(whole%state%elastic_slip - half%state%elastic_slip) &
             /p%critical_slip)
-         call assertEqual(whole%status == status_open, half%status == status_open, 'open')
+         call assertEqual(whole%status == status_open, half%status == status_open, message='open')
          if (anyExceptions()) return
       end do
       call record('contact_point.halves', worst)
-      call assertGreaterThan(closings, 500, 'cases that close')
+      call assertGreaterThan(closings, 500, message='cases that close')
       ! closing is found to 4 eps of the separation, over a travel of at least 1e-3 sigma
       call assertLessThan(worst, 1.0e-11_wp, 'elastic slip')
    end subroutine test_halves

@@ -73,7 +73,7 @@ contains
       do branch = 1, n_branches
          call record('contact_point.tangent.'//trim(names(branch)), worst(branch))
          call assertLessThan(worst(branch), allowed, names(branch))
-         call assertGreaterThan(counts(branch), 1000, 'cases of '//names(branch))
+         call assertGreaterThan(counts(branch), 1000, message='cases of '//names(branch))
       end do
    end subroutine test_branches
 

@@ -25,6 +25,7 @@ contains
       call suite%addTest(TestMethod('two directions: against the differential equation', test_ode))
       call suite%addTest(TestMethod('two half increments equal one', test_halves))
       call suite%addTest(TestMethod('degenerate directions', test_degenerate))
+      call suite%addTest(TestMethod('the smallest reversal', test_reversal))
       call suite%addTest(TestMethod('dissipation is g ln(sin theta0/sin theta)', test_slipped))
       call suite%addTest(TestMethod('derivatives against differences', test_derivatives))
       call suite%addTest(TestMethod('corner between stick and slip', test_corner))
@@ -152,6 +153,27 @@ contains
          reshape(path%by_increment, [4]), 1.0e-9_wp, 'tiny step: derivative is the projection')
    end subroutine test_degenerate
 
+   !> After slip the elastic slip may lie outside the circle by round-off; the smallest motion back
+   !> must not carry it across.
+   subroutine test_reversal()
+      type(random_stream) :: stream
+      type(slip_path) :: path, back
+      real(wp) :: angle, e(2), size
+      integer :: i, scheme
+
+      stream = random_stream(seed)
+      do i = 1, 20000
+         scheme = merge(slip_exact, slip_backward_euler, mod(i, 2) == 0)
+         angle = stream%uniform(0.0_wp, 2.0_wp*pi)
+         e = [cos(angle), sin(angle)]
+         path = integrate_slip([0.0_wp, 0.0_wp], 3.0_wp*g*e, g, scheme)
+         size = stream%log_uniform(1.0e-40_wp, 1.0e-3_wp)
+         back = integrate_slip(path%elastic_slip, -size*e, g, scheme)
+         call assertEqual(path%elastic_slip - size*e, back%elastic_slip, 1.0e-15_wp, 'reversal')
+         if (anyExceptions()) return
+      end do
+   end subroutine test_reversal
+
    subroutine test_slipped()
       type(random_stream) :: stream
       type(slip_path) :: path
@@ -206,7 +228,7 @@ contains
       end do
       call record('friction.derivative', worst)
       call assertLessThan(worst, 1.0e-6_wp, 'largest error')
-      call assertGreaterThan(checked, 10000, 'cases')
+      call assertGreaterThan(checked, 10000, message='cases')
    end subroutine test_derivatives
 
    !> At the corner the derivative is the identity before and the projection after it.

@@ -93,6 +93,7 @@ contains
       call expect(press_settings(increments=0), 'increments = 0')
       call expect(press_settings(increments=2000000), 'increments = 2000000')
       call expect(press_settings(step_time=0.0_wp), 'step_time = 0.0')
+      call expect(press_settings('overclosure', 1.0e15_wp, 1), 'UINTER cannot compute')
    end subroutine test_refused
 
    subroutine expect(settings, text)

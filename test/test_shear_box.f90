@@ -25,6 +25,7 @@ contains
       call suite%addTest(TestMethod('constant area: dissipation is the enclosed area', test_cycle))
       call suite%addTest(TestMethod('shrinking overlap', test_shrinking))
       call suite%addTest(TestMethod('compliant specimens', test_compliance))
+      call suite%addTest(TestMethod('very soft specimens', test_soft))
       call suite%addTest(TestMethod('settings that are refused', test_refused))
    end function suite_shear_box
 
@@ -137,6 +138,31 @@ contains
       call assertEqual(law%area_fraction, steps(n)%area_fraction, 0.0_wp, 'real area')
       call assertEqual(0, steps(n)%validity, 'valid')
    end subroutine test_shrinking
+
+   !> Specimens so soft that the faces stick for several steps and then slip within one: Newton
+   !> alone would hop between slip to and fro.
+   subroutine test_soft()
+      type(contact_properties) :: p
+      type(shear_settings) :: settings
+      type(shear_step), allocatable :: steps(:)
+      type(error_type), allocatable :: error
+      real(wp), parameter :: compliances(4) = [1.0e-3_wp, 1.0e-1_wp, 1.0e6_wp, 1.0e-4_wp]
+      real(wp), parameter :: increments(4) = [0.02_wp, 1.0_wp, 1.0_wp, 0.02_wp]
+      real(wp), parameter :: slips(4) = [1.0e-3_wp, 0.31_wp, 0.31_wp, 1.0e-6_wp]
+      integer :: i
+
+      do i = 1, 4
+         p = pair_properties()
+         p%critical_slip = slips(i)
+         settings = shear_settings(shear_compliance=compliances(i), &
+            displacement_increment=increments(i))
+         call run_shear_box(settings, p, steps, error)
+         call assertFalse(allocated(error), 'runs')
+         if (allocated(error)) return
+         call assertEqual(steps%displacement, steps%slip + compliances(i)*steps%shear_force, &
+            1.0e-9_wp, 'displacement')
+      end do
+   end subroutine test_soft
 
    !> Displacement = slip + compliance times force; the initial slope is that of two springs.
    subroutine test_compliance()

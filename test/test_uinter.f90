@@ -149,7 +149,6 @@ contains
       call new_host_point(point, uinter, pair_properties())
       call try_increment(point, 0.1_wp, [0.1_wp, 0.05_wp], dtime, error)
       call accept_increment(point)
-      point%start%rdisp = 0.0_wp
       perturbation = [1.0e-6_wp, 2.0e-6_wp, -3.0e-6_wp]
       call try_increment(point, perturbation(1), perturbation(2:), dtime, error, linper=1)
       call assertFalse(allocated(error), 'contract')
@@ -161,6 +160,10 @@ contains
       call assertEqual(point%start%sed, point%trial%sed, 0.0_wp, 'SED')
       call assertEqual(point%start%lopenclose, point%trial%lopenclose, 'LOPENCLOSE')
       call assertEqual(0.0_wp, point%trial%sfd, 0.0_wp, 'SFD')
+      call try_increment(point, 0.0_wp, [0.0_wp, 0.0_wp], dtime, error, linper=1)
+      call assertEqual([0.0_wp, 0.0_wp, 0.0_wp], point%trial%stress, 0.0_wp, 'no perturbation')
+      call try_increment(point, no_opposite_surface, [0.0_wp, 0.0_wp], dtime, error, linper=1)
+      call assertEqual(0.25_wp, point%trial%pnewdt, 0.0_wp, 'not computable')
    end subroutine test_perturbation
 
    subroutine test_pnewdt()
@@ -181,6 +184,9 @@ contains
       call assertEqual(point%start%statev, point%trial%statev, 0.0_wp, 'state is kept')
       call try_increment(point, 0.1_wp, [0.1_wp, 0.0_wp], dtime, error)
       call assertGreaterThan(point%trial%pnewdt, 1.0_wp, 'and goes on')
+      call try_increment(point, -1.0e31_wp, [0.1_wp, 0.0_wp], dtime, error)
+      call assertGreaterThan(point%trial%pnewdt, 1.0_wp, 'far away is no surface')
+      call assertEqual(0, point%trial%lopenclose, 'far away is open')
    end subroutine test_pnewdt
 
    subroutine test_refused()
@@ -197,10 +203,13 @@ contains
       call expect_error(props, 'eta = -206.0')
       props = props_from_properties(p)
       props(11) = 3.0_wp
-      call expect_error(props, 'friction_rule = 3')
+      call expect_error(props, 'PROPS(11) = 3.0')
       props = props_from_properties(p)
       props(12) = 1.5_wp
-      call expect_error(props, 'slip_integration')
+      call expect_error(props, 'PROPS(12) = 1.5')
+      props = props_from_properties(p)
+      props(13) = 2.0_wp
+      call expect_error(props, 'PROPS(13) = 2.0')
       props = props_from_properties(p)
       props(3) = 2.06e-4_wp
       call expect_error(props(:12), 'eta looks like 1/um^2')
@@ -266,6 +275,12 @@ contains
       call new_host_point(point, uinter, pair_properties(), ndir=4)
       call try_increment(point, 0.1_wp, [0.0_wp, 0.0_wp, 0.0_wp], dtime, error)
       call assertTrue(index(last_message, 'NDIR = 4') > 0, trim(last_message))
+      call forget_calls()
+      call new_host_point(point, uinter, pair_properties())
+      point%start%statev(1) = 7.0_wp
+      call try_increment(point, 0.1_wp, [0.0_wp, 0.0_wp], dtime, error)
+      call assertTrue(index(last_message, 'STATEV(1) = 7.0 is no contact status') > 0, &
+         trim(last_message))
    end subroutine test_sizes
 
    !> Past the real area's limit: one warning at the point, however often it is called.

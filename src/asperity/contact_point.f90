@@ -21,12 +21,21 @@ module asperity_contact_point
    enum, bind(c)
       !> Never updated: nothing is known of the point's past
       enumerator :: status_unset = 0
-      enumerator :: status_open, status_stick, status_slip
+      !> Pressure below p_open
+      enumerator :: status_open
+      !> Closed; only elastic slip at the end of the increment
+      enumerator :: status_stick
+      !> Closed and slipping at the end of the increment
+      enumerator :: status_slip
    end enum
    public :: status_unset, status_open, status_stick, status_slip
 
-   !> Overclosure that stands for "no opposite surface"; anything below a tenth of it does
+   !> Overclosure that stands for "no opposite surface"
    real(wp), parameter, public :: no_opposite_surface = -1.0e36_wp
+   !> Any overclosure below this, mm, means the same
+   real(wp), parameter, public :: no_surface_limit = -1.0e30_wp
+
+   character(len=5), parameter :: status_names(0:3) = ['unset', 'open ', 'stick', 'slip ']
 
    !> What a point remembers between increments. All zero is a fresh point.
    type :: contact_state
@@ -126,7 +135,12 @@ contains
 
       was_closed = start%status == status_stick .or. start%status == status_slip
       gamma = 0.0_wp
-      if (was_closed) gamma = matmul(rotation, start%elastic_slip)
+      if (was_closed) then
+         gamma = matmul(rotation, start%elastic_slip)
+         ! a rotation that is not quite one must not lengthen it
+         gamma = gamma*min(1.0_wp, &
+            properties%critical_slip/max(hypot(gamma(1), gamma(2)), tiny(1.0_wp)))
+      end if
       energy = elastic_energy(properties, start%pressure, gamma)
 
       associate (p => response%traction(1), r => response)
@@ -207,18 +221,9 @@ contains
    pure function status_text(status) result(text)
       !> One of the status enumerators
       integer, intent(in) :: status
-      character(len=:), allocatable :: text
+      character(len=len_trim(status_names(min(max(status, 0), 3)))) :: text
 
-      select case (status)
-      case (status_unset)
-         text = 'unset'
-      case (status_stick)
-         text = 'stick'
-      case (status_slip)
-         text = 'slip'
-      case default
-         text = 'open'
-      end select
+      text = status_names(min(max(status, 0), 3))
    end function status_text
 
    !> Open below p_open; an open point closes only above twice that.
@@ -247,7 +252,7 @@ contains
       share = 1.0_wp
       by_overclosure = 0.0_wp
       if (start%status /= status_open) return
-      if (start%overclosure < 0.1_wp*no_opposite_surface) return
+      if (start%overclosure < no_surface_limit) return
       call separation_for_pressure(properties%normal, close_pressure_ratio*properties%p_open, &
          closing, error)
       closing = properties%initial_separation - closing

@@ -35,9 +35,15 @@ contains
       !> `slip_exact` or `slip_backward_euler`
       integer, intent(in) :: slip_integration
       type(slip_path) :: path
+      real(wp) :: length
 
       path%elastic_slip = start + increment
-      path%slips = norm2(path%elastic_slip) > critical_slip .and. norm2(increment) > 0.0_wp
+      length = hypot(increment(1), increment(2))
+      ! a start outside the circle by round-off must not count as slip when the motion turns back
+      path%slips = hypot(path%elastic_slip(1), path%elastic_slip(2)) > critical_slip &
+         .and. length > epsilon(1.0_wp)**2*critical_slip
+      if (path%slips) path%slips = dot_product(path%elastic_slip/critical_slip, &
+         increment/length) > 0.0_wp
       if (.not. path%slips) then
          path%by_increment = reshape([1.0_wp, 0.0_wp, 0.0_wp, 1.0_wp], [2, 2])
          path%by_start = path%by_increment
@@ -55,7 +61,7 @@ contains
       real(wp), intent(in) :: critical_slip
       real(wp) :: length, direction(2), tangent(2)
 
-      length = norm2(path%elastic_slip)
+      length = hypot(path%elastic_slip(1), path%elastic_slip(2))
       direction = path%elastic_slip/length
       tangent = [-direction(2), direction(1)]
       path%elastic_slip = critical_slip*direction
@@ -71,16 +77,17 @@ contains
    pure subroutine follow_circle(path, start, increment, critical_slip)
       type(slip_path), intent(inout) :: path
       real(wp), intent(in) :: start(2), increment(2), critical_slip
-      real(wp) :: e(2), n(2), tangent(2), length, a, b, c, one_minus_c, inside, stick, x, q, k
-      real(wp) :: t, cosine, sine, turn
+      real(wp) :: e(2), n(2), tangent(2), length, size, a, b, c, one_minus_c, inside, stick, x, q
+      real(wp) :: k, t, cosine, sine, turn
 
-      length = norm2(increment)
+      length = hypot(increment(1), increment(2))
       e = increment/length
       n = [-e(2), e(1)]
       associate (g => critical_slip)
          a = dot_product(start, e)
          b = min(max(dot_product(start, n), -g), g)
-         inside = max((g - norm2(start))*(g + norm2(start)), 0.0_wp)
+         size = hypot(start(1), start(2))
+         inside = max((g - size)*(g + size), 0.0_wp)
          c = sqrt(a*a + inside)/g
          one_minus_c = (b/g)**2/(1.0_wp + c)
          if (a > 0.0_wp) then
@@ -96,11 +103,7 @@ contains
          cosine = (1.0_wp - t)*(1.0_wp + t)/(1.0_wp + t*t)
          sine = 2.0_wp*t/(1.0_wp + t*t)
          path%elastic_slip = g*(cosine*e + sine*n)
-         ! ln(1 + z) = 2 artanh(z/(2 + z)), with 1 - q^2 = tanh(x) (1 + q^2): no cancellation
-         t = -0.5_wp*one_minus_c*tanh(x)*(1.0_wp + q*q)
-         path%slipped = max(g*(x + 2.0_wp*atanh(t/(2.0_wp + t))), 0.0_wp)
-
-         t = b/g*k
+         path%slipped = g*log_growth(x, c)
          tangent = -sine*e + cosine*n
          turn = (tanh(0.5_wp*x)*(1.0_wp + q)*(1.0_wp - k*one_minus_c) + 2.0_wp*k*c*stick/g) &
             /(1.0_wp + t*t)
@@ -108,6 +111,20 @@ contains
          path%by_start = outer(tangent, -sine*e + 2.0_wp*c*k/(1.0_wp + t*t)*n)
       end associate
    end subroutine follow_circle
+
+   !> ln(sin theta0/sin theta) = ln(cosh x + c sinh x), without loss for a small x, where
+   !> ln(1 + z) = 2 artanh(z/(2 + z)), and without overflow for a large one.
+   pure real(wp) function log_growth(x, c)
+      real(wp), intent(in) :: x, c
+      real(wp) :: z
+
+      if (x < 1.0_wp) then
+         z = 2.0_wp*sinh(0.5_wp*x)**2 + c*sinh(x)
+         log_growth = 2.0_wp*atanh(z/(2.0_wp + z))
+      else
+         log_growth = x + log(0.5_wp*((1.0_wp + c) + (1.0_wp - c)*exp(-2.0_wp*x)))
+      end if
+   end function log_growth
 
    pure function outer(u, v) result(matrix)
       real(wp), intent(in) :: u(2), v(2)

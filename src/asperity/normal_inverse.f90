@@ -11,14 +11,14 @@ module asperity_normal_inverse
    public :: separation_for_pressure
 
    integer, parameter :: max_iterations = 200
-   !> Separation over sigma beyond which every pressure underflows
-   real(wp), parameter :: farthest = 45.0_wp
+   !> Largest closure beyond the mean plane that is searched, in sigma
+   real(wp), parameter :: closest = 1.0e100_wp
 
 contains
 
    !> Separation d with p(d) = pressure, to 4 eps max(sigma, |d|) of the direct evaluation.
    !> Newton on ln p, which is nearly linear in d far away and concave, kept inside a bracket.
-   !> `error` is set unless the pressure is finite and above zero.
+   !> `error` is set unless the pressure is a normal number above zero.
    pure subroutine separation_for_pressure(properties, pressure, separation, error)
       !> Checked properties
       type(normal_properties), intent(in) :: properties
@@ -29,22 +29,26 @@ contains
       !> Set when the pressure is refused
       type(error_type), allocatable, intent(out) :: error
       type(normal_response) :: response
-      real(wp) :: near, far, next, step, mismatch
+      real(wp) :: near, far, next, step, small, mismatch
       integer :: iteration
       logical :: settled
 
       separation = 0.0_wp
-      if (.not. (pressure > 0.0_wp .and. ieee_is_finite(pressure))) then
-         call fatal_error(error, 'pressure = '//to_text(pressure)// &
-            ' MPa has no separation: it must be a finite number above zero')
-         return
-      end if
+      call check_pressure(pressure, error)
+      if (allocated(error)) return
 
-      far = farthest*properties%sigma
+      far = properties%sigma
+      do while (pressure_at(far) >= pressure)
+         far = 2.0_wp*far
+      end do
       near = -properties%sigma
       do while (pressure_at(near) < pressure)
          far = near
          near = 2.0_wp*near
+         if (near < -closest*properties%sigma) then
+            call fatal_error(error, 'pressure = '//to_text(pressure)//' MPa is out of reach')
+            return
+         end if
       end do
 
       separation = max(near, min(far, 0.0_wp))
@@ -57,21 +61,21 @@ contains
             far = separation
          end if
          step = huge(1.0_wp)
-         if (response%pressure > tiny(1.0_wp)) then
+         if (response%pressure >= tiny(1.0_wp)) then
             mismatch = log(response%pressure) - log(pressure)
             if (abs(mismatch) < 0.5_wp) mismatch = log(response%pressure/pressure)
             step = mismatch*response%pressure/response%stiffness
          end if
          next = separation + step
-         if (.not. (next >= near .and. next <= far) .and. .not. settled) then
+         small = 1.0e-9_wp*max(properties%sigma, abs(separation))
+         if (.not. (next >= near .and. next <= far) .and. abs(step) > small) then
             next = 0.5_wp*(near + far)
             step = next - separation
          end if
          separation = next
          if (settled .or. .not. abs(step) > 0.0_wp) exit
          ! Newton is quadratic: one more step from here is at round-off
-         settled = abs(step) <= 1.0e-9_wp*max(properties%sigma, abs(separation)) &
-            .or. far - near <= spacing(separation)
+         settled = abs(step) <= small
       end do
 
    contains
@@ -85,5 +89,16 @@ contains
       end function pressure_at
 
    end subroutine separation_for_pressure
+
+   pure subroutine check_pressure(pressure, error)
+      real(wp), intent(in) :: pressure
+      type(error_type), allocatable, intent(out) :: error
+
+      if (ieee_is_finite(pressure)) then
+         if (pressure >= tiny(1.0_wp)) return
+      end if
+      call fatal_error(error, 'pressure = '//to_text(pressure)// &
+         ' MPa has no separation: it must be a finite number above zero (2.3e-308 or more)')
+   end subroutine check_pressure
 
 end module asperity_normal_inverse

@@ -99,7 +99,7 @@ contains
             return
          end if
       end do
-      call fatal_error(error, "pair = '"//name//"' is unknown; known pairs: "//joined(pairs%name))
+      call refuse_name(error, 'pair', name, pairs%name)
    end subroutine find_pair
 
    !> The surface of that name; `error` lists the names when there is none.
@@ -119,19 +119,21 @@ contains
             return
          end if
       end do
-      call fatal_error(error, "surface = '"//name//"' is unknown; known surfaces: "// &
-         joined(surfaces%name))
+      call refuse_name(error, 'surface', name, surfaces%name)
    end subroutine find_surface
 
-   pure function joined(names) result(text)
-      character(len=*), intent(in) :: names(:)
-      character(len=:), allocatable :: text
+   !> Say that a name is unknown and which are known.
+   pure subroutine refuse_name(error, kind, name, known)
+      type(error_type), allocatable, intent(out) :: error
+      character(len=*), intent(in) :: kind, name, known(:)
+      character(len=:), allocatable :: list
       integer :: i
 
-      text = trim(names(1))
-      do i = 2, size(names)
-         text = text//', '//trim(names(i))
+      list = trim(known(1))
+      do i = 2, size(known)
+         list = list//', '//trim(known(i))
       end do
-   end function joined
+      call fatal_error(error, kind//" = '"//name//"' is unknown; known "//kind//'s: '//list)
+   end subroutine refuse_name
 
 end module asperity_presets

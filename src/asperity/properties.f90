@@ -48,6 +48,8 @@ module asperity_properties
       !> Exponents of mean pressure, area and force in the elasto-plastic stage (Eqs 14-19),
       !> computed from the yield factor
       real(wp) :: b1 = 0.0_wp, b2 = 0.0_wp, b3 = 0.0_wp
+      !> b3 - 1, with the bits that b3 has no room for
+      real(wp) :: b3_less_1 = 0.0_wp
       !> Force at first yield N1 = pi k H R w1, N (Eq. 7)
       real(wp) :: n1 = 0.0_wp
       !> Work of one summit's force up to w2, N mm
@@ -104,8 +106,9 @@ contains
       properties%w2 = strain*strain*radius*plastic_ratio
       properties%b1 = log(1.0_wp/yield_factor)/log(plastic_ratio)
       properties%b2 = 1.0_wp + log(2.0_wp)/log(plastic_ratio)
-      properties%b3 = 1.0_wp + log(2.0_wp/yield_factor)/log(plastic_ratio)
-      properties%n1 = pi*yield_factor*hardness*radius*properties%w1
+      properties%b3_less_1 = log(2.0_wp/yield_factor)/log(plastic_ratio)
+      properties%b3 = 1.0_wp + properties%b3_less_1
+      properties%n1 = strain*strain*strain*quotient(4.0_wp, 3.0_wp)*radius*radius*modulus
       properties%energy_2 = properties%n1*properties%w1*(0.4_wp - 1.0_wp/(properties%b3 + 1.0_wp)) &
          + 2.0_wp*pi*radius*hardness*properties%w2**2/(properties%b3 + 1.0_wp)
 
@@ -114,7 +117,7 @@ contains
       if (present(accept_unphysical)) accepted = accept_unphysical
       if (number < roughness_number_min) then
          if (.not. accepted) then
-            call fatal_error(error, roughness_message(eta, radius, sigma))
+            call refuse_roughness(error, eta, radius, sigma)
             return
          end if
          properties%validity = ior(properties%validity, roughness_number_low)
@@ -165,10 +168,10 @@ contains
          ' is not allowed: it must lie between 0.05 and 1; the paper uses 0.4')
    end subroutine check_yield_factor
 
-   !> Name the unit slip that most likely made eta R sigma too small.
-   pure function roughness_message(eta, radius, sigma) result(message)
+   !> Refuse eta R sigma and name the unit slip that most likely made it too small.
+   pure subroutine refuse_roughness(error, eta, radius, sigma)
+      type(error_type), allocatable, intent(out) :: error
       real(wp), intent(in) :: eta, radius, sigma
-      character(len=:), allocatable :: message
       character(len=:), allocatable :: slip
       real(wp) :: number
 
@@ -181,10 +184,10 @@ contains
       else
          slip = 'check the units of eta (1/mm^2), radius (mm) and sigma (mm)'
       end if
-      message = 'eta*radius*sigma = '//to_text(eta)//'*'//to_text(radius)//'*'//to_text(sigma)// &
-         ' = '//to_text(number, 3)//' is below 0.0249, which no isotropic Gaussian surface '// &
-         'has: '//slip//', or set accept_unphysical'
-   end function roughness_message
+      call fatal_error(error, 'eta*radius*sigma = '//to_text(eta)//'*'//to_text(radius)//'*'// &
+         to_text(sigma)//' = '//to_text(number, 3)//' is below 0.0249, which no isotropic '// &
+         'Gaussian surface has: '//slip//', or set accept_unphysical (PROPS(13) = 1 in UINTER)')
+   end subroutine refuse_roughness
 
    pure logical function plausible(number)
       real(wp), intent(in) :: number

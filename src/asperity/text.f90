@@ -1,4 +1,7 @@
 !> Numbers as text, for messages and files.
+!>
+!> Character results have explicit lengths: gfortran keeps the length of a deferred-length result
+!> in static storage, which two threads that warn at once would share.
 module asperity_text
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite, ieee_is_nan
    use asperity_kinds, only: wp
@@ -6,11 +9,18 @@ module asperity_text
    private
    public :: to_text
 
-   !> Shortest text that reads back as the same number.
+   !> Decimal text of a number without blanks: of a real, the shortest that reads back as the same
+   !> bits, or its first figures when their number is given; `NaN`, `Infinity` or `-Infinity` where
+   !> there is none.
    interface to_text
       module procedure :: integer_to_text
       module procedure :: real_to_text
+      module procedure :: figures_to_text
    end interface to_text
+
+   !> Figures that tell any two reals apart
+   integer, parameter :: all_figures = 17
+   integer, parameter :: buffer_length = 40
 
 contains
 
@@ -18,69 +28,110 @@ contains
    pure function integer_to_text(value) result(text)
       !> The number
       integer, intent(in) :: value
-      character(len=:), allocatable :: text
-      character(len=24) :: buffer
+      character(len=integer_length(value)) :: text
 
-      write (buffer, '(i0)') value
-      text = trim(buffer)
+      write (text, '(i0)') value
    end function integer_to_text
 
-   !> Shortest decimal text of a real that reads back as the same bits, or its first
-   !> `max_figures` figures; `NaN`, `Infinity` or `-Infinity` where there is none.
-   pure function real_to_text(value, max_figures) result(text)
+   !> Shortest text of a real that reads back as the same bits.
+   pure function real_to_text(value) result(text)
       !> The number
       real(wp), intent(in) :: value
-      !> Most significant figures shown; 17 when absent
-      integer, intent(in), optional :: max_figures
-      character(len=:), allocatable :: text
-      character(len=32) :: buffer
-      real(wp) :: back
-      integer :: digits, most
+      character(len=real_length(value, all_figures)) :: text
+      character(len=buffer_length) :: buffer
 
-      if (ieee_is_nan(value)) then
-         text = 'NaN'
-      else if (.not. ieee_is_finite(value)) then
-         text = merge(' Infinity', '-Infinity', value > 0.0_wp)
-         text = trim(adjustl(text))
-      else
-         most = 17
-         if (present(max_figures)) most = max_figures
-         do digits = 1, most
-            write (buffer, '(es32.'//integer_to_text(digits - 1)//'e3)') value
-            read (buffer, *) back
-            if (back >= value .and. back <= value) exit
-         end do
-         text = plain(trim(adjustl(buffer)))
-      end if
+      call write_real(value, all_figures, buffer)
+      text = buffer
    end function real_to_text
 
-   !> Scientific text such as 3.1E-001 as 0.31 where that is short, else as 3.1E-12.
-   pure function plain(scientific) result(text)
-      character(len=*), intent(in) :: scientific
-      character(len=:), allocatable :: text
-      character(len=:), allocatable :: sign_text, figures
-      integer :: mark, exponent
+   !> Text of a real of so many figures at most.
+   pure function figures_to_text(value, figures) result(text)
+      !> The number
+      real(wp), intent(in) :: value
+      !> Most significant figures shown, 1 to 17
+      integer, intent(in) :: figures
+      character(len=real_length(value, figures)) :: text
+      character(len=buffer_length) :: buffer
 
-      mark = index(scientific, 'E')
-      read (scientific(mark + 1:), *) exponent
-      figures = scientific(:mark - 1)
-      sign_text = ''
-      if (figures(1:1) == '-') then
-         sign_text = '-'
-         figures = figures(2:)
-      end if
-      if (exponent < -4 .or. exponent > 6) then
-         if (figures(len(figures):) == '.') figures = figures//'0'
-         text = sign_text//figures//'E'//integer_to_text(exponent)
+      call write_real(value, figures, buffer)
+      text = buffer
+   end function figures_to_text
+
+   pure integer function integer_length(value)
+      integer, intent(in) :: value
+      character(len=buffer_length) :: buffer
+
+      write (buffer, '(i0)') value
+      integer_length = len_trim(buffer)
+   end function integer_length
+
+   pure integer function real_length(value, figures)
+      real(wp), intent(in) :: value
+      integer, intent(in) :: figures
+      character(len=buffer_length) :: buffer
+
+      call write_real(value, figures, buffer)
+      real_length = len_trim(buffer)
+   end function real_length
+
+   !> The text, left in the buffer and padded with blanks.
+   pure subroutine write_real(value, figures, buffer)
+      real(wp), intent(in) :: value
+      integer, intent(in) :: figures
+      character(len=buffer_length), intent(out) :: buffer
+      character(len=16) :: edit
+      real(wp) :: back
+      integer :: n
+
+      if (ieee_is_nan(value)) then
+         buffer = 'NaN'
+         return
+      else if (.not. ieee_is_finite(value)) then
+         buffer = merge('Infinity ', '-Infinity', value > 0.0_wp)
          return
       end if
-      figures = figures(1:1)//figures(3:)
-      if (exponent < 0) then
-         text = sign_text//'0.'//repeat('0', -exponent - 1)//figures
-      else
-         figures = figures//repeat('0', max(exponent + 2 - len(figures), 0))
-         text = sign_text//figures(:exponent + 1)//'.'//figures(exponent + 2:)
+      ! rounded to few figures, the largest numbers are none
+      do n = merge(figures, 1, abs(value) > 1.0e307_wp), figures
+         write (edit, '(a, i0, a)') '(es40.', n - 1, 'e3)'
+         write (buffer, edit) value
+         if (n == figures) exit
+         read (buffer, *) back
+         if (back >= value .and. back <= value) exit
+      end do
+      call make_plain(buffer)
+   end subroutine write_real
+
+   !> Turn 3.1E-001 into 0.31 where that is short, else into 3.1E-1.
+   pure subroutine make_plain(buffer)
+      character(len=buffer_length), intent(inout) :: buffer
+      character(len=buffer_length) :: figures, zeros
+      character(len=1) :: sign
+      integer :: mark, exponent, n
+
+      buffer = adjustl(buffer)
+      sign = ' '
+      if (buffer(1:1) == '-') then
+         sign = '-'
+         buffer = buffer(2:)
       end if
-   end function plain
+      mark = index(buffer, 'E')
+      read (buffer(mark + 1:), *) exponent
+      ! the figures without the point that follows the first of them
+      figures = buffer(1:1)//buffer(3:mark - 1)
+      n = mark - 2
+      zeros = repeat('0', buffer_length)
+      if (exponent < -4 .or. exponent > 6) then
+         if (n == 1) figures(2:2) = '0'
+         n = max(n, 2)
+         write (buffer, '(4a, i0)') figures(1:1), '.', figures(2:n), 'E', exponent
+      else if (exponent < 0) then
+         buffer = '0.'//zeros(:-exponent - 1)//figures
+      else
+         if (n < exponent + 2) figures(n + 1:exponent + 2) = zeros
+         n = max(n, exponent + 2)
+         buffer = figures(:exponent + 1)//'.'//figures(exponent + 2:n)
+      end if
+      buffer = adjustl(sign//buffer(:buffer_length - 1))
+   end subroutine make_plain
 
 end module asperity_text

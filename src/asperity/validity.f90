@@ -39,34 +39,49 @@ contains
    pure function validity_text(flags) result(text)
       !> Sum of flags
       integer, intent(in) :: flags
-      character(len=:), allocatable :: text
+      character(len=joined_length(flags, names, '+', 'valid')) :: text
 
-      text = joined(flags, names, '+')
-      if (text == '') text = 'valid'
+      call join(flags, names, '+', 'valid', text)
    end function validity_text
 
    !> What the set flags mean, joined by `; `, or nothing.
    pure function validity_remark(flags) result(text)
       !> Sum of flags
       integer, intent(in) :: flags
-      character(len=:), allocatable :: text
+      character(len=joined_length(flags, remarks, '; ', '')) :: text
 
-      text = joined(flags, remarks, '; ')
+      call join(flags, remarks, '; ', '', text)
    end function validity_remark
 
-   !> The entries of `list` whose flag is set.
-   pure function joined(flags, list, separator) result(text)
+   !> Length of the entries of `list` whose flag is set, or of `none`.
+   pure integer function joined_length(flags, list, separator, none)
       integer, intent(in) :: flags
-      character(len=*), intent(in) :: list(:), separator
-      character(len=:), allocatable :: text
+      character(len=*), intent(in) :: list(:), separator, none
       integer :: i
 
-      text = ''
+      joined_length = -len(separator)
+      do i = 1, size(list)
+         if (btest(flags, i - 1)) &
+            joined_length = joined_length + len(separator) + len_trim(list(i))
+      end do
+      if (joined_length < 0) joined_length = len(none)
+   end function joined_length
+
+   !> The entries of `list` whose flag is set, or `none`.
+   pure subroutine join(flags, list, separator, none, text)
+      integer, intent(in) :: flags
+      character(len=*), intent(in) :: list(:), separator, none
+      character(len=*), intent(out) :: text
+      integer :: i, next
+
+      text = none
+      next = 1
       do i = 1, size(list)
          if (.not. btest(flags, i - 1)) cycle
-         if (text /= '') text = text//separator
-         text = text//trim(list(i))
+         if (next > 1) text(next - len(separator):next - 1) = separator
+         text(next:) = list(i)
+         next = next + len_trim(list(i)) + len(separator)
       end do
-   end function joined
+   end subroutine join
 
 end module asperity_validity

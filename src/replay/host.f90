@@ -3,7 +3,8 @@
 !> the history of everything that UINTER returned.
 module replay_host
    use, intrinsic :: ieee_arithmetic, only: ieee_is_nan, ieee_quiet_nan, ieee_value
-   use asperity, only: computation_error, contact_properties, error_type, no_opposite_surface, wp
+   use asperity, only: computation_error, contact_properties, error_type, no_opposite_surface, &
+      no_surface_limit, wp
    use asperity_error, only: fatal_error
    use asperity_text, only: to_text
    use uinter_signature, only: uinter_interface
@@ -11,7 +12,7 @@ module replay_host
    implicit none
    private
    public :: host_point, host_record, new_host_point, try_increment, accept_increment, &
-      run_increment
+      refuse_cut, run_increment
 
    !> Everything that UINTER was given and returned in one call.
    type :: host_record
@@ -21,6 +22,7 @@ module replay_host
       real(wp), allocatable :: rdisp(:), drdisp(:)
       !> Tractions, MPa, and their derivative by the relative motion, MPa/mm
       real(wp), allocatable :: stress(:), ddsddr(:, :)
+      !> State variables
       real(wp), allocatable :: statev(:)
       !> Stored energy per area, total, N/mm
       real(wp) :: sed = 0.0_wp
@@ -28,6 +30,7 @@ module replay_host
       real(wp) :: sfd = 0.0_wp, spd = 0.0_wp, svd = 0.0_wp, scd = 0.0_wp
       !> Time step factor asked for; not below 1 unless a cut is wanted
       real(wp) :: pnewdt = 0.0_wp
+      !> Flags of the interface
       integer :: lopenclose = -1, lstate = -1, lsdi = 0
       !> Calls of UINTER in this increment so far
       integer :: calls = 0
@@ -35,9 +38,11 @@ module replay_host
 
    !> One contact point of the host.
    type :: host_point
+      !> The UINTER that is called
       procedure(uinter_interface), pointer, nopass :: routine => null()
       !> PROPS
       real(wp), allocatable :: props(:)
+      !> Components, 2 or 3
       integer :: ndir = 3
       !> Values at the start of the increment
       type(host_record) :: start
@@ -47,6 +52,7 @@ module replay_host
       type(host_record), allocatable :: history(:)
       !> Increments asked to be repeated so far
       integer :: cutbacks = 0
+      !> Increments accepted so far
       integer :: increments = 0
       !> Rotation of the slip directions since the start
       real(wp) :: rotation(2, 2) = reshape([1.0_wp, 0.0_wp, 0.0_wp, 1.0_wp], [2, 2])
@@ -54,8 +60,6 @@ module replay_host
 
    real(wp), parameter :: large_pnewdt = 1.0e30_wp
    integer, parameter :: max_discontinuities = 10, max_cutbacks = 30
-   !> RDISP(1) below this means that no opposite surface was found
-   real(wp), parameter :: no_surface = 0.1_wp*no_opposite_surface
 
 contains
 
@@ -127,6 +131,17 @@ contains
          to_text(overclosure)//' mm', computation_error)
    end subroutine try_increment
 
+   !> `error` is set when the last trial asks to be cut, for a caller that cannot cut.
+   subroutine refuse_cut(point, error)
+      !> The point
+      type(host_point), intent(in) :: point
+      !> Set when PNEWDT is below 1
+      type(error_type), allocatable, intent(out) :: error
+
+      if (point%trial%pnewdt < 1.0_wp) call fatal_error(error, 'UINTER cannot compute '// &
+         'overclosure = '//to_text(point%trial%rdisp(1))//' mm', computation_error)
+   end subroutine refuse_cut
+
    !> Accept the last trial: it becomes the start of the next increment.
    subroutine accept_increment(point, rotation)
       !> The point
@@ -170,7 +185,7 @@ contains
       part = 1.0_wp
       cuts = 0
       from = point%start%rdisp(1)
-      if (from < no_surface) from = overclosure
+      if (from < no_surface_limit) from = overclosure
       do while (done < 1.0_wp)
          part = min(part, 1.0_wp - done)
          if (done + part >= 1.0_wp) then
@@ -184,6 +199,7 @@ contains
             cuts = cuts + 1
             point%cutbacks = point%cutbacks + 1
             part = part*point%trial%pnewdt
+            point%trial = point%start
             if (cuts <= max_cutbacks .and. .not. present(rotation)) cycle
             call fatal_error(error, 'UINTER asks to cut the increment for ever at '// &
                'overclosure = '//to_text(overclosure)//' mm', computation_error)
@@ -231,11 +247,16 @@ contains
          t%scd = bad
          t%pnewdt = large_pnewdt
          t%dtime = dtime
-         t%time = point%start%time + dtime
          t%rdisp(1) = overclosure
          t%drdisp(1) = overclosure - point%start%rdisp(1)
          t%drdisp(2:) = slip_increment
-         t%rdisp(2:) = point%start%rdisp(2:) + slip_increment
+         if (linper == 1) then
+            ! a perturbation has no past
+            t%rdisp(2:) = slip_increment
+         else
+            t%time = point%start%time + dtime
+            t%rdisp(2:) = point%start%rdisp(2:) + slip_increment
+         end if
          call point%routine(t%stress, t%ddsddr, dviscous, dstructural, flux, ddfddt, ddsddt, &
             ddfddr, t%statev, t%sed, t%sfd, t%spd, t%svd, t%scd, t%pnewdt, t%rdisp, t%drdisp, &
             zero_2, zero_2, zero_field, zero_field, t%time, dtime, 0.0_wp, ciname, slname, &

@@ -6,7 +6,8 @@ module replay_press
    use asperity_error, only: fatal_error
    use asperity_properties, only: check_positive
    use asperity_text, only: to_text
-   use replay_host, only: accept_increment, host_point, new_host_point, try_increment
+   use replay_host, only: accept_increment, host_point, new_host_point, refuse_cut, &
+      try_increment
    use uinter_signature, only: uinter_interface
    implicit none
    private
@@ -73,6 +74,7 @@ contains
          else
             call reach_pressure(point, properties, target, dtime, error)
          end if
+         if (.not. allocated(error)) call refuse_cut(point, error)
          if (allocated(error)) return
          call accept_increment(point)
          steps(i + 1) = step_of(point, properties)
@@ -97,8 +99,9 @@ contains
          call try_increment(point, overclosure, [0.0_wp], dtime, error)
          if (allocated(error)) return
          associate (p => point%trial%stress(1))
-            if (abs(p - wanted) <= pressure_tolerance*wanted*(1.0_wp + abs(overclosure) &
-               /properties%normal%sigma)) return
+            ! the pressure can be met to the round-off of the overclosure
+            if (abs(p - wanted) <= pressure_tolerance*wanted + point%trial%ddsddr(1, 1) &
+               *4.0_wp*spacing(max(abs(overclosure), abs(properties%initial_separation)))) return
             overclosure = overclosure + (wanted - p)/point%trial%ddsddr(1, 1)
          end associate
       end do

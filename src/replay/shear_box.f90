@@ -6,7 +6,8 @@ module replay_shear_box
       normal_response, separation_for_pressure, wp
    use asperity_error, only: fatal_error
    use asperity_text, only: to_text
-   use replay_host, only: accept_increment, host_point, new_host_point, try_increment
+   use replay_host, only: accept_increment, host_point, new_host_point, refuse_cut, &
+      try_increment
    use replay_shear_settings, only: box_path, check_shear_settings, current_area, &
       overlap_area, shear_settings
    use uinter_signature, only: uinter_interface
@@ -15,7 +16,8 @@ module replay_shear_box
    private
    public :: shear_settings, shear_step, run_shear_box, overlap_area
 
-   !> One increment of the replay. Energies are totals over the overlap, N mm.
+   !> One increment of the replay. Energies are totals over the overlap, N mm; with a shrinking
+   !> overlap the energy stored in the area that is lost stands in no ledger.
    type :: shear_step
       !> Time since the box moves, s
       real(wp) :: time = 0.0_wp
@@ -43,8 +45,8 @@ module replay_shear_box
       integer :: status = 0, validity = 0
    end type shear_step
 
-   integer, parameter :: max_iterations = 40
-   !> Balance is found to this part of the weight, and of gcrit
+   integer, parameter :: max_iterations = 200
+   !> Balance is found to this part of the pressure, and of gcrit
    real(wp), parameter :: balance_tolerance = 1.0e-11_wp
    real(wp), parameter :: seconds_per_minute = 60.0_wp
    !> Displacement when none is given, mm
@@ -100,39 +102,51 @@ contains
    end subroutine run_shear_box
 
    !> Find overclosure and slip so that the pressure carries the weight and the slip plus the
-   !> specimens' shear is the displacement of the box: Newton with the tangent of UINTER.
+   !> specimens' shear is the displacement of the box: Newton with the tangent of UINTER. The slip
+   !> stays in a bracket, since the shear stress never falls with it.
    subroutine balance(point, settings, properties, displacement, dtime, error)
       type(host_point), intent(inout) :: point
       type(shear_settings), intent(in) :: settings
       type(contact_properties), intent(in) :: properties
       real(wp), intent(in) :: displacement, dtime
       type(error_type), allocatable, intent(out) :: error
-      real(wp) :: weight, area, separation, residual(2, 1), jacobian(2, 2), overclosure, slip
-      real(wp) :: compliance
+      real(wp) :: pressure, area, separation, compliance, overclosure, slip, low, high
+      real(wp) :: residual(2, 1), jacobian(2, 2), allowed(2)
       integer :: iteration, pivots(2), info
 
-      weight = settings%normal_stress*overlap_area(settings%diameter, 0.0_wp)
       area = current_area(settings, displacement)
+      pressure = settings%normal_stress*overlap_area(settings%diameter, 0.0_wp)/area
       compliance = settings%shear_compliance*area
-      call separation_for_pressure(properties%normal, weight/area, separation, error)
+      call separation_for_pressure(properties%normal, pressure, separation, error)
       if (allocated(error)) return
       overclosure = properties%initial_separation - separation
-      slip = displacement - compliance*point%start%stress(2)
+      low = displacement - 1.01_wp*compliance*properties%friction_coefficient*pressure
+      high = displacement + 1.01_wp*compliance*properties%friction_coefficient*pressure
+      slip = min(max(displacement - compliance*point%start%stress(2), low), high)
       do iteration = 1, max_iterations
          call try_increment(point, overclosure, [slip - point%start%rdisp(2)], dtime, error)
+         if (.not. allocated(error)) call refuse_cut(point, error)
          if (allocated(error)) return
          associate (stress => point%trial%stress, tangent => point%trial%ddsddr)
-            residual(1, 1) = area*stress(1)/weight - 1.0_wp
-            residual(2, 1) = slip + compliance*stress(2) - displacement
-            if (abs(residual(1, 1)) <= balance_tolerance .and. &
-               abs(residual(2, 1)) <= balance_tolerance*properties%critical_slip) return
-            jacobian(1, :) = area*tangent(1, :)/weight
+            residual(:, 1) = [stress(1) - pressure, slip + compliance*stress(2) - displacement]
+            ! no closer than round-off of overclosure and displacement allows
+            allowed = balance_tolerance*[pressure, properties%critical_slip] &
+               + 4.0_wp*[tangent(1, 1)*spacing(max(abs(overclosure), abs(properties%initial_separation))), &
+               spacing(max(abs(displacement), abs(high)))]
+            if (all(abs(residual(:, 1)) <= allowed)) return
+            if (residual(2, 1) > 0.0_wp) then
+               high = slip
+            else
+               low = slip
+            end if
+            jacobian(1, :) = tangent(1, :)
             jacobian(2, :) = compliance*tangent(2, :) + [0.0_wp, 1.0_wp]
          end associate
          call dgesv(2, 1, jacobian, 2, pivots, residual, 2, info)
          if (info /= 0) exit
          overclosure = overclosure - residual(1, 1)
          slip = slip - residual(2, 1)
+         if (.not. (slip > low .and. slip < high)) slip = 0.5_wp*(low + high)
       end do
       call fatal_error(error, 'no balance found at displacement = '//to_text(displacement)// &
          ' mm; try a smaller displacement_increment', computation_error)

@@ -1,0 +1,126 @@
+!> Quadrature over summit heights: Gauss points and weights for integrals of functions that are
+!> smooth in sqrt(w), times the Gaussian density of heights, over a range of deformations w.
+module asperity_height_quadrature
+   use asperity_gauss_legendre, only: n_points, nodes, weights
+   use asperity_gaussian_tail, only: density_reach, phi_0
+   use asperity_kinds, only: wp
+   use asperity_properties, only: normal_properties
+   implicit none
+   private
+   public :: quadrature_type, new_quadrature, relative_exponent
+
+   !> Gauss points, one column a panel. The weights hold the density of heights, to be multiplied
+   !> by exp(-exponent - max(h, 0)^2/2), which makes it one at its largest.
+   type :: quadrature_type
+      !> Number of panels used
+      integer :: panels = 0
+      !> Points w/w1, and weights
+      real(wp) :: ratio(n_points, 2), weight(n_points, 2)
+      !> See above; never negative
+      real(wp) :: exponent = 0.0_wp
+   end type quadrature_type
+
+   !> Ranges that end beyond this many sigma are split
+   real(wp), parameter :: wide = 4.0_wp
+
+contains
+
+   !> Gauss points for integrals over the deformations from..to of functions that are smooth in
+   !> sqrt(w), times the density, cut to where the density matters.
+   !> Lengths are measured from the anchor, the densest point of the range, so that nothing is
+   !> lost where the range is narrow and far from zero.
+   pure function new_quadrature(properties, separation, from, to) result(rule)
+      !> Checked properties
+      type(normal_properties), intent(in) :: properties
+      !> Separation d, mm
+      real(wp), intent(in) :: separation
+      !> Range of the deformation w, mm
+      real(wp), intent(in) :: from, to
+      type(quadrature_type) :: rule
+      real(wp) :: anchor, y, reach, lower, upper, root_split
+
+      anchor = min(max(-separation, from), to)
+      y = (separation + anchor)/properties%sigma
+      reach = density_reach(y)
+      lower = (from - anchor)/properties%sigma
+      upper = (to - anchor)/properties%sigma
+      associate (center => anchor/properties%sigma)
+         rule%exponent = relative_exponent(separation/properties%sigma, center, y)
+         if (lower < -reach .and. upper > reach) then
+            call add_bell(rule, properties, anchor, reach)
+            return
+         end if
+         lower = max(lower, -reach)
+         upper = min(upper, reach)
+         ! the density narrows in sqrt(w): a wide range is split at a quarter of its upper end
+         root_split = 0.25_wp*(center + upper) - center
+         if (center + upper > wide .and. lower < root_split) then
+            call add_panel(rule, properties, anchor, y, lower, root_split)
+            lower = root_split
+         end if
+      end associate
+      call add_panel(rule, properties, anchor, y, lower, upper)
+   end function new_quadrature
+
+   !> Add the Gauss points in lower..upper sigma beyond the anchor, spread evenly in sqrt(w). The
+   !> density is phi(y + t) at t sigma beyond it. Each w is rounded for itself, so that the errors
+   !> of the points average out, and the points are set from the denser end, which keeps it sharp.
+   pure subroutine add_panel(rule, properties, anchor, y, lower, upper)
+      type(quadrature_type), intent(inout) :: rule
+      type(normal_properties), intent(in) :: properties
+      real(wp), intent(in) :: anchor, y, lower, upper
+      real(wp) :: start, first, last, half, w(n_points), t(n_points), beyond(n_points)
+
+      associate (sigma => properties%sigma)
+         ! roots of w/sigma, then less that of the anchor
+         start = sqrt(anchor/sigma)
+         first = sqrt(max(anchor/sigma + lower, 0.0_wp))
+         last = sqrt(max(anchor/sigma + upper, 0.0_wp))
+         half = 0.5_wp*(upper - lower)/max(last + first, tiny(1.0_wp))
+         if (abs(upper) < abs(lower)) then
+            beyond = upper/max(last + start, tiny(1.0_wp)) - half*(1.0_wp - nodes)
+         else
+            first = lower/max(first + start, tiny(1.0_wp))
+            beyond = first + half*(1.0_wp + nodes)
+         end if
+         t = beyond*(2.0_wp*start + beyond)
+         w = max(anchor + sigma*t, 0.0_wp)
+         rule%panels = rule%panels + 1
+         rule%ratio(:, rule%panels) = w/properties%w1
+         rule%weight(:, rule%panels) = (2.0_wp*phi_0*half)*weights*sqrt(w/sigma) &
+            *exp(-t*(y + 0.5_wp*t))
+      end associate
+   end subroutine add_panel
+
+   !> Add the Gauss points of the whole bell around the anchor, spread evenly in w: nothing happens
+   !> at its ends, and fixed points have no noise.
+   pure subroutine add_bell(rule, properties, anchor, reach)
+      type(quadrature_type), intent(inout) :: rule
+      type(normal_properties), intent(in) :: properties
+      real(wp), intent(in) :: anchor, reach
+      real(wp) :: t(n_points)
+
+      t = reach*nodes
+      rule%panels = 1
+      rule%ratio(:, 1) = (anchor + properties%sigma*t)/properties%w1
+      rule%weight(:, 1) = (phi_0*reach)*weights*exp(-0.5_wp*t*t)
+   end subroutine add_bell
+
+   !> Exponent y^2/2 of the density where a piece is densest, at y = h + t, less max(h, 0)^2/2:
+   !> not as a difference of squares, which would lose digits of small shares.
+   pure real(wp) function relative_exponent(h, t, y)
+      !> d/sigma
+      real(wp), intent(in) :: h
+      !> Deformation over sigma at the densest point
+      real(wp), intent(in) :: t
+      !> Their sum; zero where the whole piece lies on the far side of the mean plane
+      real(wp), intent(in) :: y
+
+      if (h > 0.0_wp) then
+         relative_exponent = t*(h + 0.5_wp*t)
+      else
+         relative_exponent = 0.5_wp*y*y
+      end if
+   end function relative_exponent
+
+end module asperity_height_quadrature

@@ -1,0 +1,178 @@
+#!/usr/bin/env python3
+"""Compile and run every fenced block of a Markdown file, so that no example in it can rot.
+
+usage: run_blocks.py FILE.md --source PROJECT --prefix PREFIX --work FOLDER
+
+The language of a block tells what is done with it:
+    fortran    a complete program: compiled against the package installed in PREFIX, and run
+    sh, bash   a script: run by `bash -eu` in a fresh copy of the project
+    console    lines that begin with `$ ` are run likewise; the lines between are their output
+An HTML comment on the line before the fence (blank lines may stand between) marks a block:
+    <!-- output -->         what the block run before this one printed
+    <!-- file: NAME -->     written to NAME, where the blocks after it find it; not run itself
+    <!-- not run: WHY -->   only shown
+A block with neither such a language nor a mark is a failure: nothing is passed over silently.
+
+All blocks share one folder, a fresh copy of the project, and find the installed program on PATH,
+the package by CMAKE_PREFIX_PATH and PKG_CONFIG_PATH. Expected output is compared line by line
+without trailing blanks; a line of three dots stands for any number of lines.
+"""
+
+import argparse
+import os
+import re
+import shlex
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+FENCE = re.compile(r"^(?P<indent> {0,3})(?P<ticks>`{3,}|~{3,})\s*(?P<language>[\w+-]*)")
+MARK = re.compile(r"^\s*<!--\s*(?P<mark>output|file:\s*\S+|not run:\s*\S.*?)\s*-->\s*$")
+
+
+class Failure(Exception):
+    """A block does not do what the text says."""
+
+
+class Block:
+    """One fenced block: its first line, language, mark and text."""
+
+    def __init__(self, line, language, mark):
+        self.line, self.language, self.mark, self.lines = line, language, mark, []
+
+    @property
+    def text(self):
+        return "\n".join(self.lines) + "\n"
+
+
+def read_blocks(path):
+    """All fenced blocks of a Markdown file; a fence left open is an error."""
+    blocks, current, fence, mark = [], None, None, ""
+    for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
+        if current is not None:
+            if line.strip().startswith(fence) and not line.strip().strip(fence[0]):
+                current = None
+            else:
+                current.lines.append(line)
+            continue
+        opening = FENCE.match(line)
+        if opening:
+            fence = opening["ticks"]
+            current = Block(number, opening["language"].lower(), mark)
+            blocks.append(current)
+        found = MARK.match(line)
+        if found or line.strip():
+            mark = found["mark"] if found else ""
+    if current is not None:
+        sys.exit(f"{path}:{current.line}: this block is never closed")
+    return blocks
+
+
+def compare(expected, printed):
+    """Fail unless the printed lines are the expected ones; `...` stands for any lines."""
+    expected = [line.rstrip() for line in expected.strip("\n").split("\n")]
+    printed = [line.rstrip() for line in printed.strip("\n").split("\n")]
+    pattern = "".join(r"(?:.*\n)*" if line.strip() == "..." else re.escape(line) + "\n"
+                      for line in expected)
+    if not re.fullmatch(pattern, "\n".join(printed) + "\n"):
+        raise Failure("expected:\n" + "\n".join("   |" + line for line in expected)
+                      + "\nprinted:\n" + "\n".join("   |" + line for line in printed))
+
+
+class Runner:
+    """Runs blocks in one folder and remembers what the last one printed."""
+
+    def __init__(self, source, prefix, work):
+        self.folder = work / "asperity"
+        shutil.rmtree(work, ignore_errors=True)
+        shutil.copytree(source, self.folder, symlinks=True, ignore=shutil.ignore_patterns(
+            "build", "build-*", ".git", "*.o", "*.mod"))
+        self.printed = None
+        libraries = [str(path) for path in prefix.glob("lib*/**/pkgconfig")]
+        self.environment = dict(
+            os.environ, PATH=f"{prefix / 'bin'}:{os.environ['PATH']}",
+            CMAKE_PREFIX_PATH=str(prefix), PKG_CONFIG_PATH=":".join(libraries))
+        self.compiler = os.environ.get("FC", "gfortran")
+
+    def command(self, words, limit=600):
+        """Run a command and return what it printed; fail when it does."""
+        result = subprocess.run(
+            words, cwd=self.folder, env=self.environment, stdin=subprocess.DEVNULL, text=True,
+            stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=limit, check=False)
+        if result.returncode != 0:
+            raise Failure(f"status {result.returncode}, printed:\n{result.stdout}")
+        return result.stdout
+
+    def fortran(self, block):
+        """Compile a complete program as the text says, and run it."""
+        source = self.folder / f"block_at_line_{block.line}.f90"
+        source.write_text(block.text, encoding="utf-8")
+        flags = self.command(["pkg-config", "--cflags", "--libs", "asperity"])
+        self.command([self.compiler, "-std=f2018", "-Wall", source.name, *shlex.split(flags),
+                      "-o", source.stem])
+        self.printed = self.command([f"./{source.stem}"])
+
+    def script(self, block):
+        self.printed = self.command(["bash", "-euo", "pipefail", "-c", block.text])
+
+    def console(self, block):
+        """Run each command after `$ ` and compare the lines that follow it."""
+        if not block.text.startswith("$ "):
+            raise Failure("a console block begins with `$ ` and a command")
+        for part in re.split(r"^\$ ", block.text, flags=re.MULTILINE)[1:]:
+            command, output = part.split("\n", 1)
+            while command.endswith("\\") and output:
+                more, output = output.split("\n", 1)
+                command += "\n" + more.removeprefix("> ")
+            self.printed = self.command(["bash", "-euo", "pipefail", "-c", command])
+            compare(output, self.printed)
+
+    def run(self, block):
+        """Do with one block what its mark or language says; return that in a word."""
+        if block.mark.startswith("not run:"):
+            return "shown only: " + block.mark[len("not run:"):].strip()
+        if block.mark.startswith("file:"):
+            path = self.folder / block.mark[len("file:"):].strip()
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_text(block.text, encoding="utf-8")
+            return f"written to {path.relative_to(self.folder)}"
+        if block.mark == "output":
+            if self.printed is None:
+                raise Failure("no block was run before this output")
+            compare(block.text, self.printed)
+            return "output compared"
+        action = {"fortran": self.fortran, "sh": self.script, "bash": self.script,
+                  "console": self.console}.get(block.language)
+        if action is None:
+            raise Failure(f"language '{block.language}' cannot be run and there is no mark")
+        self.printed = None
+        action(block)
+        return "run"
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.split("\n", maxsplit=1)[0])
+    parser.add_argument("file", type=Path)
+    for option in ("--source", "--prefix", "--work"):
+        parser.add_argument(option, type=Path, required=True)
+    options = parser.parse_args()
+    blocks = read_blocks(options.file)
+    runner = Runner(options.source.resolve(), options.prefix.resolve(), options.work.resolve())
+    failed = 0
+    for block in blocks:
+        place = f"{options.file.name}:{block.line} {block.language or 'no language'}"
+        try:
+            print(f"  ok  {place}: {runner.run(block)}", flush=True)
+        except (Failure, subprocess.TimeoutExpired) as failure:
+            failed += 1
+            print(f"FAIL  {place}: {failure}", flush=True)
+    if not blocks:
+        failed = 1
+        print(f"FAIL  {options.file} has no block")
+    print(f"{len(blocks) + (not blocks) - failed} passed, {failed} failed")
+    return min(failed, 1)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

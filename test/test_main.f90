@@ -1,0 +1,48 @@
+!> Runs every suite. It uses pFUnit's own names only, so it works with the real pFUnit as well.
+program test_main
+   use funit, only: SerialContext, TestResult, TestRunner, TestSuite
+   use test_contact_energy, only: suite_contact_energy
+   use test_contact_point, only: suite_contact_point
+   use test_contact_tangent, only: suite_contact_tangent
+   use test_friction, only: suite_friction
+   use test_gaussian_tail, only: suite_gaussian_tail
+   use test_normal_inverse, only: suite_normal_inverse
+   use test_normal_law, only: suite_normal_law
+   use test_normal_law_reference, only: suite_normal_law_reference
+   use test_presets, only: suite_presets
+   use test_press, only: suite_press
+   use test_properties, only: suite_properties
+   use test_replay_host, only: suite_replay_host
+   use test_shear_box, only: suite_shear_box
+   use test_single_asperity, only: suite_single_asperity
+   use test_uinter, only: suite_uinter
+   use test_validity, only: suite_validity
+   implicit none
+   type(TestSuite) :: all_suites
+   type(TestRunner) :: runner
+   type(TestResult) :: outcome
+   integer :: failed
+
+   all_suites = TestSuite('asperity')
+   call all_suites%addTest(suite_properties())
+   call all_suites%addTest(suite_presets())
+   call all_suites%addTest(suite_single_asperity())
+   call all_suites%addTest(suite_gaussian_tail())
+   call all_suites%addTest(suite_normal_law())
+   call all_suites%addTest(suite_validity())
+   call all_suites%addTest(suite_normal_law_reference())
+   call all_suites%addTest(suite_normal_inverse())
+   call all_suites%addTest(suite_friction())
+   call all_suites%addTest(suite_contact_point())
+   call all_suites%addTest(suite_contact_energy())
+   call all_suites%addTest(suite_contact_tangent())
+   call all_suites%addTest(suite_uinter())
+   call all_suites%addTest(suite_replay_host())
+   call all_suites%addTest(suite_press())
+   call all_suites%addTest(suite_shear_box())
+   runner = TestRunner()
+   outcome = runner%run(all_suites, SerialContext())
+   failed = outcome%failureCount() + outcome%errorCount()
+   write (*, '(i0, a, i0, a)') outcome%runCount() - failed, ' passed, ', failed, ' failed'
+   if (failed > 0 .or. outcome%runCount() == 0) stop 1, quiet=.true.
+end program test_main
