@@ -2,6 +2,7 @@
 module test_properties
    use, intrinsic :: ieee_arithmetic, only: ieee_negative_inf, ieee_positive_inf, ieee_quiet_nan, &
       ieee_value
+   use, intrinsic :: iso_fortran_env, only: int64
    use asperity_error, only: error_type, input_error
    use asperity_kinds, only: wp
    use asperity_properties, only: equivalent_modulus, new_normal_properties, normal_properties
@@ -9,6 +10,7 @@ module test_properties
       valid
    use funit, only: anyExceptions, assertEqual, assertFalse, assertLessThan, &
       assertRelativelyEqual, assertTrue, TestMethod, TestSuite
+   use measurements, only: record
    use random_inputs, only: random_properties, random_stream
    implicit none
    private
@@ -202,6 +204,10 @@ contains
 
    !> Eq. 4: equal bodies, a rigid partner, and exchange of the bodies.
    subroutine test_equivalent_modulus()
+      type(random_stream) :: stream
+      real(wp) :: e1, e2, nu1, nu2, expected, worst
+      integer :: i
+
       call assertRelativelyEqual(1.0e4_wp/(2.0_wp*(1.0_wp - 0.3_wp**2)), &
          equivalent_modulus(1.0e4_wp, 0.3_wp, 1.0e4_wp, 0.3_wp), 1.0e-15_wp, 'equal bodies')
       call assertRelativelyEqual(500.0_wp/(1.0_wp - 0.4_wp**2), &
@@ -209,6 +215,19 @@ contains
       call assertEqual(equivalent_modulus(500.0_wp, 0.4_wp, 1.0e4_wp, 0.1_wp), &
          equivalent_modulus(1.0e4_wp, 0.1_wp, 500.0_wp, 0.4_wp), 1.0e-12_wp, 'exchange')
       call assertLessThan(equivalent_modulus(500.0_wp, 0.0_wp, 1.0e4_wp, 0.0_wp), 500.0_wp)
+      ! 1/E* is the sum of two compliances, here over a common denominator
+      worst = 0.0_wp
+      stream = random_stream(5_int64)
+      do i = 1, 1000
+         e1 = stream%log_uniform(1.0_wp, 1.0e6_wp)
+         e2 = stream%log_uniform(1.0_wp, 1.0e6_wp)
+         nu1 = stream%uniform(-0.9_wp, 0.5_wp)
+         nu2 = stream%uniform(-0.9_wp, 0.5_wp)
+         expected = e1*e2/((1.0_wp - nu1)*(1.0_wp + nu1)*e2 + (1.0_wp - nu2)*(1.0_wp + nu2)*e1)
+         worst = max(worst, abs(equivalent_modulus(e1, nu1, e2, nu2)/expected - 1.0_wp))
+      end do
+      call record('properties.equivalent_modulus', worst)
+      call assertLessThan(worst, 4.0e-15_wp, 'random bodies')
    end subroutine test_equivalent_modulus
 
 end module test_properties
