@@ -1,0 +1,224 @@
+!> Reads a case file: one group `&asperity ... /` of keys and values, in Fortran's namelist
+!> form, which Fortran's own READ could not check by key and line.
+module app_case_file
+   use asperity, only: error_type, file_error
+   use asperity_error, only: fatal_error
+   use asperity_text, only: to_text
+   use app_keys, only: find_key, keys, kind_file, kind_request, n_keys, option_name
+   use app_system, only: read_file
+   use app_scanner, only: new_scanner, scanner_type, token_comma, token_group, &
+      token_none, token_quoted, token_slash, token_type, token_word
+   use app_settings, only: assign_words, settings_type
+   use app_strings, only: lower_case, nearest_name, newline, quoted
+   use app_words, only: word_type
+   implicit none
+   private
+   public :: read_case
+
+   character(len=*), parameter :: group = 'asperity'
+   !> Largest case file, characters: room for several of the longest lists
+   integer, parameter :: largest = 16*1024*1024
+
+contains
+
+   !> Read a case file into settings that hold defaults. `error` names file and line.
+   subroutine read_case(path, settings, error)
+      !> Path of the file
+      character(len=*), intent(in) :: path
+      !> Settings; keys of the file are overwritten
+      type(settings_type), intent(inout) :: settings
+      !> Set when the file cannot be read or is faulty
+      type(error_type), allocatable, intent(out) :: error
+      character(len=:), allocatable :: text, reason
+      type(scanner_type) :: scanner
+
+      ! One character more than allowed tells that the file is too large
+      call read_file(path, largest + 1, text, reason)
+      if (allocated(reason)) then
+         call fatal_error(error, path//': cannot be read: '//reason, file_error)
+         return
+      end if
+      call new_scanner(scanner, text, path, error)
+      if (allocated(error)) return
+      if (len(text) > largest) then
+         call fatal_error(error, path//': is larger than 16 MiB, this is not a case file')
+         return
+      end if
+      call read_group(scanner, settings, error)
+      if (allocated(error)) return
+      if (text(len(text):) /= newline) call fatal_error(error, path// &
+         ': the last line needs a line break (Fortran''s namelist READ fails without it)')
+   end subroutine read_case
+
+   !> Read `&asperity`, the keys, `/`, and nothing after it.
+   pure subroutine read_group(scanner, settings, error)
+      type(scanner_type), intent(inout) :: scanner
+      type(settings_type), intent(inout) :: settings
+      type(error_type), allocatable, intent(out) :: error
+      type(token_type) :: token
+      integer :: first_lines(n_keys)
+
+      call scanner%next(token, error)
+      if (allocated(error)) return
+      if (token%kind /= token_group .or. lower_case(token%text) /= group) then
+         call fatal_error(error, scanner%place(max(1, token%line))// &
+            ': a case starts with &asperity, found '//shown(token))
+         return
+      end if
+      first_lines = 0
+      do
+         call scanner%next(token, error)
+         if (allocated(error)) return
+         if (token%kind == token_slash) exit
+         call read_key(scanner, token, first_lines, settings, error)
+         if (allocated(error)) return
+      end do
+      call scanner%next(token, error)
+      if (allocated(error)) return
+      if (token%kind /= token_none) call fatal_error(error, scanner%place(token%line)// &
+         ': nothing may follow the / that ends the group, found '//shown(token))
+   end subroutine read_group
+
+   !> Read one `key = values`, whose first token is given.
+   pure subroutine read_key(scanner, name, first_lines, settings, error)
+      type(scanner_type), intent(inout) :: scanner
+      type(token_type), intent(in) :: name
+      integer, intent(inout) :: first_lines(:)
+      type(settings_type), intent(inout) :: settings
+      type(error_type), allocatable, intent(out) :: error
+      type(token_type) :: equals
+      type(word_type), allocatable :: words(:)
+      integer :: key
+
+      if (name%kind == token_none) then
+         call fatal_error(error, scanner%place(name%line)//': the group has no end, / is missing')
+         return
+      end if
+      if (name%kind /= token_word) then
+         call fatal_error(error, scanner%place(name%line)//': expected key = value, found '// &
+            shown(name))
+         return
+      end if
+      call find_known_key(scanner%place(name%line), lower_case(name%text), key, error)
+      if (allocated(error)) return
+      if (first_lines(key) > 0) then
+         call fatal_error(error, scanner%place(name%line)//': '//trim(keys(key)%name)// &
+            ' is given twice, first in line '//to_text(first_lines(key)))
+         return
+      end if
+      first_lines(key) = name%line
+
+      if (.not. name%names_key) then
+         call fatal_error(error, scanner%place(name%line)//': '//trim(keys(key)%name)// &
+            ' must be followed by = and its value')
+         return
+      end if
+      call scanner%next(equals, error)
+      if (allocated(error)) return
+      call read_values(scanner, name%line, trim(keys(key)%name), words, error)
+      if (allocated(error)) return
+      call assign_words(settings%of(key), keys(key), words, error)
+   end subroutine read_key
+
+   !> The values after `key =`: all words up to the next `key =` or the end of the group,
+   !> separated by blanks or single commas.
+   pure subroutine read_values(scanner, line, key, words, error)
+      type(scanner_type), intent(inout) :: scanner
+      integer, intent(in) :: line
+      character(len=*), intent(in) :: key
+      type(word_type), allocatable, intent(out) :: words(:)
+      type(error_type), allocatable, intent(out) :: error
+      type(token_type) :: token
+      type(word_type), allocatable :: found(:)
+      integer :: n
+      logical :: comma_before
+
+      allocate (found(8))
+      n = 0
+      comma_before = .true.
+      do
+         call scanner%peek(token, error)
+         if (allocated(error)) return
+         if (token%kind == token_slash .or. token%kind == token_none) exit
+         if (token%names_key) exit
+         if (n > 0 .and. token%after_comment &
+            .and. (comma_before .or. token%kind == token_comma)) then
+            ! gfortran's READ finds an empty value there
+            call fatal_error(error, scanner%place(token%line)//': a comma and a comment may '// &
+               'not stand together among the values of '//key//', leave the comma out')
+            return
+         end if
+         if (token%kind == token_comma) then
+            if (comma_before) exit
+            comma_before = .true.
+         else if (token%kind == token_word .or. token%kind == token_quoted) then
+            if (n == 0 .and. token%after_comment) exit
+            if (n == size(found)) call grow(found)
+            n = n + 1
+            found(n)%text = token%text
+            found(n)%in_quotes = token%kind == token_quoted
+            found(n)%source = scanner%place(token%line)
+            comma_before = .false.
+         else
+            call fatal_error(error, scanner%place(token%line)//': unexpected '//shown(token)// &
+               ' among the values of '//key)
+            return
+         end if
+         call scanner%next(token, error)
+      end do
+      if (n == 0 .or. token%kind == token_comma) then
+         call fatal_error(error, scanner%place(merge(line, token%line, n == 0))//': '//key// &
+            ' has '// &
+            trim(merge('no value      ', 'an empty value', n == 0)))
+         return
+      end if
+      words = found(:n)
+   end subroutine read_values
+
+   !> Twice the room, the words kept.
+   pure subroutine grow(words)
+      type(word_type), allocatable, intent(inout) :: words(:)
+      type(word_type), allocatable :: larger(:)
+      integer :: i
+
+      allocate (larger(2*size(words)))
+      do i = 1, size(words)
+         larger(i) = words(i)
+      end do
+      call move_alloc(larger, words)
+   end subroutine grow
+
+   !> Place of a key in the table; `error` suggests the nearest.
+   pure subroutine find_known_key(place, name, key, error)
+      character(len=*), intent(in) :: place, name
+      integer, intent(out) :: key
+      type(error_type), allocatable, intent(out) :: error
+      character(len=:), allocatable :: nearest
+
+      key = find_key(name)
+      if (key == 0) then
+         if (scan(name, '(%)') > 0) then
+            call fatal_error(error, place//': '//quoted(name)// &
+               ' is not a key; subscripts are not supported, write the whole list')
+            return
+         end if
+         nearest = nearest_name(name, pack(keys%name, keys%kind < kind_file))
+         if (nearest /= '') nearest = '; did you mean '//nearest//'?'
+         call fatal_error(error, place//': unknown key '//quoted(name)//nearest)
+      else if (keys(key)%kind == kind_file .or. keys(key)%kind == kind_request) then
+         call fatal_error(error, place//': '//name//' is not a key of a case file, '// &
+            'use the option '//option_name(key))
+      end if
+   end subroutine find_known_key
+
+   !> A token for a message.
+   pure function shown(token) result(text)
+      type(token_type), intent(in) :: token
+      character(len=:), allocatable :: text
+
+      text = quoted(token%text)
+      if (token%kind == token_none) text = 'the end of the file'
+      if (token%kind == token_group) text = quoted('&'//token%text)
+   end function shown
+
+end module app_case_file

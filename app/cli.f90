@@ -1,0 +1,156 @@
+!> Parses the command line, and nothing else, into one type.
+module app_cli
+   use asperity, only: error_type
+   use asperity_error, only: fatal_error
+   use app_help, only: usage_text
+   use app_keys, only: command_citation, command_curve, command_help, command_names, &
+      command_pairs, command_press, command_shear, command_version
+   use app_option, only: parse_option
+   use app_settings, only: settings_type
+   use app_strings, only: nearest_name, quoted, starts_with, string_type
+   implicit none
+   private
+   public :: command_line_type, parse_command_line
+
+   !> What the command line asks for.
+   type :: command_line_type
+      !> One of the commands of `app_keys`
+      integer :: command = 0
+      !> Command that help is asked about, zero for all
+      integer :: topic = 0
+      !> Path of the case file, empty when there is none
+      character(len=:), allocatable :: case_path
+      !> Values given as options
+      type(settings_type) :: options
+   end type command_line_type
+
+   character(len=*), parameter :: command_words(*) = [character(len=10) :: &
+      'curve', 'press', 'shear', 'pairs', 'version', 'help', '--version', '--help', '-h', &
+      '--citation']
+   integer, parameter :: command_codes(*) = [command_curve, command_press, command_shear, &
+      command_pairs, command_version, command_help, command_version, command_help, command_help, &
+      command_citation]
+
+contains
+
+   !> Parse the arguments of the program.
+   subroutine parse_command_line(line, error)
+      !> What they ask for
+      type(command_line_type), intent(out) :: line
+      !> Set when they are faulty
+      type(error_type), allocatable, intent(out) :: error
+      type(string_type), allocatable :: arguments(:)
+      integer :: i
+
+      line%case_path = ''
+      call get_arguments(arguments)
+      if (size(arguments) == 0) then
+         call fatal_error(error, 'no command is given'//usage_text())
+         return
+      end if
+      call find_command(arguments(1)%text, line%command, error)
+      if (allocated(error)) return
+      do i = 2, size(arguments)
+         if (arguments(i)%text /= '--help' .and. arguments(i)%text /= '-h') cycle
+         line%topic = line%command
+         line%command = command_help
+         return
+      end do
+
+      select case (line%command)
+      case (command_help)
+         call parse_topic(line, arguments(2:), error)
+      case default
+         call parse_arguments(line, arguments(2:), error)
+      end select
+   end subroutine parse_command_line
+
+   !> The arguments of the program as the system gives them.
+   subroutine get_arguments(arguments)
+      type(string_type), allocatable, intent(out) :: arguments(:)
+      integer :: i, length
+
+      allocate (arguments(command_argument_count()))
+      do i = 1, size(arguments)
+         call get_command_argument(i, length=length)
+         arguments(i)%text = repeat(' ', length)
+         associate (text => arguments(i)%text)
+            if (length > 0) call get_command_argument(i, text)
+         end associate
+      end do
+   end subroutine get_arguments
+
+   !> Command of a word.
+   pure subroutine find_command(word, command, error)
+      character(len=*), intent(in) :: word
+      integer, intent(out) :: command
+      type(error_type), allocatable, intent(out) :: error
+      character(len=:), allocatable :: nearest
+      integer :: i
+
+      command = 0
+      do i = 1, size(command_words)
+         if (command_words(i) == word) command = command_codes(i)
+      end do
+      if (command /= 0) return
+      nearest = nearest_name(word, command_words)
+      if (nearest == '') then
+         nearest = '; see asperity help'
+      else
+         nearest = '; did you mean '//nearest//'?'
+      end if
+      call fatal_error(error, 'unknown command '//quoted(word)//nearest)
+   end subroutine find_command
+
+   !> `asperity help [command]`.
+   pure subroutine parse_topic(line, arguments, error)
+      type(command_line_type), intent(inout) :: line
+      type(string_type), intent(in) :: arguments(:)
+      type(error_type), allocatable, intent(out) :: error
+
+      if (size(arguments) > 1) then
+         call fatal_error(error, quoted(arguments(2)%text)//': help takes one command')
+      else if (size(arguments) == 1) then
+         call find_command(arguments(1)%text, line%topic, error)
+      end if
+   end subroutine parse_topic
+
+   !> Options and case file of a command.
+   subroutine parse_arguments(line, arguments, error)
+      type(command_line_type), intent(inout) :: line
+      type(string_type), intent(in) :: arguments(:)
+      type(error_type), allocatable, intent(out) :: error
+      integer :: i
+
+      i = 0
+      do while (i < size(arguments))
+         i = i + 1
+         if (starts_with(arguments(i)%text, '-')) then
+            call parse_option(line%options, line%command, arguments, i, error)
+         else
+            call take_case(line, arguments(i)%text, error)
+         end if
+         if (allocated(error)) return
+      end do
+   end subroutine parse_arguments
+
+   !> The one argument that is not an option.
+   pure subroutine take_case(line, path, error)
+      type(command_line_type), intent(inout) :: line
+      character(len=*), intent(in) :: path
+      type(error_type), allocatable, intent(out) :: error
+
+      if (iand(line%command, command_curve + command_press + command_shear) == 0) then
+         call fatal_error(error, quoted(path)//': '//command_names(line%command)// &
+            ' takes no case file')
+      else if (line%case_path /= '') then
+         call fatal_error(error, quoted(path)//': there is already the case file '// &
+            quoted(line%case_path)//', only one is taken')
+      else if (path == '') then
+         call fatal_error(error, 'the name of the case file is empty')
+      else
+         line%case_path = path
+      end if
+   end subroutine take_case
+
+end module app_cli

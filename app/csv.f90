@@ -1,0 +1,48 @@
+!> A table as CSV: one line of column names, one line per row, numbers with 17 figures.
+module app_csv
+   use app_strings, only: escaped, newline
+   use app_table, only: column_texts, table_type
+   use app_text_buffer, only: text_buffer
+   implicit none
+   private
+   public :: csv_text
+
+contains
+
+   !> The table as CSV.
+   pure function csv_text(table) result(text)
+      !> The table
+      type(table_type), intent(in) :: table
+      character(len=:), allocatable :: text
+      type(text_buffer) :: buffer
+      integer :: i, row
+
+      do i = 1, table%set
+         if (i > 1) call buffer%add(',')
+         call buffer%add(table%columns(i)%name)
+      end do
+      call buffer%line()
+      do row = 1, table%rows
+         do i = 1, table%set
+            if (i > 1) call buffer%add(',')
+            if (table%columns(i)%kind == column_texts) then
+               call buffer%add(in_quotes(table%columns(i)%cell(row)))
+            else
+               call buffer%add(table%columns(i)%cell(row))
+            end if
+         end do
+         call buffer%line()
+      end do
+      text = buffer%text()
+   end function csv_text
+
+   !> A text in quotes if it needs them.
+   pure function in_quotes(text) result(quoted)
+      character(len=*), intent(in) :: text
+      character(len=:), allocatable :: quoted
+
+      quoted = text
+      if (scan(text, ',"'//newline) > 0) quoted = '"'//escaped(text, '"', '""')//'"'
+   end function in_quotes
+
+end module app_csv

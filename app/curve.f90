@@ -1,0 +1,60 @@
+!> `asperity curve`: the normal law at a list of separations.
+module app_curve
+   use asperity, only: error_type, evaluate_normal_law, normal_response
+   use app_config, only: config_type
+   use app_progress, only: progress_type
+   use app_report, only: report_type, turning_points
+   use app_table, only: column_validity, new_table
+   implicit none
+   private
+   public :: report_curve
+
+   !> Points between two looks at the clock
+   integer, parameter :: chunk = 1000
+
+contains
+
+   !> Evaluate the law. `error` is set when a result is out of the range of numbers.
+   subroutine report_curve(config, report, error)
+      !> Properties and separations
+      type(config_type), intent(in) :: config
+      !> Its table is set
+      type(report_type), intent(inout) :: report
+      !> Set on failure
+      type(error_type), allocatable, intent(out) :: error
+      type(normal_response), allocatable :: r(:)
+      type(progress_type) :: progress
+      integer :: i, last, n
+
+      n = size(config%separation)
+      allocate (r(n))
+      call progress%start('curve')
+      do i = 1, n, chunk
+         call progress%show(i - 1, n, 'separations')
+         last = min(i + chunk - 1, n)
+         r(i:last) = evaluate_normal_law(config%properties%normal, config%separation(i:last))
+      end do
+      call progress%finish()
+
+      report%table = new_table(columns=11, rows=n)
+      ! Parentheses make the copies that gfortran makes anyway, and would warn of when checking
+      associate (table => report%table)
+         call table%add_numbers('separation', 'mm', config%separation)
+         call table%add_numbers('closure', 'mm', &
+            config%properties%initial_separation - config%separation)
+         call table%add_numbers('pressure', 'MPa', (r%pressure))
+         call table%add_numbers('stiffness', 'MPa/mm', (r%stiffness))
+         call table%add_numbers('area_fraction', '-', (r%area_fraction))
+         call table%add_numbers('contact_density', '1/mm^2', (r%contact_density))
+         call table%add_numbers('energy', 'N/mm', (r%energy))
+         call table%add_numbers('elastic_share', '-', (r%elastic_share))
+         call table%add_numbers('elastoplastic_share', '-', (r%elastoplastic_share))
+         call table%add_numbers('plastic_share', '-', (r%plastic_share))
+         call table%add_codes('validity', column_validity, (r%validity))
+         call table%check_finite(error)
+      end associate
+      report%first_rows = [1, n + 1]
+      report%important = turning_points(config%separation)
+   end subroutine report_curve
+
+end module app_curve

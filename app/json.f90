@@ -1,0 +1,197 @@
+!> A report as JSON: input, units, one list per column. Never holds NaN or infinity: what has no
+!> value is null.
+module app_json
+   use asperity, only: validity_remark
+   use asperity_text, only: to_text
+   use asperity_version, only: version
+   use app_keys, only: belongs, command_names, keys, kind_file, kind_integer, kind_list, &
+      kind_logical, kind_real, n_keys
+   use app_report, only: report_type
+   use app_settings, only: setting_type
+   use app_strings, only: backslash
+   use app_table, only: column_numbers, column_type, full_figures, table_type
+   use app_text_buffer, only: text_buffer
+   implicit none
+   private
+   public :: json_text
+
+contains
+
+   !> The report as JSON.
+   pure function json_text(report) result(text)
+      !> The report
+      type(report_type), intent(in) :: report
+      character(len=:), allocatable :: text
+      type(text_buffer) :: buffer
+
+      call buffer%line('{')
+      call buffer%line('"asperity": '//json_string(version)//',')
+      call buffer%line('"command": '//json_string(command_names(report%command))//',')
+      call buffer%line('"properties": {'//inputs(report, .true.)//'},')
+      call buffer%line('"settings": {'//inputs(report, .false.)//'},')
+      call buffer%line('"units": {'//units(report)//'},')
+      call buffer%line('"remarks": ['//remarks(report%validity())//'],')
+      if (report%summary%set > 0) then
+         call buffer%line('"summary": {')
+         call add_columns(buffer, report%summary)
+         call buffer%line('},')
+      end if
+      call buffer%line('"data": {')
+      call add_columns(buffer, report%table)
+      call buffer%line('}')
+      call buffer%line('}')
+      text = buffer%text()
+   end function json_text
+
+   !> Members of the input object: properties, or settings of the test.
+   pure function inputs(report, properties) result(text)
+      type(report_type), intent(in) :: report
+      logical, intent(in) :: properties
+      character(len=:), allocatable :: text
+      integer :: key
+
+      text = ''
+      do key = 1, n_keys
+         if (.not. is_input(report, key)) cycle
+         if (keys(key)%is_property .neqv. properties) cycle
+         if (text /= '') text = text//', '
+         text = text//json_string(trim(keys(key)%name))//': '// &
+            json_value(report%settings%of(key), keys(key)%kind)
+      end do
+   end function inputs
+
+   !> Whether a key is part of the input of a run.
+   pure logical function is_input(report, key)
+      type(report_type), intent(in) :: report
+      integer, intent(in) :: key
+
+      is_input = belongs(key, report%command) .and. keys(key)%kind < kind_file &
+         .and. report%settings%of(key)%has_value
+   end function is_input
+
+   !> Units of columns and of input; one of the same name has the same unit.
+   pure function units(report) result(text)
+      type(report_type), intent(in) :: report
+      character(len=:), allocatable :: text
+      character(len=:), allocatable :: unit
+      integer :: i
+
+      text = ''
+      do i = 1, n_keys
+         if (.not. is_input(report, i)) cycle
+         unit = report%settings%unit_of(i)
+         if (unit == '' .or. report%table%find(trim(keys(i)%name)) > 0) cycle
+         call add_unit(text, trim(keys(i)%name), unit)
+      end do
+      do i = 1, report%summary%set
+         associate (column => report%summary%columns(i))
+            if (report%table%find(column%name) == 0) call add_unit(text, column%name, column%unit)
+         end associate
+      end do
+      do i = 1, report%table%set
+         associate (column => report%table%columns(i))
+            if (column%kind == column_numbers) call add_unit(text, column%name, column%unit)
+         end associate
+      end do
+   end function units
+
+   !> Append one member `"name": "unit"`.
+   pure subroutine add_unit(text, name, unit)
+      character(len=:), allocatable, intent(inout) :: text
+      character(len=*), intent(in) :: name, unit
+
+      if (text /= '') text = text//', '
+      text = text//json_string(name)//': '//json_string(unit)
+   end subroutine add_unit
+
+   !> What the validity flags mean, one text each.
+   pure function remarks(flags) result(text)
+      integer, intent(in) :: flags
+      character(len=:), allocatable :: text
+      integer :: bit
+
+      text = ''
+      do bit = 0, bit_size(flags) - 2
+         if (.not. btest(flags, bit)) cycle
+         if (text /= '') text = text//', '
+         text = text//json_string(validity_remark(ibset(0, bit)))
+      end do
+   end function remarks
+
+   !> One line `"name": [...]` per column.
+   pure subroutine add_columns(buffer, table)
+      type(text_buffer), intent(inout) :: buffer
+      type(table_type), intent(in) :: table
+      integer :: i, row
+
+      do i = 1, table%set
+         call buffer%add(json_string(table%columns(i)%name)//': [')
+         do row = 1, table%rows
+            if (row > 1) call buffer%add(', ')
+            call buffer%add(json_cell(table%columns(i), row))
+         end do
+         call buffer%add(']')
+         if (i < table%set) call buffer%add(',')
+         call buffer%line()
+      end do
+   end subroutine add_columns
+
+   !> One cell.
+   pure function json_cell(column, row) result(text)
+      type(column_type), intent(in) :: column
+      integer, intent(in) :: row
+      character(len=:), allocatable :: text
+
+      text = column%cell(row)
+      if (column%kind /= column_numbers) text = json_string(text)
+      if (text == '') text = 'null'
+   end function json_cell
+
+   !> Value of a setting.
+   pure function json_value(setting, kind) result(text)
+      type(setting_type), intent(in) :: setting
+      integer, intent(in) :: kind
+      character(len=:), allocatable :: text
+      type(text_buffer) :: buffer
+      integer :: i
+
+      select case (kind)
+      case (kind_real)
+         text = full_figures(setting%values(1))
+      case (kind_list)
+         do i = 1, size(setting%values)
+            if (i > 1) call buffer%add(', ')
+            call buffer%add(full_figures(setting%values(i)))
+         end do
+         text = '['//buffer%text()//']'
+      case (kind_integer)
+         text = to_text(setting%whole)
+      case (kind_logical)
+         text = trim(merge('true ', 'false', setting%switch))
+      case default
+         text = json_string(setting%text)
+      end select
+   end function json_value
+
+   !> A text in quotes, marks and control characters escaped.
+   pure function json_string(text) result(quoted)
+      character(len=*), intent(in) :: text
+      character(len=:), allocatable :: quoted
+      character(len=2) :: code
+      integer :: i
+
+      quoted = '"'
+      do i = 1, len(text)
+         if (text(i:i) == '"' .or. text(i:i) == backslash) then
+            quoted = quoted//backslash//text(i:i)
+         else if (iachar(text(i:i)) < 32) then
+            write (code, '(z2.2)') iachar(text(i:i))
+            quoted = quoted//backslash//'u00'//code
+         else
+            quoted = quoted//text(i:i)
+         end if
+      end do
+      quoted = quoted//'"'
+   end function json_string
+
+end module app_json

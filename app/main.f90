@@ -1,0 +1,20 @@
+!> The program `asperity`. It alone prints errors and sets the exit status.
+program asperity_main
+   use asperity, only: error_type
+   use app_cli, only: command_line_type, parse_command_line
+   use app_driver, only: drive
+   use app_system, only: die_quietly_of_closed_pipe, standard_error, write_text
+   use app_strings, only: newline
+   implicit none
+   type(command_line_type) :: line
+   type(error_type), allocatable :: error
+   character(len=:), allocatable :: reason
+
+   call die_quietly_of_closed_pipe()
+   call parse_command_line(line, error)
+   if (.not. allocated(error)) call drive(line, error)
+   if (allocated(error)) then
+      call write_text(standard_error, 'asperity: error: '//error%message//newline, reason)
+      stop error%category, quiet=.true.
+   end if
+end program asperity_main

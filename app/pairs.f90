@@ -1,0 +1,44 @@
+!> `asperity pairs`: the pairs of faces and the surfaces of the paper.
+module app_pairs
+   use asperity, only: pairs, surfaces, wp
+   use app_report, only: report_type
+   use app_table, only: new_table, no_value
+   implicit none
+   private
+   public :: report_pairs
+
+contains
+
+   !> One row per pair, then one per surface, which has only its roughness.
+   pure subroutine report_pairs(report)
+      !> Its table is set
+      type(report_type), intent(inout) :: report
+      real(wp) :: none_s(size(surfaces)), none_p(size(pairs))
+      integer :: i
+
+      none_s = no_value
+      none_p = no_value
+      report%table = new_table(columns=12, rows=size(pairs) + size(surfaces))
+      associate (table => report%table)
+         call table%add_texts('kind', [character(len=7) :: ('pair', i=1, size(pairs)), &
+            ('surface', i=1, size(surfaces))])
+         call table%add_texts('name', [pairs%name, surfaces%name])
+         call table%add_numbers('eta', '1/mm^2', [pairs%eta, surfaces%eta])
+         call table%add_numbers('modulus', 'MPa', [pairs%modulus, none_s])
+         call table%add_numbers('radius', 'mm', [pairs%radius, surfaces%radius])
+         call table%add_numbers('hardness', 'MPa', [pairs%hardness, none_s])
+         call table%add_numbers('yield_factor', '-', [pairs%yield_factor, none_s])
+         call table%add_numbers('sigma', 'mm', [pairs%sigma, surfaces%sigma])
+         call table%add_numbers('friction_coefficient', '-', &
+            [pairs%friction_coefficient, none_s])
+         call table%add_numbers('critical_slip', 'mm', [pairs%critical_slip, none_s])
+         call table%add_numbers('kurtosis', '-', [none_p, surfaces%kurtosis])
+         call table%add_texts('note', [pairs%note, surfaces%note])
+      end associate
+      report%shown_columns = [character(len=24) :: 'kind', 'name', 'eta', 'modulus', 'radius', &
+         'hardness', 'yield_factor', 'sigma', 'friction_coefficient', 'critical_slip', 'kurtosis']
+      report%first_rows = [1, report%table%rows + 1]
+      allocate (report%important(report%table%rows), source=.true.)
+   end subroutine report_pairs
+
+end module app_pairs

@@ -1,0 +1,99 @@
+!> The effective input as a case file that gives the same run.
+module app_print_case
+   use asperity_text, only: to_text
+   use asperity_version, only: version
+   use app_keys, only: belongs, command_names, keys, kind_choice, kind_file, kind_integer, &
+      kind_list, kind_logical, kind_real, kind_text, n_keys
+   use app_settings, only: settings_type
+   use app_strings, only: escaped, newline
+   use app_text_buffer, only: text_buffer
+   implicit none
+   private
+   public :: case_text
+
+   integer, parameter :: longest_line = 90
+   !> Column at which comments start
+   integer, parameter :: comment_column = 48
+
+contains
+
+   !> A case file with every key of the command; reals read back as the same bits.
+   pure function case_text(settings, command) result(text)
+      !> Settings in effect
+      type(settings_type), intent(in) :: settings
+      !> The command
+      integer, intent(in) :: command
+      character(len=:), allocatable :: text
+      character(len=:), allocatable :: entry
+      type(text_buffer) :: buffer
+      integer :: key
+
+      entry = ''
+      call buffer%line('! asperity '//command_names(command)//' THIS_FILE, version '//version)
+      call buffer%line('&asperity')
+      do key = 1, n_keys
+         if (.not. belongs(key, command) .or. keys(key)%kind >= kind_file) cycle
+         if (.not. settings%of(key)%has_value) cycle
+         entry = '  '//trim(keys(key)%name)//' = '//value_text(settings, key)
+         call buffer%add(entry)
+         if (settings%unit_of(key) /= '' .and. index(entry, newline) == 0) &
+            call buffer%add(repeat(' ', max(1, comment_column - len(entry)))//'! '// &
+            settings%unit_of(key))
+         call buffer%line()
+      end do
+      call buffer%line('/')
+      text = buffer%text()
+   end function case_text
+
+   !> Value of a key in namelist form.
+   pure function value_text(settings, key) result(text)
+      type(settings_type), intent(in) :: settings
+      integer, intent(in) :: key
+      character(len=:), allocatable :: text
+
+      associate (setting => settings%of(key))
+         select case (keys(key)%kind)
+         case (kind_text, kind_choice)
+            text = "'"//escaped(setting%text, "'", "''")//"'"
+         case (kind_real)
+            text = to_text(setting%values(1))
+         case (kind_integer)
+            text = to_text(setting%whole)
+         case (kind_logical)
+            text = trim(merge('.true. ', '.false.', setting%switch))
+         case (kind_list)
+            text = list_text(settings, key)
+         case default
+            text = ''
+         end select
+      end associate
+   end function value_text
+
+   !> Values of a list on as many lines as they need.
+   pure function list_text(settings, key) result(text)
+      type(settings_type), intent(in) :: settings
+      integer, intent(in) :: key
+      character(len=:), allocatable :: text
+      character(len=:), allocatable :: value
+      type(text_buffer) :: buffer
+      integer :: i, width
+
+      width = len_trim(keys(key)%name) + 5
+      associate (values => settings%of(key)%values)
+         do i = 1, size(values)
+            value = to_text(values(i))
+            if (i < size(values)) value = value//','
+            if (width + len(value) > longest_line) then
+               call buffer%line()
+               call buffer%add('   ')
+               width = 3
+            end if
+            if (i > 1) call buffer%add(' ')
+            call buffer%add(value)
+            width = width + 1 + len(value)
+         end do
+      end associate
+      text = buffer%text()
+   end function list_text
+
+end module app_print_case

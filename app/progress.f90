@@ -1,0 +1,96 @@
+!> One line of progress on a terminal for what takes longer than a second.
+module app_progress
+   use, intrinsic :: iso_fortran_env, only: int64
+   use asperity, only: wp
+   use asperity_text, only: to_text
+   use app_system, only: is_terminal, standard_error, write_text
+   implicit none
+   private
+   public :: progress_type
+
+   real(wp), parameter :: patience = 1.0_wp
+   !> A run of this many increments takes over a second
+   integer, parameter :: many = 5000
+   character(len=*), parameter :: line_start = achar(13), clear_line = achar(27)//'[K'
+
+   !> Progress of one command.
+   type :: progress_type
+      private
+      character(len=:), allocatable :: name
+      integer(int64) :: began = 0_int64
+      logical :: on_terminal = .false., shown = .false.
+   contains
+      !> Start the clock
+      procedure :: start
+      !> Say what has begun, when it will take long
+      procedure :: announce
+      !> Say how much is done, when it takes long
+      procedure :: show
+      !> Clear the line
+      procedure :: finish
+   end type progress_type
+
+contains
+
+   !> Start the clock.
+   subroutine start(self, name)
+      !> The progress
+      class(progress_type), intent(out) :: self
+      !> Name of the command
+      character(len=*), intent(in) :: name
+
+      self%name = name
+      self%on_terminal = is_terminal(standard_error)
+      call system_clock(self%began)
+   end subroutine start
+
+   !> Say what has begun, when it will take long.
+   subroutine announce(self, amount, things)
+      !> The progress
+      class(progress_type), intent(inout) :: self
+      !> How many increments
+      integer, intent(in) :: amount
+      !> What they are
+      character(len=*), intent(in) :: things
+
+      if (amount > many) call write_line(self, to_text(amount)//' '//things)
+   end subroutine announce
+
+   !> Say how much is done, when it takes long.
+   subroutine show(self, done, amount, things)
+      !> The progress
+      class(progress_type), intent(inout) :: self
+      !> How many are done, of how many
+      integer, intent(in) :: done, amount
+      !> What they are
+      character(len=*), intent(in) :: things
+      integer(int64) :: now, rate
+
+      call system_clock(now, rate)
+      if (real(now - self%began, wp) < patience*real(rate, wp)) return
+      call write_line(self, to_text(done)//' of '//to_text(amount)//' '//things)
+   end subroutine show
+
+   !> Clear the line.
+   subroutine finish(self)
+      !> The progress
+      class(progress_type), intent(inout) :: self
+      character(len=:), allocatable :: reason
+
+      if (self%shown) call write_text(standard_error, line_start//clear_line, reason)
+      self%shown = .false.
+   end subroutine finish
+
+   !> Write over the line. A terminal that is gone is no reason to stop.
+   subroutine write_line(self, text)
+      class(progress_type), intent(inout) :: self
+      character(len=*), intent(in) :: text
+      character(len=:), allocatable :: reason
+
+      if (.not. self%on_terminal) return
+      call write_text(standard_error, line_start//'asperity '//self%name//': '//text//clear_line, &
+         reason)
+      self%shown = .true.
+   end subroutine write_line
+
+end module app_progress

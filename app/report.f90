@@ -1,0 +1,99 @@
+!> What a run has to say: its input, its results, which rows deserve to be shown.
+module app_report
+   use asperity, only: wp
+   use app_settings, only: settings_type
+   use app_table, only: table_type
+   implicit none
+   private
+   public :: report_type, turning_points
+
+   !> Result of one command.
+   type :: report_type
+      !> One of the commands of `app_keys`
+      integer :: command = 0
+      !> Settings in effect
+      type(settings_type) :: settings
+      !> All results
+      type(table_type) :: table
+      !> One row per run, no columns when there is none
+      type(table_type) :: summary
+      !> Names of the columns of `table` that the terminal shows; all when not allocated
+      character(len=24), allocatable :: shown_columns(:)
+      !> First row of each run, and one past the last row
+      integer, allocatable :: first_rows(:)
+      !> Rows that are shown however long the table is: ends and turning points
+      logical, allocatable :: important(:)
+   contains
+      !> Rows to show when only about so many per run fit
+      procedure :: selected_rows
+      !> All validity flags of the results together
+      procedure :: validity
+   end type report_type
+
+contains
+
+   !> Rows to show when only about `limit` per run fit: evenly spaced ones and important ones.
+   pure function selected_rows(self, limit) result(rows)
+      !> The report
+      class(report_type), intent(in) :: self
+      !> Evenly spaced rows per run
+      integer, intent(in) :: limit
+      integer, allocatable :: rows(:)
+      logical :: chosen(self%table%rows)
+      integer :: run, i
+
+      do run = 1, size(self%first_rows) - 1
+         associate (first => self%first_rows(run), next => self%first_rows(run + 1))
+            chosen(first:next - 1) = thinned_rows(self%important(first:next - 1), limit)
+         end associate
+      end do
+      rows = pack([(i, i=1, size(chosen))], chosen)
+   end function selected_rows
+
+   !> Evenly spaced rows, about `limit` of them, and the important ones unless they are more.
+   pure function thinned_rows(important, limit) result(chosen)
+      !> Rows to keep
+      logical, intent(in) :: important(:)
+      !> Evenly spaced rows
+      integer, intent(in) :: limit
+      logical :: chosen(size(important))
+      integer :: i
+
+      chosen = size(important) <= limit
+      do i = 0, limit - 1
+         chosen(1 + nint(real(i, wp)*real(size(important) - 1, wp)/real(limit - 1, wp))) = .true.
+      end do
+      if (count(important) <= limit) chosen = chosen .or. important
+   end function thinned_rows
+
+   !> Rows at which a history turns, with its first and last.
+   pure function turning_points(values) result(turns)
+      !> The history
+      real(wp), intent(in) :: values(:)
+      logical :: turns(size(values))
+      integer :: i, direction, next
+
+      turns = .false.
+      turns(1) = .true.
+      turns(size(values)) = .true.
+      direction = 0
+      do i = 2, size(values)
+         next = merge(1, 0, values(i) > values(i - 1)) - merge(1, 0, values(i) < values(i - 1))
+         if (next == 0) cycle
+         if (next == -direction) turns(i - 1) = .true.
+         direction = next
+      end do
+   end function turning_points
+
+   !> All validity flags of the results together.
+   pure integer function validity(self)
+      !> The report
+      class(report_type), intent(in) :: self
+      integer :: i
+
+      validity = 0
+      i = self%table%find('validity')
+      if (i > 0) validity = iany(self%table%columns(i)%codes)
+   end function validity
+
+end module app_report

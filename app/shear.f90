@@ -1,0 +1,151 @@
+!> `asperity shear`: the direct shear box, one replay per normal stress.
+module app_shear
+   use asperity, only: error_type, status_slip, wp
+   use replay_shear_box, only: run_shear_box, shear_settings, shear_step
+   use app_config, only: config_type
+   use app_progress, only: progress_type
+   use app_report, only: report_type, turning_points
+   use app_table, only: column_status, column_validity, new_table, no_value, table_type
+   implicit none
+   private
+   public :: report_shear
+
+   !> History of one run.
+   type :: history_type
+      type(shear_step), allocatable :: steps(:)
+   end type history_type
+
+contains
+
+   !> Run the replays. `error` is set when a setting is refused or a replay fails.
+   subroutine report_shear(config, report, error)
+      !> Properties, specimen, path and normal stresses
+      type(config_type), intent(in) :: config
+      !> Its table and summary are set
+      type(report_type), intent(inout) :: report
+      !> Set on failure
+      type(error_type), allocatable, intent(out) :: error
+      type(history_type) :: runs(size(config%normal_stress))
+      type(shear_settings) :: settings
+      type(progress_type) :: progress
+      integer :: i
+
+      call progress%start('shear')
+      settings = config%shear
+      do i = 1, size(runs)
+         call progress%show(i - 1, size(runs), 'normal stresses')
+         settings%normal_stress = config%normal_stress(i)
+         call run_shear_box(settings, config%properties, runs(i)%steps, error)
+         if (allocated(error)) exit
+      end do
+      call progress%finish()
+      if (allocated(error)) return
+
+      call join_runs(config, runs, report)
+      call report%table%check_finite(error)
+      if (allocated(error)) return
+      report%summary = summary_of(config, runs)
+      report%shown_columns = [character(len=24) :: 'normal_stress_nominal', 'displacement', &
+         'overclosure', 'separation_over_sigma', 'normal_stress', 'shear_force', &
+         'shear_stress_nominal', 'shear_stress', 'area_fraction', 'dissipation', 'status', &
+         'validity']
+   end subroutine report_shear
+
+   !> One table of all runs, each row led by the normal stress of its run.
+   pure subroutine join_runs(config, runs, report)
+      type(config_type), intent(in) :: config
+      type(history_type), intent(in) :: runs(:)
+      type(report_type), intent(inout) :: report
+      type(shear_step), allocatable :: s(:)
+      real(wp), allocatable :: nominal(:)
+      integer :: i
+
+      allocate (report%first_rows(size(runs) + 1))
+      report%first_rows(1) = 1
+      do i = 1, size(runs)
+         report%first_rows(i + 1) = report%first_rows(i) + size(runs(i)%steps)
+      end do
+      allocate (s(report%first_rows(size(runs) + 1) - 1))
+      allocate (nominal(size(s)), report%important(size(s)))
+      do i = 1, size(runs)
+         associate (first => report%first_rows(i), last => report%first_rows(i + 1) - 1)
+            s(first:last) = runs(i)%steps
+            nominal(first:last) = config%normal_stress(i)
+            report%important(first:last) = turning_points((s(first:last)%displacement))
+         end associate
+      end do
+
+      report%table = new_table(columns=22, rows=size(s))
+      ! Parentheses make the copies that gfortran makes anyway, and would warn of when checking
+      associate (table => report%table)
+         call table%add_numbers('normal_stress_nominal', 'MPa', nominal)
+         call table%add_numbers('time', 's', (s%time))
+         call table%add_numbers('displacement', 'mm', (s%displacement))
+         call table%add_numbers('slip', 'mm', (s%slip))
+         call table%add_numbers('overclosure', 'mm', (s%overclosure))
+         call table%add_numbers('separation', 'mm', (s%separation))
+         call table%add_numbers('separation_over_sigma', '-', (s%separation_over_sigma))
+         call table%add_numbers('overlap_area', 'mm^2', (s%overlap_area))
+         call table%add_numbers('normal_stress', 'MPa', (s%normal_stress))
+         call table%add_numbers('shear_force', 'N', (s%shear_force))
+         call table%add_numbers('shear_stress_nominal', 'MPa', (s%shear_stress_nominal))
+         call table%add_numbers('shear_stress', 'MPa', (s%shear_stress))
+         call table%add_numbers('area_fraction', '-', (s%area_fraction))
+         call table%add_numbers('normal_energy', 'N mm', (s%normal_energy))
+         call table%add_numbers('tangential_energy', 'N mm', (s%tangential_energy))
+         call table%add_numbers('dissipation', 'N mm', (s%dissipation))
+         call table%add_numbers('pressure_coupling', 'N mm', (s%pressure_coupling))
+         call table%add_numbers('elastic_share', '-', (s%elastic_share))
+         call table%add_numbers('elastoplastic_share', '-', (s%elastoplastic_share))
+         call table%add_numbers('plastic_share', '-', (s%plastic_share))
+         call table%add_codes('status', column_status, (s%status))
+         call table%add_codes('validity', column_validity, (s%validity))
+      end associate
+   end subroutine join_runs
+
+   !> One row per normal stress: closure under load, initial slope, plateau, dissipation.
+   pure function summary_of(config, runs) result(table)
+      type(config_type), intent(in) :: config
+      type(history_type), intent(in) :: runs(:)
+      type(table_type) :: table
+      type(shear_step) :: seated(size(runs)), turned(size(runs)), last(size(runs))
+      real(wp), dimension(size(runs)) :: slope, plateau_nominal, plateau
+      integer :: i
+
+      slope = no_value
+      do i = 1, size(runs)
+         associate (steps => runs(i)%steps)
+            seated(i) = steps(1)
+            turned(i) = steps(first_turn(steps))
+            last(i) = steps(size(steps))
+            if (size(steps) > 1) slope(i) = steps(2)%shear_stress_nominal/steps(2)%displacement
+         end associate
+      end do
+      ! The plateau is read where the box first turns; there is none unless it slips there
+      plateau_nominal = merge(abs(turned%shear_stress_nominal), no_value, &
+         turned%status == status_slip)
+      plateau = merge(abs(turned%shear_stress), no_value, turned%status == status_slip)
+
+      table = new_table(columns=8, rows=size(runs))
+      call table%add_numbers('normal_stress_nominal', 'MPa', config%normal_stress)
+      call table%add_numbers('overclosure', 'mm', (seated%overclosure))
+      call table%add_numbers('separation_over_sigma', '-', (seated%separation_over_sigma))
+      call table%add_numbers('initial_slope', 'MPa/mm', slope)
+      call table%add_numbers('plateau_nominal', 'MPa', plateau_nominal)
+      call table%add_numbers('mu_p_nominal', 'MPa', &
+         config%properties%friction_coefficient*config%normal_stress)
+      call table%add_numbers('plateau', 'MPa', plateau)
+      call table%add_numbers('dissipation', 'N mm', (last%dissipation))
+   end function summary_of
+
+   !> Step at which the box first turns or ends.
+   pure integer function first_turn(steps)
+      type(shear_step), intent(in) :: steps(:)
+      logical :: turns(size(steps))
+
+      turns = turning_points((steps%displacement))
+      if (size(turns) > 1) turns(1) = .false.
+      first_turn = findloc(turns, .true., 1)
+   end function first_turn
+
+end module app_shear

@@ -1,0 +1,125 @@
+!> Text helpers: lists of texts of different length, lower case, quoting, nearest name.
+module app_strings
+   implicit none
+   private
+   public :: string_type, lower_case, quoted, escaped, nearest_name, starts_with
+
+   character(len=*), parameter, public :: newline = new_line('a')
+   !> As `\` in a literal means different things to different compilers
+   character(len=*), parameter, public :: backslash = achar(92)
+   integer, parameter :: most_quoted = 40
+
+   !> One text in a list.
+   type :: string_type
+      !> The text
+      character(len=:), allocatable :: text
+   end type string_type
+
+contains
+
+   !> ASCII letters in lower case.
+   pure function lower_case(text) result(lower)
+      !> Any text
+      character(len=*), intent(in) :: text
+      character(len=len(text)) :: lower
+      integer :: i
+
+      lower = text
+      do i = 1, len(text)
+         if (text(i:i) >= 'A' .and. text(i:i) <= 'Z') lower(i:i) = achar(iachar(text(i:i)) + 32)
+      end do
+   end function lower_case
+
+   !> Text of the user in quotes for a message: cut if long, control characters as `?`.
+   pure function quoted(text) result(message)
+      !> Any text
+      character(len=*), intent(in) :: text
+      character(len=:), allocatable :: message
+      integer :: i
+
+      message = text(:min(len(text), most_quoted))
+      do i = 1, len(message)
+         if (iachar(message(i:i)) < 32 .or. iachar(message(i:i)) >= 127) message(i:i) = '?'
+      end do
+      if (len(text) > most_quoted) message = message//'...'
+      message = "'"//message//"'"
+   end function quoted
+
+   !> Text with every `mark` replaced by `replacement`.
+   pure function escaped(text, mark, replacement) result(changed)
+      !> Any text
+      character(len=*), intent(in) :: text
+      !> What is replaced
+      character(len=1), intent(in) :: mark
+      !> What stands for it
+      character(len=*), intent(in) :: replacement
+      character(len=:), allocatable :: changed
+      integer :: i
+
+      changed = ''
+      do i = 1, len(text)
+         if (text(i:i) == mark) then
+            changed = changed//replacement
+         else
+            changed = changed//text(i:i)
+         end if
+      end do
+   end function escaped
+
+   !> Whether `text` begins with `start`.
+   pure logical function starts_with(text, start)
+      !> Any text
+      character(len=*), intent(in) :: text
+      !> The beginning looked for
+      character(len=*), intent(in) :: start
+
+      starts_with = .false.
+      if (len(text) >= len(start)) starts_with = text(:len(start)) == start
+   end function starts_with
+
+   !> The name that a mistyped one most likely means, or nothing when none is near.
+   pure function nearest_name(mistyped, names) result(nearest)
+      !> What the user wrote
+      character(len=*), intent(in) :: mistyped
+      !> Names known
+      character(len=*), intent(in) :: names(:)
+      character(len=:), allocatable :: nearest
+      integer :: i, distance, least
+
+      nearest = ''
+      if (len(mistyped) > 2*len(names)) return
+      least = max(1, len(mistyped)/3) + 1
+      do i = 1, size(names)
+         distance = edit_distance(mistyped, trim(names(i)))
+         if (distance >= least) cycle
+         least = distance
+         nearest = trim(names(i))
+      end do
+   end function nearest_name
+
+   !> Insertions, deletions, replacements and swaps of neighbours between two texts.
+   pure integer function edit_distance(a, b)
+      character(len=*), intent(in) :: a, b
+      integer :: table(-1:len(a), -1:len(b)), i, j, change
+
+      table = len(a) + len(b)
+      do i = 0, len(a)
+         table(i, 0) = i
+      end do
+      do j = 0, len(b)
+         table(0, j) = j
+      end do
+      do j = 1, len(b)
+         do i = 1, len(a)
+            change = merge(0, 1, a(i:i) == b(j:j))
+            table(i, j) = min(table(i - 1, j) + 1, table(i, j - 1) + 1, &
+               table(i - 1, j - 1) + change)
+            if (i < 2 .or. j < 2) cycle
+            if (a(i:i) == b(j - 1:j - 1) .and. a(i - 1:i - 1) == b(j:j)) &
+               table(i, j) = min(table(i, j), table(i - 2, j - 2) + 1)
+         end do
+      end do
+      edit_distance = table(len(a), len(b))
+   end function edit_distance
+
+end module app_strings

@@ -1,0 +1,206 @@
+!> A table of results: named columns with units, of numbers or of texts.
+module app_table
+   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
+   use asperity, only: computation_error, error_type, status_text, validity_text, wp
+   use asperity_error, only: fatal_error
+   use asperity_text, only: to_text
+   use app_strings, only: string_type
+   implicit none
+   private
+   public :: column_type, table_type, new_table, full_figures
+
+   !> Stands for "no value" in a column of numbers; files leave it out
+   real(wp), parameter, public :: no_value = huge(1.0_wp)
+
+   !> Kinds of columns
+   enum, bind(c)
+      !> Real numbers
+      enumerator :: column_numbers = 1
+      !> Contact status, an integer code
+      enumerator :: column_status
+      !> Validity flags, an integer sum
+      enumerator :: column_validity
+      !> Texts
+      enumerator :: column_texts
+   end enum
+   public :: column_numbers, column_status, column_validity, column_texts
+
+   !> One column.
+   type :: column_type
+      !> Name, as in CSV and JSON
+      character(len=:), allocatable :: name
+      !> Unit, `-` for none
+      character(len=:), allocatable :: unit
+      !> One of the kinds above
+      integer :: kind = column_numbers
+      !> Numbers
+      real(wp), allocatable :: values(:)
+      !> Codes of status or validity
+      integer, allocatable :: codes(:)
+      !> Texts
+      type(string_type), allocatable :: texts(:)
+   contains
+      !> One cell as text, numbers with 17 figures, empty where there is no value
+      procedure :: cell
+   end type column_type
+
+   !> Columns of one length.
+   type :: table_type
+      !> The columns
+      type(column_type), allocatable :: columns(:)
+      !> Number of rows
+      integer :: rows = 0
+      !> Number of columns set
+      integer :: set = 0
+   contains
+      !> Append a column of numbers
+      procedure :: add_numbers
+      !> Append a column of codes
+      procedure :: add_codes
+      !> Append a column of texts
+      procedure :: add_texts
+      !> Place of a column
+      procedure :: find
+      !> Set an error if a number is not finite
+      procedure :: check_finite
+   end type table_type
+
+contains
+
+   !> A table without columns yet.
+   pure function new_table(columns, rows) result(table)
+      !> How many columns will be added
+      integer, intent(in) :: columns
+      !> Number of rows
+      integer, intent(in) :: rows
+      type(table_type) :: table
+
+      allocate (table%columns(columns))
+      table%rows = rows
+   end function new_table
+
+   !> Append a column of numbers.
+   pure subroutine add_numbers(self, name, unit, values)
+      !> The table
+      class(table_type), intent(inout) :: self
+      !> Name and unit of the column
+      character(len=*), intent(in) :: name, unit
+      !> One value per row
+      real(wp), intent(in) :: values(:)
+
+      self%set = self%set + 1
+      associate (column => self%columns(self%set))
+         column%name = name
+         column%unit = unit
+         column%kind = column_numbers
+         allocate (column%values, source=values)
+      end associate
+   end subroutine add_numbers
+
+   !> Append a column of codes, `column_status` or `column_validity`.
+   pure subroutine add_codes(self, name, kind, codes)
+      !> The table
+      class(table_type), intent(inout) :: self
+      !> Name of the column
+      character(len=*), intent(in) :: name
+      !> Kind of the column
+      integer, intent(in) :: kind
+      !> One code per row
+      integer, intent(in) :: codes(:)
+
+      self%set = self%set + 1
+      associate (column => self%columns(self%set))
+         column%name = name
+         column%unit = '-'
+         column%kind = kind
+         allocate (column%codes, source=codes)
+      end associate
+   end subroutine add_codes
+
+   !> Append a column of texts.
+   pure subroutine add_texts(self, name, texts)
+      !> The table
+      class(table_type), intent(inout) :: self
+      !> Name of the column
+      character(len=*), intent(in) :: name
+      !> One text per row
+      character(len=*), intent(in) :: texts(:)
+      integer :: i
+
+      self%set = self%set + 1
+      associate (column => self%columns(self%set))
+         column%name = name
+         column%unit = '-'
+         column%kind = column_texts
+         allocate (column%texts(size(texts)))
+         do i = 1, size(texts)
+            column%texts(i)%text = trim(texts(i))
+         end do
+      end associate
+   end subroutine add_texts
+
+   !> Place of a column, zero when there is none of that name.
+   pure integer function find(self, name)
+      !> The table
+      class(table_type), intent(in) :: self
+      !> Name of the column
+      character(len=*), intent(in) :: name
+
+      do find = self%set, 1, -1
+         if (self%columns(find)%name == name) return
+      end do
+   end function find
+
+   !> Set an error if a number is not finite, so that no file ever holds one.
+   pure subroutine check_finite(self, error)
+      !> The table
+      class(table_type), intent(in) :: self
+      !> Set for the first such number
+      type(error_type), allocatable, intent(out) :: error
+      integer :: i, row
+
+      do i = 1, self%set
+         associate (column => self%columns(i))
+            if (column%kind /= column_numbers) cycle
+            row = findloc(ieee_is_finite(column%values), .false., 1)
+            if (row == 0) cycle
+            call fatal_error(error, column%name//' = '//to_text(column%values(row))// &
+               ' in row '//to_text(row)//' is out of the range of numbers', computation_error)
+            return
+         end associate
+      end do
+   end subroutine check_finite
+
+   !> One cell as text, numbers with 17 figures, empty where there is no value.
+   pure function cell(self, row) result(text)
+      !> The column
+      class(column_type), intent(in) :: self
+      !> Row, from 1
+      integer, intent(in) :: row
+      character(len=:), allocatable :: text
+
+      select case (self%kind)
+      case (column_numbers)
+         text = ''
+         if (self%values(row) < no_value) text = full_figures(self%values(row))
+      case (column_status)
+         text = status_text(self%codes(row))
+      case (column_validity)
+         text = validity_text(self%codes(row))
+      case default
+         text = self%texts(row)%text
+      end select
+   end function cell
+
+   !> A finite number with 17 significant figures, so that it reads back as the same bits.
+   pure function full_figures(value) result(text)
+      !> The number
+      real(wp), intent(in) :: value
+      character(len=:), allocatable :: text
+      character(len=24) :: buffer
+
+      write (buffer, '(es24.16e3)') value
+      text = trim(adjustl(buffer))
+   end function full_figures
+
+end module app_table

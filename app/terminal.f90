@@ -1,0 +1,169 @@
+!> A report as text for a terminal: header, table with units, remarks.
+module app_terminal
+   use asperity, only: error_type, find_pair, pair_preset, validity_remark, wp
+   use asperity_text, only: to_text
+   use asperity_version, only: version
+   use app_keys, only: belongs, command_names, keys, kind_file, kind_integer, &
+      kind_list, kind_logical, kind_real, n_keys
+   use app_report, only: report_type
+   use app_settings, only: settings_type
+   use app_strings, only: newline
+   use app_table, only: table_type
+   use app_text_table, only: add_table, validity_mark
+   use app_text_buffer, only: text_buffer
+   implicit none
+   private
+   public :: terminal_text, warning_text
+
+   !> Evenly spaced rows that are shown: of one run, and of all
+   integer, parameter :: fewest_rows = 6, most_rows = 21, all_rows = 33
+   !> Column at which the source of a value starts
+   integer, parameter :: source_column = 50
+   !> Most values of a list that are shown
+   integer, parameter :: most_values = 6
+
+contains
+
+   !> The report as text.
+   pure function terminal_text(report) result(text)
+      !> The report
+      type(report_type), intent(in) :: report
+      character(len=:), allocatable :: text
+      type(text_buffer) :: buffer
+      integer, allocatable :: rows(:)
+      integer :: runs
+
+      call buffer%line('asperity '//version//' '//command_names(report%command))
+      call buffer%line()
+      if (report%table%find('validity') > 0) then
+         call add_inputs(buffer, report)
+         call buffer%line()
+      end if
+      if (report%summary%set > 0) then
+         call add_table(buffer, report%summary)
+         call buffer%line()
+      end if
+      runs = size(report%first_rows) - 1
+      allocate (rows, source=report%selected_rows(max(fewest_rows, min(most_rows, all_rows/runs))))
+      call add_table(buffer, report%table, rows, report%shown_columns)
+      if (size(rows) < report%table%rows) call buffer%line(to_text(size(rows))//' of '// &
+         to_text(report%table%rows)//' rows: evenly spaced ones and turning points; '// &
+         'all of them with --csv FILE')
+      if (allocated(report%shown_columns)) &
+         call buffer%line('More columns with --csv FILE or --json FILE')
+      call buffer%line()
+      if (report%table%find('validity') > 0) call buffer%add(remark_lines(report))
+      if (report%table%find('note') > 0) call buffer%add(note_lines(report%table))
+      text = buffer%text()
+   end function terminal_text
+
+   !> What the validity flags of the results mean, one line each, with the number of rows.
+   pure function remark_lines(report) result(text)
+      type(report_type), intent(in) :: report
+      character(len=:), allocatable :: text
+      integer :: bit, flags, column
+
+      flags = report%validity()
+      if (flags == 0) then
+         text = 'Validity: no limit of the law is passed.'//newline
+         return
+      end if
+      text = 'Validity: results that pass a limit of the law are marked:'//newline
+      column = report%table%find('validity')
+      do bit = 0, bit_size(flags) - 2
+         if (btest(flags, bit)) text = text//'  '//validity_mark(bit)//'  '// &
+            validity_remark(ibset(0, bit))//' ('// &
+            to_text(count(btest(report%table%columns(column)%codes, bit)))//' of '// &
+            to_text(report%table%rows)//' rows)'//newline
+      end do
+   end function remark_lines
+
+   !> The notes of a table with names and notes.
+   pure function note_lines(table) result(text)
+      type(table_type), intent(in) :: table
+      character(len=:), allocatable :: text
+      integer :: row
+
+      text = ''
+      do row = 1, table%rows
+         text = text//table%columns(table%find('name'))%cell(row)//': '// &
+            table%columns(table%find('note'))%cell(row)//newline
+      end do
+   end function note_lines
+
+   !> The same as warnings for standard error, when the table is not shown.
+   pure function warning_text(report) result(text)
+      !> The report
+      type(report_type), intent(in) :: report
+      character(len=:), allocatable :: text
+      integer :: bit, flags
+
+      text = ''
+      flags = report%validity()
+      do bit = 0, bit_size(flags) - 2
+         if (btest(flags, bit)) text = text//'asperity: warning: '// &
+            validity_remark(ibset(0, bit))//newline
+      end do
+   end function warning_text
+
+   !> Properties and settings: name, value, unit, where it comes from.
+   pure subroutine add_inputs(buffer, report)
+      type(text_buffer), intent(inout) :: buffer
+      type(report_type), intent(in) :: report
+      type(pair_preset) :: pair
+      type(error_type), allocatable :: error
+      character(len=:), allocatable :: left
+      integer :: key
+
+      left = ''
+      associate (s => report%settings)
+         do key = 1, n_keys
+            if (.not. belongs(key, report%command) .or. keys(key)%kind >= kind_file) cycle
+            if (.not. s%of(key)%has_value) cycle
+            left = '  '//keys(key)%name//input_text(s, key)//' '//s%unit_of(key)
+            call buffer%line(left//repeat(' ', max(1, source_column - len(left)))// &
+               s%of(key)%source)
+         end do
+         if (s%text_of('pair') == '') return
+         call find_pair(s%text_of('pair'), pair, error)
+         if (.not. allocated(error)) call buffer%line('  Pair: '//trim(pair%note))
+      end associate
+   end subroutine add_inputs
+
+   !> Value of a setting, long lists cut.
+   pure function input_text(settings, key) result(text)
+      type(settings_type), intent(in) :: settings
+      integer, intent(in) :: key
+      character(len=:), allocatable :: text
+      integer :: i
+
+      associate (setting => settings%of(key))
+         select case (keys(key)%kind)
+         case (kind_real, kind_list)
+            if (size(setting%values) > most_values) then
+               text = short(setting%values(1))//' ... '//short(setting%values(size( &
+                  setting%values)))//' ('//to_text(size(setting%values))//' values)'
+               return
+            end if
+            text = short(setting%values(1))
+            do i = 2, size(setting%values)
+               text = text//', '//short(setting%values(i))
+            end do
+         case (kind_integer)
+            text = to_text(setting%whole)
+         case (kind_logical)
+            text = trim(merge('true ', 'false', setting%switch))
+         case default
+            text = setting%text
+         end select
+      end associate
+   end function input_text
+
+   pure function short(value) result(text)
+      real(wp), intent(in) :: value
+      character(len=:), allocatable :: text
+
+      text = to_text(value, 6)
+   end function short
+
+end module app_terminal

@@ -1,0 +1,229 @@
+!> A table as aligned text: names over units over values.
+module app_text_table
+   use asperity, only: wp
+   use app_strings, only: string_type
+   use app_table, only: column_numbers, column_type, column_validity, no_value, table_type
+   use app_text_buffer, only: text_buffer
+   implicit none
+   private
+   public :: add_table, validity_mark
+
+   !> Significant figures of the largest number of a column
+   integer, parameter :: figures = 5
+   character(len=*), parameter :: gap = '  '
+
+   !> A column as it is printed: heading lines, unit, cells, all of one width.
+   type :: printed_type
+      type(string_type), allocatable :: heading(:), cells(:)
+      character(len=:), allocatable :: unit
+      integer :: width = 0
+      logical :: left = .false.
+   end type printed_type
+
+contains
+
+   !> Append a table, or some of its rows and columns.
+   pure subroutine add_table(buffer, table, rows, columns)
+      !> Where to append
+      type(text_buffer), intent(inout) :: buffer
+      !> The table
+      type(table_type), intent(in) :: table
+      !> Rows to print; all when absent
+      integer, intent(in), optional :: rows(:)
+      !> Names of the columns to print; all when absent
+      character(len=*), intent(in), optional :: columns(:)
+      type(printed_type), allocatable :: printed(:)
+      integer, allocatable :: which(:), lines(:)
+      integer :: i, heading
+
+      if (present(rows)) then
+         allocate (lines, source=rows)
+      else
+         allocate (lines, source=[(i, i=1, table%rows)])
+      end if
+      if (present(columns)) then
+         allocate (which, source=[(table%find(trim(columns(i))), i=1, size(columns))])
+      else
+         allocate (which, source=[(i, i=1, table%set)])
+      end if
+      allocate (printed(size(which)))
+      do i = 1, size(which)
+         call print_column(table%columns(which(i)), lines, printed(i))
+      end do
+
+      heading = maxval([(size(printed(i)%heading), i=1, size(printed))])
+      call align_headings(printed, heading)
+      do i = 1, heading
+         call add_line(buffer, printed, i, 1)
+      end do
+      call add_line(buffer, printed, 0, 2)
+      do i = 1, size(lines)
+         call add_line(buffer, printed, i, 3)
+      end do
+   end subroutine add_table
+
+   !> Letter of a validity flag in tables.
+   pure character(len=1) function validity_mark(bit)
+      !> Its bit, from zero
+      integer, intent(in) :: bit
+
+      validity_mark = achar(iachar('a') + bit)
+   end function validity_mark
+
+   !> Texts of one column.
+   pure subroutine print_column(column, rows, printed)
+      type(column_type), intent(in) :: column
+      integer, intent(in) :: rows(:)
+      type(printed_type), intent(out) :: printed
+      character(len=16) :: form
+      integer :: i
+
+      call split_name(column%name, printed%heading)
+      printed%unit = column%unit
+      printed%left = column%kind /= column_numbers
+      if (column%kind == column_numbers) form = number_format(column%name, column%values(rows))
+      allocate (printed%cells(size(rows)))
+      do i = 1, size(rows)
+         if (column%kind == column_numbers) then
+            printed%cells(i)%text = number_text(column%values(rows(i)), form)
+         else if (column%kind == column_validity) then
+            printed%cells(i)%text = marks(column%codes(rows(i)))
+         else
+            printed%cells(i)%text = column%cell(rows(i))
+         end if
+      end do
+      printed%width = max(len(printed%unit), &
+         maxval([(len(printed%heading(i)%text), i=1, size(printed%heading))]), &
+         maxval([0, (len(printed%cells(i)%text), i=1, size(rows))]))
+   end subroutine print_column
+
+   !> Words of a name, one per heading line.
+   pure subroutine split_name(name, words)
+      character(len=*), intent(in) :: name
+      type(string_type), allocatable, intent(out) :: words(:)
+      integer :: i, first, length
+
+      allocate (words(1 + count([(name(i:i) == '_', i=1, len(name))])))
+      first = 1
+      do i = 1, size(words)
+         length = index(name(first:)//'_', '_') - 1
+         words(i)%text = name(first:first + length - 1)
+         first = first + length + 1
+      end do
+   end subroutine split_name
+
+   !> Headings of the same number of lines, empty ones at the top.
+   pure subroutine align_headings(printed, lines)
+      type(printed_type), intent(inout) :: printed(:)
+      integer, intent(in) :: lines
+      type(string_type), allocatable :: heading(:)
+      integer :: i, j, missing
+
+      do i = 1, size(printed)
+         missing = lines - size(printed(i)%heading)
+         allocate (heading(lines))
+         do j = 1, lines
+            heading(j)%text = ''
+            if (j > missing) heading(j)%text = printed(i)%heading(j - missing)%text
+         end do
+         call move_alloc(heading, printed(i)%heading)
+      end do
+   end subroutine align_headings
+
+   !> Append one line: heading line `i` (part 1), the units (2) or row `i` (3).
+   pure subroutine add_line(buffer, printed, i, part)
+      type(text_buffer), intent(inout) :: buffer
+      type(printed_type), intent(in) :: printed(:)
+      integer, intent(in) :: i, part
+      character(len=:), allocatable :: line, text
+      integer :: j
+
+      line = ''
+      do j = 1, size(printed)
+         associate (p => printed(j))
+            select case (part)
+            case (1)
+               text = p%heading(i)%text
+            case (2)
+               text = p%unit
+            case default
+               text = p%cells(i)%text
+            end select
+            if (p%left) then
+               line = line//gap//text//repeat(' ', p%width - len(text))
+            else
+               line = line//gap//repeat(' ', p%width - len(text))//text
+            end if
+         end associate
+      end do
+      call buffer%line(trim(line))
+   end subroutine add_line
+
+   !> Format of a column of numbers: fixed point if the smallest keeps two figures, else
+   !> scientific. Shares always have four decimals.
+   pure function number_format(name, values) result(form)
+      character(len=*), intent(in) :: name
+      real(wp), intent(in) :: values(:)
+      character(len=16) :: form
+      real(wp) :: largest, smallest
+      integer :: decimals
+
+      largest = maxval(abs(values), mask=values < no_value)
+      smallest = minval(abs(values), mask=abs(values) > 0.0_wp .and. values < no_value)
+      if (.not. largest > 0.0_wp) then
+         form = '(f32.1)'
+      else if (index(name, '_share') > 0) then
+         form = '(f32.4)'
+      else if (largest >= 1.0e100_wp .or. smallest < 1.0e-99_wp) then
+         form = '(es32.3e3)'
+      else
+         decimals = max(1, figures - 1 - floor(log10(largest)))
+         if (largest < 1.0e6_wp .and. decimals <= 6 &
+            .and. smallest*10.0_wp**decimals >= 10.0_wp) then
+            decimals = needed_decimals(pack(values, values < no_value), decimals)
+            write (form, '(a, i0, a)') '(f32.', decimals, ')'
+         else
+            form = '(es32.3)'
+         end if
+      end if
+   end function number_format
+
+   !> Decimals without zeros at the end of every value, at least one.
+   pure integer function needed_decimals(values, most) result(decimals)
+      real(wp), intent(in) :: values(:)
+      integer, intent(in) :: most
+      real(wp) :: scaled(size(values))
+
+      do decimals = most, 2, -1
+         scaled = abs(values)*10.0_wp**(decimals - 1)
+         if (any(abs(scaled - anint(scaled)) > 1.0e-6_wp)) return
+      end do
+      decimals = min(most, 1)
+   end function needed_decimals
+
+   pure function number_text(value, form) result(text)
+      real(wp), intent(in) :: value
+      character(len=*), intent(in) :: form
+      character(len=:), allocatable :: text
+      character(len=32) :: buffer
+
+      text = '-'
+      if (.not. value < no_value) return
+      write (buffer, form) value
+      text = trim(adjustl(buffer))
+   end function number_text
+
+   !> Letters of the flags that are set, or `valid`.
+   pure function marks(flags) result(text)
+      integer, intent(in) :: flags
+      character(len=:), allocatable :: text
+      integer :: bit
+
+      text = ''
+      do bit = 0, bit_size(flags) - 2
+         if (btest(flags, bit)) text = text//validity_mark(bit)
+      end do
+      if (text == '') text = 'valid'
+   end function marks
+
+end module app_text_table

@@ -1,0 +1,123 @@
+# asperity curve: columns, formulas, presets
+
+header=separation,closure,pressure,stiffness,area_fraction,contact_density,energy,\
+elastic_share,elastoplastic_share,plastic_share,validity
+for pair in transverse-tangential tangential-tangential; do
+   run curve --pair $pair --csv c.csv --json c.json
+   check "curve $pair" test "$status" -eq 0
+   check "curve $pair: columns" test "$(head -n 1 c.csv)" = "$header"
+   check "curve $pair: 41 separations" test "$(rows c.csv)" -eq 41
+   check "curve $pair: 17 figures" numbers_are_proper c.csv
+   # 4 eps: the shares are three rounded quotients of one sum
+   check "curve $pair: shares sum to one" csv c.csv \
+      'if (far(c["elastic_share"] + c["elastoplastic_share"] + c["plastic_share"], 1, 9e-16)) fail("sum")'
+   check "curve $pair: closer is stiffer" csv c.csv \
+      'if (NR > 2 && (c["pressure"] <= before["pressure"] || c["stiffness"] <= before["stiffness"])) fail("not monotone")'
+   check "curve $pair: JSON holds the same figures" same_csv_and_json c.csv c.json
+done
+
+run curve --csv c.csv
+cp c.csv default.csv
+check 'default pair is named' has out 'transverse-tangential   default'
+run curve --pair transverse-tangential --csv c.csv
+check 'default pair is transverse-tangential' cmp c.csv default.csv
+check 'closure = 4 sigma - separation' csv default.csv \
+   'if (c["closure"] != 0.2372 - c["separation"]) fail(c["closure"])'
+check 'first separation is 4 sigma, last is 0' csv default.csv \
+   'if (NR == 2 && c["separation"] != 4*0.0593 || NR == 42 && c["separation"] != 0) fail("end")'
+run curve --initial-separation -0.01 --separation 0.05,0 --csv c.csv
+check 'negative initial separation' csv c.csv \
+   'if (c["closure"] != -0.01 - c["separation"]) fail(c["closure"])'
+
+# The plane below all summits, d = -30 sigma: every summit is plastic, pressed by |d| on average,
+# F = 2 pi R H w: all columns in closed form. 1e-14: a few roundings of the closed form itself
+run curve --separation=-1.779 --csv deep.csv
+check 'deep contact in closed form, transverse-tangential' csv deep.csv '
+   pi = 3.14159265358979323846; s = 2*pi*206*0.1477*24.53; d = 1.779
+   if (far(c["pressure"], s*d, 1e-14)) fail("pressure")
+   if (far(c["stiffness"], s, 1e-14)) fail("stiffness")
+   if (far(c["area_fraction"], s*d/24.53, 1e-14)) fail("area")
+   if (far(c["contact_density"], 206, 1e-14)) fail("density")
+   if (c["plastic_share"] != 1) fail("share")'
+run curve --pair tangential-tangential --separation=-1.248 --csv deep.csv
+check 'deep contact in closed form, tangential-tangential' csv deep.csv '
+   pi = 3.14159265358979323846; s = 2*pi*134*0.1142*12.14; d = 1.248
+   if (far(c["pressure"], s*d, 1e-14)) fail("pressure")
+   if (far(c["stiffness"], s, 1e-14)) fail("stiffness")
+   if (far(c["area_fraction"], s*d/12.14, 1e-14)) fail("area")
+   if (far(c["contact_density"], 134, 1e-14)) fail("density")
+   if (c["plastic_share"] != 1) fail("share")'
+
+# So hard that nothing yields: Hertz, p = 4/3 E* R^1/2 sigma^3/2 eta F_3/2(d/sigma) with
+# F_3/2(0) = 0.43001999 and F_3/2(2) = 0.0066481776, known to half a unit of the last figure
+run curve --hardness 1e7 --yield-factor 1 --separation 0,0.1186 --csv hertz.csv
+check 'elastic contact is Hertz' csv hertz.csv '
+   p = 4/3*297*sqrt(0.1477)*0.0593^1.5*206*(NR == 2 ? 0.43001999 : 0.0066481776)
+   if (far(c["pressure"], p, 2e-8)) fail(c["pressure"] " not " p)
+   if (far(c["elastic_share"], 1, 1e-15)) fail("share")'
+
+# Lengths times 2, density over 4: same pressure at the same d/sigma, powers of two are exact
+run curve --sigma 0.1186 --radius 0.2954 --eta 51.5 --csv scaled.csv
+csv_column scaled.csv pressure >scaled
+csv_column default.csv pressure >unscaled
+check 'lengths scale' cmp scaled unscaled
+
+# Central differences over 2e-5 sigma: -dp/dd is the stiffness, -d energy/dd the pressure. Their
+# error is about (1e-5 h)^2 = 1e-9, and 1e-16/1e-5 = 1e-11 of rounding
+h=0.000000593
+run curve --csv slopes.csv --separation "$(awk -v h=$h 'BEGIN { for (i = -4; i <= 8; i++)
+   { d = 0.0593*i/2; printf "%s%.17g,%.17g,%.17g", (i > -4 ? "," : ""), d + h, d, d - h } }')"
+check 'stiffness and pressure are slopes' csv slopes.csv '
+   k = (NR - 2) % 3; d[k] = c["separation"]; p[k] = c["pressure"]; e[k] = c["energy"]
+   if (k == 1) { s = c["stiffness"] }
+   if (k == 2) {
+      if (far((p[2] - p[0])/(d[0] - d[2]), s, 1e-8)) fail("stiffness " s)
+      if (far((e[2] - e[0])/(d[0] - d[2]), p[1], 1e-8)) fail("pressure " p[1]) }'
+
+# 30-digit values through options and CSV: 1e-12, as promised for the law
+awk -F, '$1 == "paper" || $1 == "plausible"' "$root/test/data/normal_law_reference.csv" >reference
+: >found
+while IFS=, read -r kind sigma eta modulus radius hardness k h separation rest; do
+   run curve --sigma "$sigma" --eta "$eta" --modulus "$modulus" --radius "$radius" \
+      --hardness "$hardness" --yield-factor "$k" --separation "$separation" \
+      --accept-unphysical --csv c.csv
+   tail -n 1 c.csv | cut -d, -f3-10 >>found
+done <reference
+cut -d, -f10-17 reference >expected
+paste -d, found expected >both
+check "60 reference values" awk -F, '
+   function abs(x) { return x < 0 ? -x : x }
+   { for (i = 1; i <= 8; i++) if ($(i + 8) > 1e-300) {
+      n++; e = abs($i - $(i + 8))/$(i + 8); if (e > worst) worst = e } }
+   END { print n, worst; exit !(NR == 60 && n > 400 && worst < 1e-12) }' both
+
+run curve --separation 0.1:0.2:5 --csv range.csv
+check 'range start:stop:count' test "$(csv_column range.csv separation | tr '\n' ' ')" = \
+"1.0000000000000001E-001 1.2500000000000000E-001 1.5000000000000002E-001 1.7500000000000002E-001 2.0000000000000001E-001 "
+run curve --separation '0.2 0.1' --csv list.csv
+check 'list with blanks' test "$(rows list.csv)" -eq 2
+
+run curve --surface mesh-400-cross --json -
+check 'a surface replaces eta, radius, sigma' \
+   has out '"eta": 3.2200000000000000E+002, "modulus": 2.9700000000000000E+002, "radius": 4.4650000000000001E-001'
+run curve --surface mesh-400-cross --sigma 0.03 --json -
+check 'an explicit value overrides a surface' has out '"sigma": 2.9999999999999999E-002'
+run curve --eta 206 --modulus 297 --radius 0.1477 --hardness 24.53 --yield-factor 0.4 \
+   --sigma 0.0593 --csv c.csv --json c.json
+check 'all properties given: no pair' lacks c.json '"pair"'
+check 'all properties given: same numbers' cmp c.csv default.csv
+refuses 'pair without effect' 2 '--pair: has no effect' curve --pair transverse-tangential \
+   --eta 206 --modulus 297 --radius 0.1477 --hardness 24.53 --yield-factor 0.4 --sigma 0.0593
+
+run curve --separation 0 --csv - --pair tangential-tangential
+check 'validity in the CSV' has out ',area_above_nominal+pressure_above_hardness'
+check 'validity in words on standard error' has err \
+   'asperity: warning: real area above nominal area'
+run curve --separation 0 --json -
+check 'validity in the JSON' has out '"remarks": ["real area above nominal area'
+run curve --separation 0
+check 'validity in words below the table' has out 'a  real area above nominal area'
+run curve --separation 0.2
+check 'valid results are said to be so' has out 'no limit of the law is passed'
+run curve --eta 2.06e-4 --accept-unphysical --separation 0.2
+check 'unphysical roughness accepted and said' has out 'no isotropic Gaussian surface has it'

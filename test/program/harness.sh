@@ -1,0 +1,103 @@
+# What the tests share. They run in an empty folder that is removed at the end.
+passed=0
+failed=0
+skipped=0
+
+# run ARGUMENT...: run the program; leaves files out and err, and status. What gfortran's checks
+# (-fcheck=all) remark about copies of arrays is not the program's word
+run() {
+   "$program" "$@" >out 2>all_err </dev/null
+   status=$?
+   sed '/^At line .* of file /{N;/Fortran runtime warning: An array temporary/d;}' all_err >err
+}
+
+# check NAME COMMAND...: one test, passed if the command succeeds
+check() {
+   local name=$1
+   shift
+   if "$@" >check.log 2>&1; then
+      passed=$((passed + 1))
+      echo "ok   $name"
+   else
+      failed=$((failed + 1))
+      echo "FAIL $name"
+      printf '     | %s\n' "status $status of the last run" "check: $*"
+      head -n 5 check.log | sed 's/^/     | /'
+      head -n 3 err | sed 's/^/     | stderr: /'
+   fi
+}
+
+skip() {
+   skipped=$((skipped + 1))
+   echo "skip $1: $2"
+}
+
+# The last run succeeded without a word on standard error
+is_quiet() { [ "$status" -eq 0 ] && [ ! -s err ]; }
+
+# The last run failed with a status and one line on standard error that matches a pattern, wrote
+# nothing else and left no temporary file
+is_refused() {
+   [ "$status" -eq "$1" ] && [ ! -s out ] && [ "$(wc -l <err)" -eq 1 ] \
+      && grep -Eq "^asperity: error: $2" err && ! ls ./*.part 2>/dev/null
+}
+
+# refuses NAME STATUS PATTERN ARGUMENT...: one test of bad input
+refuses() {
+   local name=$1 expected=$2 pattern=$3
+   shift 3
+   run "$@"
+   check "$name" is_refused "$expected" "$pattern"
+}
+
+# rows FILE: lines of a CSV file without its header
+rows() { echo $(($(wc -l <"$1") - 1)); }
+
+# csv FILE PROGRAM: an awk program over the rows of a CSV file, whose columns are c["name"] of
+# the row and before["name"] of the row before; `fail(text)` fails; far(a, b, tolerance) is true
+# when a and b differ by more than tolerance times the larger
+csv() {
+   local file=$1 program_text=$2
+   shift 2
+   awk -F, "$@" '
+      function abs(x) { return x < 0 ? -x : x }
+      function max(a, b) { return a > b ? a : b }
+      function far(a, b, t) { return !(abs(a - b) <= t*max(abs(a), abs(b))) }
+      function fail(text) { print "row " NR - 1 ": " text; failures++; if (failures > 3) exit }
+      NR == 1 { for (i = 1; i <= NF; i++) name[i] = $i; next }
+      { for (i = 1; i <= NF; i++) { before[name[i]] = c[name[i]]; c[name[i]] = $i }
+        '"$program_text"' }
+      END { if (NR < 2) { print "no rows"; failures++ }; exit failures > 0 }' "$file"
+}
+
+# numbers_are_proper FILE: every number of a CSV file has 17 figures and an E exponent
+numbers_are_proper() {
+   awk -F, 'NR > 1 { for (i = 1; i <= NF; i++)
+      if ($i !~ /^-?[0-9]\.[0-9][0-9][0-9][0-9][0-9][0-9][0-9][0-9][0-9][0-9][0-9][0-9][0-9][0-9][0-9][0-9]E[+-][0-9][0-9][0-9]$/ \
+         && $i !~ /^[a-z_+]+$/) { print "row " NR - 1 ": " $i; bad = 1 } }
+      END { exit bad }' "$1"
+}
+
+# json_column FILE NAME: values of a column of the data of a JSON file, one per line
+json_column() {
+   awk -v name="\"$2\": [" '/^"data"/ { data = 1 }
+      data && index($0, name) == 1 { sub(/^[^[]*\[/, ""); sub(/\],?$/, ""); print }' "$1" \
+      | tr ',' '\n' | tr -d ' "'
+}
+
+# csv_column FILE NAME
+csv_column() { csv "$1" 'print c["'"$2"'"]'; }
+
+# same_csv_and_json CSV JSON: every column has the same texts
+same_csv_and_json() {
+   local name
+   for name in $(head -n 1 "$1" | tr ',' ' '); do
+      csv_column "$1" "$name" >column.csv || return
+      json_column "$2" "$name" >column.json
+      cmp column.csv column.json || return
+   done
+}
+
+has() { grep -Fq -- "$2" "$1"; }
+lacks() { ! grep -Eq -- "$2" "$1"; }
+absent() { [ ! -e "$1" ]; }

@@ -1,0 +1,97 @@
+# Files are complete or not there; standard output may be full or closed
+
+run curve --csv a.csv --json a.json
+check 'the table is printed beside files' has out 'separation'
+check 'no temporary file stays' sh -c '! ls *.part 2>/dev/null'
+cp a.csv csv
+cp a.json json
+run curve --csv -
+check '--csv - is the file' cmp out csv
+run curve --json -
+check '--json - is the file' cmp out json
+run curve --csv /dev/stdout --json -
+check '--csv /dev/stdout beside --json -' test "$status" -eq 0
+if command -v python3 >/dev/null; then
+   run shear --json - --displacement 0.1
+   check 'JSON is JSON' python3 -c '
+import json, sys
+def refuse(text): raise ValueError(text)
+for name in sys.argv[1:]:
+    data = json.load(open(name), parse_constant=refuse)
+    assert data["asperity"] and len({len(c) for c in data["data"].values()}) == 1' out json p.json
+else
+   skip 'JSON is JSON' 'no python3'
+fi
+check 'no NaN, no infinity, no D exponent' lacks json '[Nn]a[Nn]|[Ii]nf|[0-9][Dd][+-]'
+
+refuses 'folder does not exist' 3 '--csv: no/x.csv cannot be written: the folder does not' \
+   curve --csv no/x.csv
+refuses 'a folder as output' 3 '--json: \. cannot be written: it is a folder' curve --json .
+refuses 'disk full: file' 3 '--csv: /dev/full cannot be written: No space left' \
+   curve --csv /dev/full
+: >out
+"$program" curve >/dev/full 2>err
+status=$?
+check 'disk full: standard output' is_refused 3 'standard output cannot be written: No space left'
+"$program" help >/dev/full 2>err
+status=$?
+check 'disk full: help' is_refused 3 'standard output cannot be written: No space left'
+"$program" curve --print-case >/dev/full 2>err
+status=$?
+check 'disk full: print-case' is_refused 3 'standard output cannot be written: No space left'
+refuses 'two outputs on standard output' 2 '--json: standard output already takes --csv' \
+   curve --csv - --json -
+refuses 'two outputs in one file' 2 '--json: \./x is already written by --csv' \
+   curve --csv x --json ./x
+check 'one file for two outputs: not written' absent x
+refuses 'empty file name' 2 '--csv: csv is empty' curve --csv ''
+printf '&asperity sigma = 0.05 /\n' >case.nml
+refuses 'the case file as output' 2 '--csv: case.nml is the case file' curve case.nml --csv case.nml
+check 'the case file is still there' has case.nml 'sigma = 0.05'
+
+# A failure of one output leaves none, and keeps what was there
+mkdir taken.json
+echo before >keep.csv
+refuses 'one of two outputs fails' 3 '--json: taken.json cannot be written' \
+   curve --csv keep.csv --json taken.json
+check 'the other keeps what it was' test "$(cat keep.csv)" = before
+mkdir taken.csv.part
+run curve --csv taken.csv --json never.json
+check 'temporary name is taken' has err '--csv: taken.csv cannot be written: Is a directory'
+check 'temporary name is taken: status 3' test "$status" -eq 3
+rmdir taken.csv.part
+check 'no other output is written then' sh -c '! ls never.json* 2>/dev/null'
+check 'no output of that name' absent taken.csv
+run curve --sigma -1 --csv keep.csv
+check 'bad input keeps an older file' test "$(cat keep.csv)" = before
+ln -s keep.csv link.csv
+run curve --csv link.csv
+check 'a link stays a link' test -L link.csv
+check 'what it points to is written' cmp keep.csv csv
+run curve --csv /dev/null
+check '/dev/null stays a device' test -c /dev/null
+run curve --csv "a name with ' and blanks.csv"
+check 'any file name' cmp "a name with ' and blanks.csv" csv
+if [ "$(id -u)" -ne 0 ]; then
+   mkdir locked
+   chmod a-w locked
+   refuses 'folder without permission' 3 '--csv: locked/x.csv cannot be written: Permission' \
+      curve --csv locked/x.csv
+fi
+
+"$program" curve --separation 0.1:0.2:100000 --csv - 2>err | head -n 1 >out
+statuses=("${PIPESTATUS[@]}")
+check 'closed pipe: quiet' test ! -s err
+check 'closed pipe: ended by the pipe, or in time' \
+   sh -c '[ "$1" -eq 141 ] || [ "$1" -eq 0 ]' sh "${statuses[0]}"
+"$program" curve --csv closed.csv 2>err | true
+check 'closed pipe: files are complete' cmp closed.csv csv
+
+# An interrupt during the run leaves nothing; in a second 100 000 increments are not done
+timeout -s INT 1 "$program" press --increments 1000000 --csv int.csv --json int.json >out 2>err
+status=$?
+check 'interrupt: ends the program' test "$status" -eq 124
+check 'interrupt: no file' sh -c '! ls int.csv* int.json* 2>/dev/null'
+run curve --csv a.csv
+check 'no progress where there is no terminal' test ! -s err
+rm -rf taken.json

@@ -1,0 +1,52 @@
+# asperity press: the ramp through UINTER
+
+header=time,overclosure,separation,pressure,stiffness,area_fraction,contact_density,energy,\
+elastic_share,elastoplastic_share,plastic_share,status,validity
+run press --csv p.csv --json p.json
+check 'press' is_quiet
+check 'press: columns' test "$(head -n 1 p.csv)" = "$header"
+check 'press: start and two ramps of 50' test "$(rows p.csv)" -eq 101
+check 'press: 17 figures' numbers_are_proper p.csv
+check 'press: JSON holds the same figures' same_csv_and_json p.csv p.json
+# The replay balances the pressure to 1e-12
+check 'press: pressure follows the ramp' csv p.csv '
+   i = NR - 2; p = 4.7*(50 - (i > 50 ? i - 50 : 50 - i))/50
+   if (p > 0 && far(c["pressure"], p, 2e-12)) fail(c["pressure"] " not " p)
+   if (i*0.02 - c["time"] > 1e-12 || c["time"] - i*0.02 > 1e-12) fail("time")'
+check 'press: open at both ends, closed between' csv p.csv \
+   'if ((NR == 2 || NR == 102) != (c["status"] == "open")) fail(c["status"])'
+csv_column p.csv separation | head -n 51 >up
+csv_column p.csv separation | tail -n 51 | sort -r -g >down
+paste -d' ' up down >up_down
+check 'press: down is up backwards' \
+   awk '{ d = $1 - $2; if (d > 1e-13 || d < -1e-13) { print; exit 1 } }' up_down
+
+# The same law as `asperity curve`: 1e-13, as rounding d = d0 - overclosure moves p by h^2 eps
+csv_column p.csv separation | tr '\n' ',' | sed 's/,$//' >separations
+run curve --separation "$(cat separations)" --csv c.csv
+for name in pressure stiffness energy area_fraction plastic_share; do
+   csv_column p.csv $name >pressed
+   csv_column c.csv $name >law
+   paste -d' ' pressed law >both
+   check "press: $name is the law's" awk '{ d = $1 - $2; if (d < 0) d = -d
+      if (d > 1e-13*$2) { print; exit 1 } }' both
+done
+
+run press --control overclosure --peak 0.15 --increments 10 --csv p.csv
+check 'press: overclosure ramp' csv p.csv '
+   i = NR - 2; if (far(c["overclosure"], 0.15*(10 - (i > 10 ? i - 10 : 10 - i))/10, 1e-15)) fail("ramp")'
+run press --peak 50
+check 'press: past the limits, said below the table' has out 'b  pressure above the hardness'
+refuses 'overclosure needs a peak' 2 '--control: control = overclosure needs a peak' \
+   press --control overclosure
+refuses 'unknown control' 2 "--control: control = 'foo' is unknown" press --control foo
+refuses 'no increments' 2 '--increments: increments = 0 is not allowed' press --increments 0
+refuses 'negative increments' 2 '--increments: increments = -5 is not' press --increments -5
+refuses 'giant increments' 2 '--increments: increments = 2000000000 is not' \
+   press --increments 2000000000
+refuses 'increments past the integers' 2 '--increments: .* not a whole number within range' \
+   press --increments 99999999999
+refuses 'increments with a fraction' 2 '--increments: .* not a whole number' \
+   press --increments 1.5
+refuses 'negative peak' 2 '--peak: peak = -1.0 is not allowed' press --peak -1
+refuses 'no step time' 2 '--step-time: step_time = 0.0 is not allowed' press --step-time 0

@@ -1,0 +1,83 @@
+# asperity shear: the direct shear box through UINTER
+
+header=normal_stress_nominal,time,displacement,slip,overclosure,separation,\
+separation_over_sigma,overlap_area,normal_stress,shear_force,shear_stress_nominal,shear_stress,\
+area_fraction,normal_energy,tangential_energy,dissipation,pressure_coupling,elastic_share,\
+elastoplastic_share,plastic_share,status,validity
+run shear --displacement 5 --displacement-increment 0.05 --csv s.csv --json s.json
+check 'shear' is_quiet
+check 'shear: columns' test "$(head -n 1 s.csv)" = "$header"
+check 'shear: three runs of 101 rows' test "$(rows s.csv)" -eq 303
+check 'shear: 17 figures' numbers_are_proper s.csv
+check 'shear: JSON holds the same figures' same_csv_and_json s.csv s.json
+cp s.csv plain.csv
+
+# mu = 0.5, gcrit = 0.31 mm; the replay balances the weight to 1e-11
+check 'shear: dead weight' csv s.csv '
+   a0 = 3.14159265358979323846*61.8^2/4
+   if (far(c["normal_stress"]*c["overlap_area"], c["normal_stress_nominal"]*a0, 1e-10)) fail("weight")'
+check 'shear: tau = mu p min(1, slip/gcrit)' csv s.csv '
+   u = c["slip"]/0.31; t = 0.5*c["normal_stress"]*(u < 1 ? u : 1)
+   if (u > 0 && far(c["shear_stress"], t, 1e-10)) fail(c["shear_stress"] " not " t)'
+check 'shear: force over both areas' csv s.csv '
+   a0 = 3.14159265358979323846*61.8^2/4
+   if (far(c["shear_force"], c["shear_stress"]*c["overlap_area"], 1e-14)) fail("overlap")
+   if (far(c["shear_force"], c["shear_stress_nominal"]*a0, 1e-13)) fail("disc")'
+# Overlap of two discs at 1, 3, 5 mm: 0.979, 0.938, 0.897 of the disc
+check 'shear: overlap of the discs' csv s.csv '
+   a = c["overlap_area"]/(3.14159265358979323846*61.8^2/4)
+   x = sprintf("%.3f", c["displacement"]); want["1.000"] = 0.979; want["3.000"] = 0.938; want["5.000"] = 0.897
+   if (x in want && sprintf("%.3f", a) != want[x]) fail(x " " a)'
+# Known to three figures: d/sigma at 0.05 and 0.2 MPa
+check 'shear: closure under dead weight' csv s.csv '
+   if (c["displacement"] == 0) {
+      p = c["normal_stress_nominal"]; d = sprintf("%.2f", c["separation_over_sigma"])
+      if (p == 0.05 && d != 3.09 || p == 0.2 && d != 2.69) fail(p " " d) }'
+check 'shear: sticks before gcrit, slips after' csv s.csv '
+   if ((c["slip"] > 0.3101) != (c["status"] == "slip")) fail(c["status"])'
+check 'shear: dissipation never falls' csv s.csv '
+   if (c["displacement"] > 0 && c["dissipation"] < before["dissipation"]) fail("falls")'
+check 'shear: speed of the box' csv s.csv '
+   if (c["displacement"] > 0 && far(c["time"], c["displacement"]*60/1.2, 1e-12)) fail("time")'
+summary() { sed -n '/^"summary"/,/^}/p' s.json | sed -n "s/^\"$1\": \[\(.*\)\].*/\1/p"; }
+check 'shear: plateau is mu p' awk -v a="$(summary plateau_nominal)" -v b="$(summary mu_p_nominal)" '
+   BEGIN { n = split(a, x, ","); split(b, y, ","); for (i = 1; i <= n; i++) {
+      d = x[i]/y[i] - 1; if (d > 1e-10 || d < -1e-10) exit 1 } exit n != 3 }'
+check 'shear: initial slope is mu p/gcrit' awk -v a="$(summary initial_slope)" -v b="$(summary mu_p_nominal)" '
+   BEGIN { n = split(a, x, ","); split(b, y, ","); for (i = 1; i <= n; i++) {
+      d = x[i]*0.31/y[i] - 1; if (d > 1e-10 || d < -1e-10) exit 1 } exit n != 3 }'
+run shear --displacement 0.1
+check 'shear: no plateau before it slips' awk '/^ *0.05 / && !n++ { exit $5 != "-" }' out
+
+run shear --no-shrinking-overlap --normal-stress 0.1 --csv s.csv
+check 'shear: overlap that does not shrink' csv s.csv \
+   'if (NR > 2 && c["overlap_area"] != before["overlap_area"]) fail("shrinks")'
+run shear --shear-compliance 1e-4 --normal-stress 0.1 --displacement 2,-2,0 --csv s.csv
+check 'shear: displacement = slip + compliance*force' csv s.csv '
+   if (abs(c["displacement"] - c["slip"] - 1e-4*c["shear_force"]) > 1e-11) fail("sum")'
+check 'shear: turning points are reached' \
+   sh -c 'for x in 2 -2; do cut -d, -f3 s.csv | grep -q -e "^$x.0000000000000000E+000" || exit 1; done'
+run shear --shear-compliance 1e-4 --normal-stress 0.1 --displacement 2,-2,0
+check 'shear: turning points are shown' \
+   sh -c 'grep -q "^ *0.1  *2.0 " out && grep -q "^ *0.1  *-2.0 " out'
+check 'shear: a shortened history is said to be so' has out ' rows: evenly spaced ones and turning points'
+run shear --friction-rule dissipative --displacement 2,-2,0 --csv s.csv
+check 'shear: dissipative rule has no pressure coupling' csv s.csv \
+   'if (c["pressure_coupling"] != 0) fail(c["pressure_coupling"])'
+
+refuses 'negative normal stress' 2 '--normal-stress: normal_stress = -0.1 is not' \
+   shear --normal-stress 0.05,-0.1
+refuses 'no rate' 2 '--rate: rate = 0.0 is not allowed' shear --rate 0
+refuses 'displacement past the disc' 2 '--displacement: displacement = 70.0 mm is not' \
+   shear --displacement 70
+refuses 'no increment' 2 '--displacement-increment: displacement_increment = 0.0 is not' \
+   shear --displacement-increment 0
+refuses 'too many increments' 2 '--displacement-increment: .* gives more than' \
+   shear --displacement-increment 1e-12
+refuses 'negative diameter' 2 '--diameter: diameter = -1.0 is not allowed' shear --diameter -1
+refuses 'negative compliance' 2 '--shear-compliance: shear_compliance = -1.0 is not' \
+   shear --shear-compliance -1
+refuses 'negative critical slip' 2 '--critical-slip: critical_slip = -1.0 is not' \
+   shear --critical-slip -1
+refuses 'unknown friction rule' 2 "--friction-rule: .* is unknown; known: abaqus, dissipative" \
+   shear --friction-rule x
