@@ -10,7 +10,7 @@ module app_config
    use replay_shear_box, only: shear_settings
    use app_case_file, only: read_case
    use app_cli, only: command_line_type
-   use app_keys, only: command_curve, command_shear, find_key, n_keys
+   use app_keys, only: command_curve, command_press, command_shear, find_key, n_keys
    use app_lists, only: linear_range
    use app_presets, only: apply_presets, check_presets_used, drop_overridden, fill
    use app_settings, only: default_settings, settings_type
@@ -19,11 +19,11 @@ module app_config
    private
    public :: effective_settings, config_type, new_config, locate
 
-   !> What a command runs on. Only what belongs to the command is set.
+   !> What a command runs on.
    type :: config_type
       !> Checked properties of the faces
       type(contact_properties) :: properties
-      !> Separations of `curve`, mm
+      !> Separations of `curve`, mm; allocated for it only
       real(wp), allocatable :: separation(:)
       !> Load path of `press`
       type(press_settings) :: press
@@ -73,7 +73,8 @@ contains
          call fill(settings, 'separation', linear_range(default_initial_separation*sigma, &
             0.0_wp, default_points), '4 sigma to 0')
       end associate
-      if (settings%text_of('control') == 'overclosure' .and. .not. settings%given('peak')) then
+      if (line%command == command_press .and. settings%text_of('control') == 'overclosure' &
+            .and. .not. settings%given('peak')) then
          call fatal_error(error, 'control = overclosure needs a peak, in mm')
          call locate(error, settings)
       end if

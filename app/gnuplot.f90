@@ -1,20 +1,20 @@
 !> Draws pictures with gnuplot, which reads its script from a pipe and writes the picture to the
 !> temporary name of the file.
 module app_gnuplot
+   use, intrinsic :: iso_c_binding, only: c_int
    use asperity, only: computation_error, error_type, file_error
    use asperity_error, only: fatal_error
    use asperity_text, only: to_text
    use app_output, only: discard_files, output_file
-   use app_system, only: close_file, create_file, pipe_to_shell, read_file, run_shell
    use app_strings, only: backslash, escaped, lower_case, newline
-   use, intrinsic :: iso_c_binding, only: c_int
+   use app_system, only: close_file, create_file, pipe_to_shell, read_file, run_shell
    implicit none
    private
    public :: check_picture, draw
 
    !> Pictures are looked at up to this size, characters
    integer, parameter :: largest = 16*1024*1024
-   !> Status of a shell that does not find a command, times 256
+   !> Shell command that succeeds if gnuplot is installed
    character(len=*), parameter :: is_there = 'command -v gnuplot >/dev/null 2>&1'
 
 contains

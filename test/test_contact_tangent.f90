@@ -103,7 +103,7 @@ contains
          overclosure = from + h
       case (5)
          overclosure = from - h
-      case (6)
+      case default
          from = p%initial_separation - stream%uniform(7.0_wp, 9.0_wp)*p%normal%sigma
          overclosure = p%initial_separation - stream%uniform(-1.0_wp, 4.0_wp)*p%normal%sigma
       end select

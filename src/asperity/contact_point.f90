@@ -138,8 +138,8 @@ contains
       if (was_closed) then
          gamma = matmul(rotation, start%elastic_slip)
          ! a rotation that is not quite one must not lengthen it
-         gamma = gamma*min(1.0_wp, &
-            properties%critical_slip/max(hypot(gamma(1), gamma(2)), tiny(1.0_wp)))
+         gamma = gamma*(properties%critical_slip &
+            /max(properties%critical_slip, hypot(gamma(1), gamma(2))))
       end if
       energy = elastic_energy(properties, start%pressure, gamma)
 

@@ -24,6 +24,23 @@ module asperity_text
 
 contains
 
+   pure integer function integer_length(value)
+      integer, intent(in) :: value
+      character(len=buffer_length) :: buffer
+
+      write (buffer, '(i0)') value
+      integer_length = len_trim(buffer)
+   end function integer_length
+
+   pure integer function real_length(value, figures)
+      real(wp), intent(in) :: value
+      integer, intent(in) :: figures
+      character(len=buffer_length) :: buffer
+
+      call write_real(value, figures, buffer)
+      real_length = len_trim(buffer)
+   end function real_length
+
    !> Decimal text of an integer.
    pure function integer_to_text(value) result(text)
       !> The number
@@ -56,23 +73,6 @@ contains
       call write_real(value, figures, buffer)
       text = buffer
    end function figures_to_text
-
-   pure integer function integer_length(value)
-      integer, intent(in) :: value
-      character(len=buffer_length) :: buffer
-
-      write (buffer, '(i0)') value
-      integer_length = len_trim(buffer)
-   end function integer_length
-
-   pure integer function real_length(value, figures)
-      real(wp), intent(in) :: value
-      integer, intent(in) :: figures
-      character(len=buffer_length) :: buffer
-
-      call write_real(value, figures, buffer)
-      real_length = len_trim(buffer)
-   end function real_length
 
    !> The text, left in the buffer and padded with blanks.
    pure subroutine write_real(value, figures, buffer)

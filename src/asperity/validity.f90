@@ -35,24 +35,6 @@ module asperity_validity
 
 contains
 
-   !> Names of the set flags joined by `+`, or `valid`.
-   pure function validity_text(flags) result(text)
-      !> Sum of flags
-      integer, intent(in) :: flags
-      character(len=joined_length(flags, names, '+', 'valid')) :: text
-
-      call join(flags, names, '+', 'valid', text)
-   end function validity_text
-
-   !> What the set flags mean, joined by `; `, or nothing.
-   pure function validity_remark(flags) result(text)
-      !> Sum of flags
-      integer, intent(in) :: flags
-      character(len=joined_length(flags, remarks, '; ', '')) :: text
-
-      call join(flags, remarks, '; ', '', text)
-   end function validity_remark
-
    !> Length of the entries of `list` whose flag is set, or of `none`.
    pure integer function joined_length(flags, list, separator, none)
       integer, intent(in) :: flags
@@ -67,11 +49,29 @@ contains
       if (joined_length < 0) joined_length = len(none)
    end function joined_length
 
-   !> The entries of `list` whose flag is set, or `none`.
-   pure subroutine join(flags, list, separator, none, text)
+   !> Names of the set flags joined by `+`, or `valid`.
+   pure function validity_text(flags) result(text)
+      !> Sum of flags
       integer, intent(in) :: flags
+      character(len=joined_length(flags, names, '+', 'valid')) :: text
+
+      text = joined(flags, names, '+', 'valid', len(text))
+   end function validity_text
+
+   !> What the set flags mean, joined by `; `, or nothing.
+   pure function validity_remark(flags) result(text)
+      !> Sum of flags
+      integer, intent(in) :: flags
+      character(len=joined_length(flags, remarks, '; ', '')) :: text
+
+      text = joined(flags, remarks, '; ', '', len(text))
+   end function validity_remark
+
+   !> The entries of `list` whose flag is set, or `none`.
+   pure function joined(flags, list, separator, none, length) result(text)
+      integer, intent(in) :: flags, length
       character(len=*), intent(in) :: list(:), separator, none
-      character(len=*), intent(out) :: text
+      character(len=length) :: text
       integer :: i, next
 
       text = none
@@ -82,6 +82,6 @@ contains
          text(next:) = list(i)
          next = next + len_trim(list(i)) + len(separator)
       end do
-   end subroutine join
+   end function joined
 
 end module asperity_validity

@@ -131,8 +131,8 @@ contains
             residual(:, 1) = [stress(1) - pressure, slip + compliance*stress(2) - displacement]
             ! no closer than round-off of overclosure and displacement allows
             allowed = balance_tolerance*[pressure, properties%critical_slip] &
-               + 4.0_wp*[tangent(1, 1)*spacing(max(abs(overclosure), abs(properties%initial_separation))), &
-               spacing(max(abs(displacement), abs(high)))]
+               + 4.0_wp*[tangent(1, 1)*spacing(max(abs(overclosure), &
+               abs(properties%initial_separation))), spacing(max(abs(displacement), abs(high)))]
             if (all(abs(residual(:, 1)) <= allowed)) return
             if (residual(2, 1) > 0.0_wp) then
                high = slip

@@ -39,6 +39,9 @@ run press --peak 50
 check 'press: past the limits, said below the table' has out 'b  pressure above the hardness'
 refuses 'overclosure needs a peak' 2 '--control: control = overclosure needs a peak' \
    press --control overclosure
+printf "&asperity control = 'overclosure' /\n" >control.nml
+run shear control.nml --normal-stress 0.1
+check 'which does not matter to shear' test "$status" -eq 0
 refuses 'unknown control' 2 "--control: control = 'foo' is unknown" press --control foo
 refuses 'no increments' 2 '--increments: increments = 0 is not allowed' press --increments 0
 refuses 'negative increments' 2 '--increments: increments = -5 is not' press --increments -5
