@@ -10,7 +10,8 @@ function(asperity_compile_options target)
    set_target_properties(${target} PROPERTIES
       Fortran_MODULE_DIRECTORY ${PROJECT_BINARY_DIR}/modules/${target})
    if(CMAKE_Fortran_COMPILER_ID STREQUAL "GNU")
-      target_compile_options(${target} PRIVATE -std=f2018 -Wall -Wextra)
+      # -frecursive puts all locals on the stack, where threads do not share them
+      target_compile_options(${target} PRIVATE -std=f2018 -frecursive -Wall -Wextra)
    endif()
    if(ASPERITY_WARNINGS_AS_ERRORS AND CMAKE_Fortran_COMPILER_ID MATCHES "^(GNU|LLVMFlang)$")
       target_compile_options(${target} PRIVATE -Werror)

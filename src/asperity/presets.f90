@@ -99,7 +99,7 @@ contains
             return
          end if
       end do
-      call refuse_name(error, 'pair', name, pairs%name)
+      call refuse_name(error, 'pair', name, (pairs%name))
    end subroutine find_pair
 
    !> The surface of that name; `error` lists the names when there is none.
@@ -119,7 +119,7 @@ contains
             return
          end if
       end do
-      call refuse_name(error, 'surface', name, surfaces%name)
+      call refuse_name(error, 'surface', name, (surfaces%name))
    end subroutine find_surface
 
    !> Say that a name is unknown and which are known.
