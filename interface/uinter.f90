@@ -9,8 +9,8 @@ subroutine uinter( &
    nprops, mcrd, kstep, kinc, kit, linper, lopenclose, lstate, lsdi, lprint)
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use asperity, only: contact_properties, contact_response, contact_state, contact_tangent, &
-      error_type, no_opposite_surface, no_surface_limit, status_open, status_slip, status_stick, &
-      status_unset, update_contact_point, validity_remark, wp
+      error_type, no_opposite_surface, no_rotation, no_surface_limit, status_open, status_slip, &
+      status_stick, status_unset, update_contact_point, validity_remark, wp
    use asperity_error, only: fatal_error
    use asperity_text, only: to_text
    use uinter_slots, only: n_statev, properties_from_props, state_elastic_slip_2, &
@@ -105,7 +105,7 @@ subroutine uinter( &
    end if
 
    slip = 0.0_wp
-   rotation = reshape([1.0_wp, 0.0_wp, 0.0_wp, 1.0_wp], [2, 2])
+   rotation = no_rotation
    overclosure = no_opposite_surface
    if (rdisp(1) > no_surface_limit) then
       overclosure = rdisp(1)

@@ -1,8 +1,8 @@
 !> Elasto-plastic contact of rough faces: everything a caller needs, `use asperity`.
 module asperity
    use asperity_contact_point, only: contact_response, contact_state, contact_tangent, &
-      no_opposite_surface, no_surface_limit, status_open, status_slip, status_stick, &
-      status_text, status_unset, &
+      no_opposite_surface, no_rotation, no_surface_limit, status_open, status_slip, &
+      status_stick, status_text, status_unset, &
       update_contact_point
    use asperity_contact_properties, only: contact_properties, new_contact_properties, &
       rule_abaqus, rule_dissipative, slip_backward_euler, slip_exact
@@ -25,7 +25,7 @@ module asperity
       closure_above_half_radius, computation_error, contact_properties, contact_response, &
       contact_state, contact_tangent, equivalent_modulus, error_type, evaluate_asperity, &
       evaluate_normal_law, file_error, find_pair, find_surface, input_error, &
-      new_contact_properties, new_normal_properties, no_opposite_surface, no_surface_limit, &
+      new_contact_properties, new_normal_properties, no_opposite_surface, no_rotation, no_surface_limit, &
       normal_properties, &
       normal_response, pair_preset, pairs, pressure_above_hardness, roughness_number_high, &
       roughness_number_low, rule_abaqus, rule_dissipative, separation_for_pressure, &

@@ -7,8 +7,6 @@ module contact_cases
    private
    public :: pair_properties, random_contact
 
-   real(wp), parameter, public :: identity(2, 2) = reshape([1.0_wp, 0.0_wp, 0.0_wp, 1.0_wp], [2, 2])
-
 contains
 
    !> The pair `transverse-tangential`, or another, with a friction rule and a slip integration.

@@ -4,10 +4,10 @@ module test_contact_point
    use, intrinsic :: iso_fortran_env, only: int64
    use asperity, only: contact_properties, contact_response, contact_state, contact_tangent, &
       error_type, evaluate_normal_law, new_contact_properties, no_opposite_surface, &
-      normal_response, rule_abaqus, rule_dissipative, separation_for_pressure, &
+      no_rotation, normal_response, rule_abaqus, rule_dissipative, separation_for_pressure, &
       slip_backward_euler, slip_exact, status_open, status_slip, status_stick, &
       update_contact_point, wp
-   use contact_cases, only: identity, pair_properties, random_contact
+   use contact_cases, only: pair_properties, random_contact
    use funit, only: anyExceptions, assertEqual, assertFalse, assertGreaterThan, assertLessThan, &
       assertTrue, TestMethod, TestSuite
    use measurements, only: record
@@ -49,7 +49,7 @@ contains
       p = pair_properties()
       do i = -300, 300
          overclosure = 0.01_wp*i*p%normal%sigma*4.0_wp
-         r = update_contact_point(p, fresh, overclosure, none, identity)
+         r = update_contact_point(p, fresh, overclosure, none, no_rotation)
          law = evaluate_normal_law(p%normal, p%initial_separation - overclosure)
          call assertEqual(law%pressure, r%traction(1), 0.0_wp, 'pressure')
          call assertEqual(law%stiffness, r%tangent(1, 1), 0.0_wp, 'stiffness')
@@ -58,10 +58,10 @@ contains
          if (anyExceptions()) return
       end do
       ! no jump at zero overclosure: 1e-9 mm changes p by 1e-9 mm times the stiffness
-      r = update_contact_point(p, fresh, 0.0_wp, none, identity)
+      r = update_contact_point(p, fresh, 0.0_wp, none, no_rotation)
       at_zero = r%traction(1)
       call assertGreaterThan(at_zero, 1.0e-3_wp, 'the tail carries at zero overclosure')
-      r = update_contact_point(p, fresh, -1.0e-9_wp, none, identity)
+      r = update_contact_point(p, fresh, -1.0e-9_wp, none, no_rotation)
       below = r%traction(1)
       call assertEqual(at_zero - 1.0e-9_wp*r%tangent(1, 1), below, 1.0e-13_wp, 'no jump')
    end subroutine test_pressure
@@ -74,13 +74,13 @@ contains
 
       p = pair_properties()
       gamma = [0.1_wp, -0.2_wp]
-      r = update_contact_point(p, state, 0.1_wp, gamma, identity)
+      r = update_contact_point(p, state, 0.1_wp, gamma, no_rotation)
       pressure = r%traction(1)
       call assertEqual(status_stick, r%status, 'stick')
       call assertEqual(p%friction_coefficient*pressure*gamma/p%critical_slip, r%traction(2:3), &
          1.0e-15_wp, 'stick')
       call assertEqual(gamma, r%state%elastic_slip, 0.0_wp, 'elastic slip')
-      r = update_contact_point(p, r%state, 0.1_wp, 10.0_wp*gamma, identity)
+      r = update_contact_point(p, r%state, 0.1_wp, 10.0_wp*gamma, no_rotation)
       call assertEqual(status_slip, r%status, 'slip')
       call assertEqual(p%friction_coefficient*pressure, norm2(r%traction(2:3)), 1.0e-14_wp, &
          'plateau')
@@ -100,7 +100,7 @@ contains
       p = pair_properties()
       do i = 1, size(factors)
          call separation_for_pressure(p%normal, factors(i)*p%p_open, d, error)
-         r = update_contact_point(p, state, p%initial_separation - d, [0.01_wp, 0.0_wp], identity)
+         r = update_contact_point(p, state, p%initial_separation - d, [0.01_wp, 0.0_wp], no_rotation)
          call assertTrue((r%status == status_open) .eqv. open_then(i), 'status')
          call assertEqual(factors(i), r%traction(1)/p%p_open, 1.0e-12_wp, 'the law stays')
          if (open_then(i)) then
@@ -121,13 +121,13 @@ contains
       do rule = rule_abaqus, rule_dissipative
          p = pair_properties(rule)
          state = contact_state()
-         r = update_contact_point(p, state, 0.12_wp, none, identity)
-         r = update_contact_point(p, r%state, 0.12_wp, [1.0_wp, 0.5_wp], identity)
+         r = update_contact_point(p, state, 0.12_wp, none, no_rotation)
+         r = update_contact_point(p, r%state, 0.12_wp, [1.0_wp, 0.5_wp], no_rotation)
          call assertGreaterThan(r%traction(2), 0.1_wp, 'slides')
-         r = update_contact_point(p, r%state, -1.0_wp, none, identity)
+         r = update_contact_point(p, r%state, -1.0_wp, none, no_rotation)
          call assertEqual(status_open, r%status, 'lifted')
-         r = update_contact_point(p, r%state, -1.0_wp, [-0.5_wp, 0.0_wp], identity)
-         r = update_contact_point(p, r%state, 0.12_wp, none, identity)
+         r = update_contact_point(p, r%state, -1.0_wp, [-0.5_wp, 0.0_wp], no_rotation)
+         r = update_contact_point(p, r%state, 0.12_wp, none, no_rotation)
          call assertEqual(none, r%traction(2:3), 0.0_wp, 'pressed again')
          call assertEqual(0.0_wp, r%tangential_energy, 0.0_wp, 'no energy stored')
       end do
@@ -150,14 +150,14 @@ contains
          from = p%initial_separation - stream%uniform(-1.0_wp, 9.0_wp)*p%normal%sigma
          to = p%initial_separation - stream%uniform(-1.0_wp, 4.0_wp)*p%normal%sigma
          slip = p%critical_slip*[stream%uniform(-2.0_wp, 2.0_wp), stream%uniform(-2.0_wp, 2.0_wp)]
-         whole = update_contact_point(p, contact_state(), from, none, identity)
+         whole = update_contact_point(p, contact_state(), from, none, no_rotation)
          whole = update_contact_point(p, whole%state, from, &
-            p%critical_slip*[stream%uniform(-2.0_wp, 2.0_wp), 0.3_wp], identity)
+            p%critical_slip*[stream%uniform(-2.0_wp, 2.0_wp), 0.3_wp], no_rotation)
          start = whole%state
-         whole = update_contact_point(p, start, to, slip, identity)
+         whole = update_contact_point(p, start, to, slip, no_rotation)
          part = stream%uniform(0.1_wp, 0.9_wp)
-         half = update_contact_point(p, start, from + part*(to - from), part*slip, identity)
-         half = update_contact_point(p, half%state, to, (1.0_wp - part)*slip, identity)
+         half = update_contact_point(p, start, from + part*(to - from), part*slip, no_rotation)
+         half = update_contact_point(p, half%state, to, (1.0_wp - part)*slip, no_rotation)
          if (start%status == status_open .and. whole%status /= status_open) closings = closings + 1
          worst = max(worst, norm2(whole%state%elastic_slip - half%state%elastic_slip) &
             /p%critical_slip)
@@ -176,12 +176,12 @@ contains
       real(wp), parameter :: slip(2) = [0.05_wp, 0.0_wp]
 
       p = pair_properties()
-      r = update_contact_point(p, contact_state(), no_opposite_surface, none, identity)
+      r = update_contact_point(p, contact_state(), no_opposite_surface, none, no_rotation)
       call assertEqual(status_open, r%status, 'open')
       call assertEqual([0.0_wp, 0.0_wp, 0.0_wp], r%traction, 0.0_wp, 'no traction')
       call assertEqual(0.0_wp, r%normal_energy, 0.0_wp, 'no energy')
-      r = update_contact_point(p, r%state, 0.1_wp, slip, identity)
-      direct = update_contact_point(p, contact_state(), 0.1_wp, slip, identity)
+      r = update_contact_point(p, r%state, 0.1_wp, slip, no_rotation)
+      direct = update_contact_point(p, contact_state(), 0.1_wp, slip, no_rotation)
       call assertEqual(direct%traction, r%traction, 0.0_wp, 'first contact after it')
       call assertEqual(slip, r%state%elastic_slip, 0.0_wp, 'all motion counts')
       call assertEqual(0.1_wp, r%state%largest_closure, 0.0_wp, 'largest closure')
@@ -195,14 +195,14 @@ contains
       real(wp), parameter :: slip(2) = [0.2_wp, 0.1_wp]
 
       p = pair_properties(rule_abaqus)
-      low = update_contact_point(p, contact_state(), 0.05_wp, slip, identity)
-      high = update_contact_point(p, low%state, 0.14_wp, none, identity)
+      low = update_contact_point(p, contact_state(), 0.05_wp, slip, no_rotation)
+      high = update_contact_point(p, low%state, 0.14_wp, none, no_rotation)
       call assertEqual(slip, high%state%elastic_slip, 0.0_wp, 'abaqus keeps the elastic slip')
       p = pair_properties(rule_dissipative)
-      low = update_contact_point(p, contact_state(), 0.05_wp, slip, identity)
-      high = update_contact_point(p, low%state, 0.14_wp, none, identity)
+      low = update_contact_point(p, contact_state(), 0.05_wp, slip, no_rotation)
+      high = update_contact_point(p, low%state, 0.14_wp, none, no_rotation)
       call assertEqual(low%traction(2:3), high%traction(2:3), 1.0e-15_wp, 'rising keeps the stress')
-      back = update_contact_point(p, high%state, 0.05_wp, none, identity)
+      back = update_contact_point(p, high%state, 0.05_wp, none, no_rotation)
       call assertEqual(high%state%elastic_slip, back%state%elastic_slip, 0.0_wp, &
          'falling keeps the elastic slip')
    end subroutine test_rules
@@ -223,9 +223,9 @@ contains
          q = reshape([cos(angle), sin(angle), -sin(angle), cos(angle)], [2, 2])
          first = [stream%uniform(-0.5_wp, 0.5_wp), stream%uniform(-0.5_wp, 0.5_wp)]
          second = [stream%uniform(-0.5_wp, 0.5_wp), stream%uniform(-0.5_wp, 0.5_wp)]
-         r = update_contact_point(p, contact_state(), 0.08_wp, first, identity)
+         r = update_contact_point(p, contact_state(), 0.08_wp, first, no_rotation)
          turned = update_contact_point(p, r%state, 0.1_wp, matmul(q, second), q)
-         r = update_contact_point(p, r%state, 0.1_wp, second, identity)
+         r = update_contact_point(p, r%state, 0.1_wp, second, no_rotation)
          call assertEqual(matmul(q, r%traction(2:3)), turned%traction(2:3), 1.0e-14_wp, 'stress')
          call assertEqual(r%dissipation, turned%dissipation, 1.0e-14_wp, 'dissipation')
          call assertEqual(reshape(matmul(matmul(q, r%tangent(2:3, 2:3)), transpose(q)), [4]), &
@@ -243,11 +243,11 @@ contains
       p = pair_properties()
       tangent = contact_tangent(p, contact_state())
       call assertEqual(0.0_wp, maxval(abs(tangent)), 0.0_wp, 'fresh point')
-      r = update_contact_point(p, contact_state(), 0.1_wp, [0.1_wp, 0.05_wp], identity)
-      again = update_contact_point(p, r%state, 0.1_wp, none, identity)
+      r = update_contact_point(p, contact_state(), 0.1_wp, [0.1_wp, 0.05_wp], no_rotation)
+      again = update_contact_point(p, r%state, 0.1_wp, none, no_rotation)
       tangent = contact_tangent(p, r%state)
       call assertEqual(reshape(again%tangent, [9]), reshape(tangent, [9]), 1.0e-12_wp, 'stick')
-      r = update_contact_point(p, contact_state(), 0.1_wp, [3.0_wp, 0.0_wp], identity)
+      r = update_contact_point(p, contact_state(), 0.1_wp, [3.0_wp, 0.0_wp], no_rotation)
       tangent = contact_tangent(p, r%state)
       pressure = r%traction(1)
       call assertEqual(0.0_wp, tangent(2, 2), 1.0e-15_wp, 'along the slip')
@@ -255,7 +255,7 @@ contains
          1.0e-14_wp, 'across the slip')
       call assertEqual(p%friction_coefficient*r%tangent(1, 1), tangent(2, 1), 1.0e-12_wp, &
          'coupling')
-      r = update_contact_point(p, r%state, -1.0_wp, none, identity)
+      r = update_contact_point(p, r%state, -1.0_wp, none, no_rotation)
       tangent = contact_tangent(p, r%state)
       call assertEqual(0.0_wp, maxval(abs(tangent(2:3, :))), 0.0_wp, 'open')
    end subroutine test_base_tangent
@@ -271,7 +271,7 @@ contains
       dissipation = 0.0_wp
       coupling = 0.0_wp
       do i = 1, size(path)
-         r = update_contact_point(p, r%state, path(i), [0.4_wp, 0.0_wp], identity)
+         r = update_contact_point(p, r%state, path(i), [0.4_wp, 0.0_wp], no_rotation)
          dissipation = dissipation + r%dissipation
          coupling = coupling + r%pressure_coupling
          call assertEqual(maxval(path(:i)), r%state%largest_closure, 0.0_wp, 'largest closure')

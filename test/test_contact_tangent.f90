@@ -2,10 +2,10 @@
 !> directions and in every branch: step 1e-5 sigma, error relative to the norm of the row.
 module test_contact_tangent
    use, intrinsic :: iso_fortran_env, only: int64
-   use asperity, only: contact_properties, contact_response, contact_state, rule_abaqus, &
-      rule_dissipative, slip_backward_euler, slip_exact, status_open, status_slip, status_stick, &
-      update_contact_point, wp
-   use contact_cases, only: identity, pair_properties, random_contact
+   use asperity, only: contact_properties, contact_response, contact_state, no_rotation, &
+      rule_abaqus, rule_dissipative, slip_backward_euler, slip_exact, status_open, status_slip, &
+      status_stick, update_contact_point, wp
+   use contact_cases, only: pair_properties, random_contact
    use funit, only: anyExceptions, assertEqual, assertGreaterThan, assertLessThan, TestMethod, &
       TestSuite
    use measurements, only: record
@@ -51,11 +51,11 @@ contains
          direction = [stream%uniform(-1.0_wp, 1.0_wp), stream%uniform(-1.0_wp, 1.0_wp), &
             stream%uniform(-1.0_wp, 1.0_wp)]
          direction = direction/norm2(direction)
-         r = update_contact_point(p, start, overclosure, slip, identity)
+         r = update_contact_point(p, start, overclosure, slip, no_rotation)
          ahead = update_contact_point(p, start, overclosure + h*direction(1), &
-            slip + h*direction(2:), identity)
+            slip + h*direction(2:), no_rotation)
          behind = update_contact_point(p, start, overclosure - h*direction(1), &
-            slip - h*direction(2:), identity)
+            slip - h*direction(2:), no_rotation)
          if (ahead%status /= behind%status) cycle
          if (.not. in_branch(branch, start, r)) cycle
          counts(branch) = counts(branch) + 1
@@ -108,7 +108,7 @@ contains
          overclosure = p%initial_separation - stream%uniform(-1.0_wp, 4.0_wp)*p%normal%sigma
       end select
       r = update_contact_point(p, start, from, p%critical_slip*[stream%uniform(-0.4_wp, 0.4_wp), &
-         stream%uniform(-0.4_wp, 0.4_wp)], identity)
+         stream%uniform(-0.4_wp, 0.4_wp)], no_rotation)
       start = r%state
       slip = length*p%critical_slip*[cos(angle), sin(angle)]
    end subroutine prepare
@@ -143,16 +143,16 @@ contains
          p = pair_properties(rule_abaqus, integration)
          h = step*p%normal%sigma
          inside = update_contact_point(p, contact_state(), 0.1_wp, &
-            [p%critical_slip - h, 0.0_wp], identity)
+            [p%critical_slip - h, 0.0_wp], no_rotation)
          further = update_contact_point(p, contact_state(), 0.1_wp, &
-            [p%critical_slip - 3.0_wp*h, 0.0_wp], identity)
+            [p%critical_slip - 3.0_wp*h, 0.0_wp], no_rotation)
          slope = (inside%traction(2) - further%traction(2))/(2.0_wp*h)
          call assertEqual(status_stick, inside%status, 'stick')
          call assertEqual(slope, inside%tangent(2, 2), allowed*slope, 'stick side')
          outside = update_contact_point(p, contact_state(), 0.1_wp, &
-            [p%critical_slip + h, 0.0_wp], identity)
+            [p%critical_slip + h, 0.0_wp], no_rotation)
          further = update_contact_point(p, contact_state(), 0.1_wp, &
-            [p%critical_slip + 3.0_wp*h, 0.0_wp], identity)
+            [p%critical_slip + 3.0_wp*h, 0.0_wp], no_rotation)
          call assertEqual(status_slip, outside%status, 'slip')
          call assertEqual((further%traction(2) - outside%traction(2))/(2.0_wp*h), &
             outside%tangent(2, 2), allowed*slope, 'slip side')
@@ -168,7 +168,7 @@ contains
       real(wp) :: pressure_slope
 
       p = pair_properties()
-      r = update_contact_point(p, contact_state(), 0.1_wp, [0.2_wp, 0.0_wp], identity)
+      r = update_contact_point(p, contact_state(), 0.1_wp, [0.2_wp, 0.0_wp], no_rotation)
       pressure_slope = r%tangent(1, 1)
       call assertEqual(p%friction_coefficient*0.2_wp/p%critical_slip*pressure_slope, &
          r%tangent(2, 1), 1.0e-13_wp*pressure_slope, 'shear by overclosure')

@@ -3,9 +3,9 @@ module test_uinter
    use, intrinsic :: ieee_arithmetic, only: ieee_quiet_nan, ieee_value
    use abaqus_stubs, only: exits, forget_calls, last_level, last_message, messages, warnings
    use asperity, only: contact_properties, contact_response, contact_state, error_type, &
-      evaluate_normal_law, no_opposite_surface, normal_response, status_open, status_slip, &
-      status_stick, update_contact_point, wp
-   use contact_cases, only: identity, pair_properties
+      evaluate_normal_law, no_opposite_surface, no_rotation, normal_response, status_open, &
+      status_slip, status_stick, update_contact_point, wp
+   use contact_cases, only: pair_properties
    use funit, only: anyExceptions, assertEqual, assertFalse, assertGreaterThan, assertLessThan, &
       assertTrue, TestMethod, TestSuite
    use replay_host, only: accept_increment, host_point, new_host_point, try_increment
@@ -84,7 +84,7 @@ contains
             slip = path(2:3, i)
             if (ndir == 2) slip(2) = 0.0_wp
             call try_increment(point, path(1, i), slip(:ndir - 1), dtime, error)
-            r = update_contact_point(p, r%state, path(1, i), slip, identity)
+            r = update_contact_point(p, r%state, path(1, i), slip, no_rotation)
             call assertEqual(r%traction(:ndir), point%trial%stress, 0.0_wp, 'stress')
             call assertEqual(reshape(r%tangent(:ndir, :ndir), [ndir**2]), &
                reshape(point%trial%ddsddr, [ndir**2]), 0.0_wp, 'tangent')
@@ -131,7 +131,7 @@ contains
       do i = 1, 3
          call try_increment(point, 0.1_wp, [0.4_wp, 0.1_wp], dtime, error)
          call accept_increment(point)
-         r = update_contact_point(p, r%state, 0.1_wp, [0.4_wp, 0.1_wp], identity)
+         r = update_contact_point(p, r%state, 0.1_wp, [0.4_wp, 0.1_wp], no_rotation)
          call assertEqual(r%normal_energy + r%tangential_energy, point%start%sed, 0.0_wp, 'SED')
          call assertEqual(r%dissipation, point%start%sfd, 0.0_wp, 'SFD')
          call assertEqual([0.0_wp, 0.0_wp, 0.0_wp], [point%start%spd, point%start%svd, &

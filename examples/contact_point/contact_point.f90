@@ -1,10 +1,9 @@
 !> Press a wood face to 0.2 MPa and slide it: one contact point, as a finite-element code calls it.
 program contact_point
    use asperity, only: contact_properties, contact_response, error_type, find_pair, &
-      new_contact_properties, new_normal_properties, normal_properties, pair_preset, &
+      new_contact_properties, new_normal_properties, no_rotation, normal_properties, pair_preset, &
       separation_for_pressure, status_text, update_contact_point, wp
    implicit none
-   real(wp), parameter :: no_turn(2, 2) = reshape([1.0_wp, 0.0_wp, 0.0_wp, 1.0_wp], [2, 2])
    type(pair_preset) :: pair
    type(normal_properties) :: normal
    type(contact_properties) :: properties
@@ -24,7 +23,8 @@ program contact_point
    overclosure = properties%initial_separation - separation
    print '(a, f8.5, a)', 'overclosure ', overclosure, ' mm'
    do i = 1, 4
-      point = update_contact_point(properties, point%state, overclosure, [0.12_wp, 0.0_wp], no_turn)
+      point = update_contact_point(properties, point%state, overclosure, [0.12_wp, 0.0_wp], &
+         no_rotation)
       print '(f5.2, a, 2f8.4, 3a, f7.3, a)', 0.12_wp*i, ' mm: p, tau =', point%traction(:2), &
          ' MPa, ', status_text(point%status), ', stiffness', point%tangent(1, 1), ' MPa/mm'
    end do

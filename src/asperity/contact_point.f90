@@ -30,6 +30,10 @@ module asperity_contact_point
    end enum
    public :: status_unset, status_open, status_stick, status_slip
 
+   !> Rotation of slip directions that do not turn
+   real(wp), parameter, public :: no_rotation(2, 2) = &
+      reshape([1.0_wp, 0.0_wp, 0.0_wp, 1.0_wp], [2, 2])
+
    !> Overclosure that stands for "no opposite surface"
    real(wp), parameter, public :: no_opposite_surface = -1.0e36_wp
    !> Any overclosure below this, mm, means the same

@@ -92,14 +92,9 @@ contains
       type(error_type), allocatable, intent(out) :: error
       integer :: i
 
-      preset = pairs(1)
-      do i = 1, size(pairs)
-         if (pairs(i)%name == name) then
-            preset = pairs(i)
-            return
-         end if
-      end do
-      call refuse_name(error, 'pair', name, (pairs%name))
+      i = findloc(pairs%name == name, .true., dim=1)
+      preset = pairs(max(i, 1))
+      if (i == 0) call refuse_name(error, 'pair', name, (pairs%name))
    end subroutine find_pair
 
    !> The surface of that name; `error` lists the names when there is none.
@@ -112,14 +107,9 @@ contains
       type(error_type), allocatable, intent(out) :: error
       integer :: i
 
-      preset = surfaces(1)
-      do i = 1, size(surfaces)
-         if (surfaces(i)%name == name) then
-            preset = surfaces(i)
-            return
-         end if
-      end do
-      call refuse_name(error, 'surface', name, (surfaces%name))
+      i = findloc(surfaces%name == name, .true., dim=1)
+      preset = surfaces(max(i, 1))
+      if (i == 0) call refuse_name(error, 'surface', name, (surfaces%name))
    end subroutine find_surface
 
    !> Say that a name is unknown and which are known.

@@ -4,7 +4,7 @@
 module replay_host
    use, intrinsic :: ieee_arithmetic, only: ieee_is_nan, ieee_quiet_nan, ieee_value
    use asperity, only: computation_error, contact_properties, error_type, no_opposite_surface, &
-      no_surface_limit, wp
+      no_rotation, no_surface_limit, wp
    use asperity_error, only: fatal_error
    use asperity_text, only: to_text
    use uinter_signature, only: uinter_interface
@@ -55,7 +55,7 @@ module replay_host
       !> Increments accepted so far
       integer :: increments = 0
       !> Rotation of the slip directions since the start
-      real(wp) :: rotation(2, 2) = reshape([1.0_wp, 0.0_wp, 0.0_wp, 1.0_wp], [2, 2])
+      real(wp) :: rotation(2, 2) = no_rotation
    end type host_point
 
    real(wp), parameter :: large_pnewdt = 1.0e30_wp
@@ -116,7 +116,7 @@ contains
       real(wp) :: drot(2, 2)
       integer :: perturbation
 
-      drot = reshape([1.0_wp, 0.0_wp, 0.0_wp, 1.0_wp], [2, 2])
+      drot = no_rotation
       if (present(rotation)) drot = rotation
       perturbation = 0
       if (present(linper)) perturbation = linper
