@@ -21,16 +21,14 @@ module asperity
    use asperity_version, only: version
    implicit none
    private
-   public :: area_above_nominal, asperity_response, &
-      closure_above_half_radius, computation_error, contact_properties, contact_response, &
-      contact_state, contact_tangent, equivalent_modulus, error_type, evaluate_asperity, &
-      evaluate_normal_law, file_error, find_pair, find_surface, input_error, &
-      new_contact_properties, new_normal_properties, no_opposite_surface, no_rotation, no_surface_limit, &
-      normal_properties, &
-      normal_response, pair_preset, pairs, pressure_above_hardness, roughness_number_high, &
-      roughness_number_low, rule_abaqus, rule_dissipative, separation_for_pressure, &
-      slip_backward_euler, slip_exact, stage_elastic, stage_elastoplastic, stage_open, &
-      stage_plastic, status_open, status_slip, status_stick, status_text, status_unset, &
-      stiffer_than_hertz, surface_preset, surfaces, update_contact_point, valid, &
-      validity_remark, validity_text, version, wp
+   public :: area_above_nominal, asperity_response, closure_above_half_radius, &
+      computation_error, contact_properties, contact_response, contact_state, contact_tangent, &
+      equivalent_modulus, error_type, evaluate_asperity, evaluate_normal_law, file_error, &
+      find_pair, find_surface, input_error, new_contact_properties, new_normal_properties, &
+      no_opposite_surface, no_rotation, no_surface_limit, normal_properties, normal_response, &
+      pair_preset, pairs, pressure_above_hardness, roughness_number_high, roughness_number_low, &
+      rule_abaqus, rule_dissipative, separation_for_pressure, slip_backward_euler, slip_exact, &
+      stage_elastic, stage_elastoplastic, stage_open, stage_plastic, status_open, status_slip, &
+      status_stick, status_text, status_unset, stiffer_than_hertz, surface_preset, surfaces, &
+      update_contact_point, valid, validity_remark, validity_text, version, wp
 end module asperity

@@ -100,7 +100,8 @@ contains
       p = pair_properties()
       do i = 1, size(factors)
          call separation_for_pressure(p%normal, factors(i)*p%p_open, d, error)
-         r = update_contact_point(p, state, p%initial_separation - d, [0.01_wp, 0.0_wp], no_rotation)
+         r = update_contact_point(p, state, p%initial_separation - d, [0.01_wp, 0.0_wp], &
+            no_rotation)
          call assertTrue((r%status == status_open) .eqv. open_then(i), 'status')
          call assertEqual(factors(i), r%traction(1)/p%p_open, 1.0e-12_wp, 'the law stays')
          if (open_then(i)) then
