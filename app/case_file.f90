@@ -16,6 +16,7 @@ module app_case_file
    public :: read_case
 
    character(len=*), parameter :: group = 'asperity'
+   character(len=*), parameter :: byte_order_mark = achar(239)//achar(187)//achar(191)
    !> Largest case file, characters: room for several of the longest lists
    integer, parameter :: largest = 16*1024*1024
 
@@ -36,6 +37,11 @@ contains
       call read_file(path, largest + 1, text, reason)
       if (allocated(reason)) then
          call fatal_error(error, path//': cannot be read: '//reason, file_error)
+         return
+      end if
+      if (index(text, byte_order_mark) == 1) then
+         call fatal_error(error, path//':1: begins with a byte order mark, which Fortran does '// &
+            'not read: save the file as plain text or UTF-8 without it')
          return
       end if
       call new_scanner(scanner, text, path, error)

@@ -69,9 +69,10 @@ contains
          return
       end if
       associate (sigma => settings%real_of('sigma'))
-         call fill(settings, 'initial_separation', [default_initial_separation*sigma], '4 sigma')
+         call fill(settings, 'initial_separation', [default_initial_separation*sigma], &
+            '4 sigma', follows_sigma=.true.)
          call fill(settings, 'separation', linear_range(default_initial_separation*sigma, &
-            0.0_wp, default_points), '4 sigma to 0')
+            0.0_wp, default_points), '4 sigma to 0', follows_sigma=.true.)
       end associate
       if (line%command == command_press .and. settings%text_of('control') == 'overclosure' &
             .and. .not. settings%given('peak')) then

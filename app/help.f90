@@ -37,8 +37,9 @@ contains
             'Pressure, stiffness, real area and energy of rough faces against separation.', topic)
       case (command_press)
          text = command_help('asperity press [CASE.nml] [options]', &
-            'Press two faces together and release them, through UINTER (Fig. 17 of the paper).', &
-            topic)
+            'Press two faces together and release them, through UINTER. Fig. 17 of the paper'// &
+            newline//'is the ramp of overclosure. A ramp of pressure starts and ends where the'// &
+            newline//'faces just part.', topic)
       case (command_shear)
          text = command_help('asperity shear [CASE.nml] [options]', &
             'Direct shear of two discs under dead weight, through UINTER (Figs 13-18).', topic)
@@ -159,16 +160,19 @@ contains
       character(len=:), allocatable :: text
 
       text = 'The contact law:'//newline// &
-         '  Xie, Zhang, Zhang, Guo, Wu. Normal contact performance of mortise and tenon joint.' &
-         //newline// &
-         '  Journal of Wood Science 67 (2021). https://doi.org/10.1186/s10086-021-01963-x' &
+         '  Qifang Xie, Baozhuang Zhang, Lipeng Zhang, Tiantian Guo, Yajie Wu. Normal contact'// &
+         newline//'  performance of mortise and tenon joint: theoretical analysis and numerical'// &
+         newline//'  simulation. Journal of Wood Science 67 (2021).'//newline// &
+         '  https://doi.org/10.1186/s10086-021-01963-x' &
          //newline//newline// &
          'The software:'//newline// &
          '  asperity, version '//version//': elasto-plastic contact of rough timber faces.' &
          //newline//newline// &
          '@article{xie2021normal,'//newline// &
-         '  author  = {Xie and Zhang and Zhang and Guo and Wu},'//newline// &
-         '  title   = {Normal contact performance of mortise and tenon joint},'//newline// &
+         '  author  = {Xie, Qifang and Zhang, Baozhuang and Zhang, Lipeng and Guo, Tiantian'// &
+         ' and Wu, Yajie},'//newline// &
+         '  title   = {Normal contact performance of mortise and tenon joint: theoretical'// &
+         newline//'             analysis and numerical simulation},'//newline// &
          '  journal = {Journal of Wood Science},'//newline// &
          '  volume  = {67},'//newline// &
          '  year    = {2021},'//newline// &

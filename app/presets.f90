@@ -138,7 +138,7 @@ contains
    end subroutine check_presets_used
 
    !> Give a key values unless it has some.
-   pure subroutine fill(settings, name, values, source)
+   pure subroutine fill(settings, name, values, source, follows_sigma)
       !> Settings
       type(settings_type), intent(inout) :: settings
       !> Name of the key
@@ -147,9 +147,14 @@ contains
       real(wp), intent(in) :: values(:)
       !> Where they come from
       character(len=*), intent(in) :: source
+      !> Whether they are made from sigma
+      logical, intent(in), optional :: follows_sigma
 
-      if (.not. settings%of(find_key(name))%has_value) &
-         call assign_values(settings%of(find_key(name)), values, source)
+      associate (setting => settings%of(find_key(name)))
+         if (setting%has_value) return
+         call assign_values(setting, values, source)
+         if (present(follows_sigma)) setting%follows_sigma = follows_sigma
+      end associate
    end subroutine fill
 
    !> Source of values that a pair or surface gives, such as `surface mesh-400-cross`.

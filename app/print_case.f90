@@ -34,6 +34,11 @@ contains
       do key = 1, n_keys
          if (.not. belongs(key, command) .or. keys(key)%kind >= kind_file) cycle
          if (.not. settings%of(key)%has_value) cycle
+         if (settings%of(key)%follows_sigma) then
+            ! said, not fixed: it must follow the sigma of another pair as well
+            call buffer%line('  ! '//trim(keys(key)%name)//': '//settings%of(key)%source)
+            cycle
+         end if
          entry = '  '//trim(keys(key)%name)//' = '//value_text(settings, key)
          call buffer%add(entry)
          if (settings%unit_of(key) /= '' .and. index(entry, newline) == 0) &

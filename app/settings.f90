@@ -16,6 +16,8 @@ module app_settings
       logical :: given = .false.
       !> Has a value: given, or by default
       logical :: has_value = .false.
+      !> Not given, and made from sigma
+      logical :: follows_sigma = .false.
       !> Where the value comes from, such as `case.nml:4`, `--sigma` or `default`
       character(len=:), allocatable :: source
       !> Value of a text, a choice or a file

@@ -194,6 +194,8 @@ contains
       call expect(s, 'diameter = -1.0')
       s = shear_settings(normal_stress=0.0_wp)
       call expect(s, 'normal_stress = 0.0')
+      s = shear_settings(normal_stress=5.0e-7_wp)
+      call expect(s, 'normal_stress = 5.0E-7 MPa leaves the faces open')
       s = shear_settings(rate=-1.2_wp)
       call expect(s, 'rate = -1.2')
       s = shear_settings(displacement_increment=0.0_wp)

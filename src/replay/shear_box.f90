@@ -4,6 +4,7 @@
 module replay_shear_box
    use asperity, only: computation_error, contact_properties, error_type, evaluate_normal_law, &
       normal_response, separation_for_pressure, wp
+   use asperity_contact_properties, only: close_pressure_ratio
    use asperity_error, only: fatal_error
    use asperity_text, only: to_text
    use replay_host, only: accept_increment, host_point, new_host_point, refuse_cut, &
@@ -88,6 +89,12 @@ contains
       end if
       call check_shear_settings(settings, turns, error)
       if (allocated(error)) return
+      if (settings%normal_stress <= close_pressure_ratio*properties%p_open) then
+         call fatal_error(error, 'normal_stress = '//to_text(settings%normal_stress)// &
+            ' MPa leaves the faces open: it must be above '// &
+            to_text(close_pressure_ratio*properties%p_open, 3)//' MPa; check the units (N-mm-MPa)')
+         return
+      end if
       call box_path(turns, settings%displacement_increment, path)
       call new_host_point(point, uinter, properties, ndir=2)
       allocate (steps(size(path)))

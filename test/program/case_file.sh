@@ -59,6 +59,12 @@ round_trip() {
    check "print-case $name: printed again the same" cmp printed.nml out
 }
 round_trip 'curve' curve
+# what follows from sigma must follow that of another pair
+run shear --print-case
+cp out printed.nml
+run shear printed.nml --pair tangential-tangential --csv switched.csv
+run shear --pair tangential-tangential --csv direct.csv
+check 'print-case, then another pair: the same run' cmp direct.csv switched.csv
 round_trip 'curve with options' curve --surface mesh-200-radial --sigma 0.0123456789012345678 \
    --separation=-0.01:0.07:33 --initial-separation=-1e-20
 round_trip 'the longest list' curve --separation 0.1:0.2:100000
