@@ -16,7 +16,7 @@ module app_case_file
    public :: read_case
 
    character(len=*), parameter :: group = 'asperity'
-   character(len=*), parameter :: byte_order_mark = achar(239)//achar(187)//achar(191)
+   character(len=*), parameter :: byte_order_mark = char(239)//char(187)//char(191)
    !> Largest case file, characters: room for several of the longest lists
    integer, parameter :: largest = 16*1024*1024
 

@@ -51,6 +51,8 @@ subroutine uinter( &
    real(wp), parameter :: cut_back = 0.25_wp
    !> Larger numbers than this are a host gone wrong
    real(wp), parameter :: largest = 1.0e30_wp
+   !> Sum of all validity flags
+   real(wp), parameter :: all_flags = 63.0_wp
    integer, parameter :: warning = -1, fatal = -3
    type(contact_properties) :: properties
    type(contact_state) :: start
@@ -94,13 +96,15 @@ subroutine uinter( &
    start = state_from_statev(statev)
 
    if (linper == 1) then
-      if (.not. computable(rdisp)) then
-         pnewdt = cut_back
-         return
-      end if
       tangent = contact_tangent(properties, start)
       ddsddr = tangent(:ndir, :ndir)
-      stress = matmul(ddsddr, rdisp)
+      stress = 0.0_wp
+      if (rdisp(1) < no_surface_limit) return
+      if (computable(rdisp)) then
+         stress = matmul(ddsddr, rdisp)
+      else
+         pnewdt = cut_back
+      end if
       return
    end if
 
@@ -143,6 +147,13 @@ contains
          call fatal_error(error, 'STATEV(1) = '//to_text(statev(state_status))//' is no '// &
             'contact status (0 to 3): STATEV must be zero at the start, and nothing else may '// &
             'write to it')
+      else if (.not. all(ieee_is_finite(statev(:n_statev)))) then
+         return
+      else if (statev(state_pressure) < 0.0_wp .or. any(statev(state_validity:state_warned) &
+            < 0.0_wp) .or. any(statev(state_validity:state_warned) > all_flags)) then
+         call fatal_error(error, 'STATEV(3), (10) or (11) = '//to_text(statev(state_pressure))// &
+            ', '//to_text(statev(state_validity))//', '//to_text(statev(state_warned))// &
+            ' is no pressure or sum of flags: nothing else may write to STATEV')
       end if
    end subroutine check_state
 

@@ -8,7 +8,7 @@ module random_inputs
    use asperity_properties, only: new_normal_properties, normal_properties, pi
    implicit none
    private
-   public :: random_stream, random_properties, pair_properties, properties_with
+   public :: random_stream, random_properties, normal_of_pair, properties_with
 
    integer(int64), parameter :: modulus = 2147483647_int64, multiplier = 48271_int64
 
@@ -69,18 +69,18 @@ contains
    end subroutine random_properties
 
    !> Properties of a pair of the paper.
-   function pair_properties(name) result(properties)
+   function normal_of_pair(name) result(properties)
       character(len=*), intent(in) :: name
       type(normal_properties) :: properties
       type(pair_preset) :: pair
       type(error_type), allocatable :: error
 
       call find_pair(name, pair, error)
-      if (allocated(error)) error stop 'pair_properties: '//error%message
+      if (allocated(error)) error stop 'normal_of_pair: '//error%message
       call new_normal_properties(properties, pair%eta, pair%modulus, pair%radius, pair%hardness, &
          pair%yield_factor, pair%sigma, error)
-      if (allocated(error)) error stop 'pair_properties: '//error%message
-   end function pair_properties
+      if (allocated(error)) error stop 'normal_of_pair: '//error%message
+   end function normal_of_pair
 
    !> The transverse-tangential pair with another modulus, so that w1/sigma is as given.
    function properties_with(w1_over_sigma, yield_factor) result(properties)
@@ -89,7 +89,7 @@ contains
       type(error_type), allocatable :: error
       real(wp) :: elastic_modulus
 
-      base = pair_properties('transverse-tangential')
+      base = normal_of_pair('transverse-tangential')
       associate (p => base)
          elastic_modulus = 0.75_wp*pi*yield_factor*p%hardness*sqrt(p%radius/(p%sigma*w1_over_sigma))
          call new_normal_properties(properties, p%eta, elastic_modulus, p%radius, p%hardness, &

@@ -1,6 +1,6 @@
 !> The contact-point update: tractions, opening and closing, state.
 module test_contact_point
-   use, intrinsic :: ieee_arithmetic, only: ieee_positive_inf, ieee_value
+   use, intrinsic :: ieee_arithmetic, only: ieee_positive_inf, ieee_quiet_nan, ieee_value
    use, intrinsic :: iso_fortran_env, only: int64
    use asperity, only: contact_properties, contact_response, contact_state, contact_tangent, &
       error_type, evaluate_normal_law, new_contact_properties, no_opposite_surface, &
@@ -34,6 +34,7 @@ contains
       call suite%addTest(TestMethod('rules for a changing pressure', test_rules))
       call suite%addTest(TestMethod('frame indifference', test_frame))
       call suite%addTest(TestMethod('base tangent for perturbations', test_base_tangent))
+      call suite%addTest(TestMethod('what opening releases', test_release))
       call suite%addTest(TestMethod('largest closure and totals are kept', test_memory))
       call suite%addTest(TestMethod('properties that are refused', test_refused))
    end function suite_contact_point
@@ -256,10 +257,43 @@ contains
          1.0e-14_wp, 'across the slip')
       call assertEqual(p%friction_coefficient*r%tangent(1, 1), tangent(2, 1), 1.0e-12_wp, &
          'coupling')
+      r = update_contact_point(p, r%state, 0.1_wp, [3.0_wp, 4.0_wp]*1.0e3_wp, no_rotation)
+      tangent = contact_tangent(p, r%state)
+      call assertEqual([0.64_wp, -0.48_wp, -0.48_wp, 0.36_wp], &
+         reshape(tangent(2:3, 2:3), [4])*p%critical_slip/(p%friction_coefficient*pressure), &
+         1.0e-14_wp, 'oblique slip')
       r = update_contact_point(p, r%state, -1.0_wp, none, no_rotation)
       tangent = contact_tangent(p, r%state)
       call assertEqual(0.0_wp, maxval(abs(tangent(2:3, :))), 0.0_wp, 'open')
    end subroutine test_base_tangent
+
+   !> Opening under the rule abaqus: the pressure falls at the elastic slip of the start, which is
+   !> coupling, and what is left, mu p gamma^2/(2 gcrit), is lost. A rotation that lengthens the
+   !> elastic slip cannot take it beyond gcrit.
+   subroutine test_release()
+      type(contact_properties) :: p
+      type(contact_response) :: closed, r
+      real(wp) :: stored, left
+
+      p = pair_properties()
+      closed = update_contact_point(p, contact_state(), 0.1_wp, [0.2_wp, 0.1_wp], no_rotation)
+      r = update_contact_point(p, closed%state, -0.15_wp, none, no_rotation)
+      call assertEqual(status_open, r%status, 'open')
+      stored = 0.5_wp*p%friction_coefficient*closed%traction(1)*0.05_wp/p%critical_slip
+      left = 0.5_wp*p%friction_coefficient*r%traction(1)*0.05_wp/p%critical_slip
+      call assertEqual(stored, closed%tangential_energy, 1.0e-15_wp, 'stored before')
+      call assertEqual(left, r%dissipation, 1.0e-12_wp*left, 'lost')
+      call assertEqual(left - stored, r%pressure_coupling, 1.0e-15_wp, 'coupling')
+      call assertEqual(1.0e-9_wp*2.0_wp*acos(-1.0_wp)*p%normal%eta*p%normal%radius &
+         *p%normal%hardness*p%normal%sigma, p%p_open, 1.0e-20_wp, 'p_open')
+      r = update_contact_point(p, closed%state, 0.1_wp, none, 2.0_wp*no_rotation)
+      call assertEqual(p%critical_slip*[2.0_wp, 1.0_wp]/sqrt(5.0_wp), r%state%elastic_slip, &
+         1.0e-15_wp, 'no longer than gcrit')
+      r = update_contact_point(p, closed%state, 0.2_wp, none, no_rotation)
+      r = update_contact_point(p, r%state, 0.1_wp, none, no_rotation)
+      call assertEqual(0, r%validity, 'valid again')
+      call assertTrue(r%state%validity > 0, 'but not forgotten')
+   end subroutine test_release
 
    subroutine test_memory()
       type(contact_properties) :: p
@@ -289,6 +323,11 @@ contains
       p = pair_properties()
       call new_contact_properties(made, p%normal, -0.1_wp, 0.31_wp, error)
       call expect('friction_coefficient = -0.1')
+      call new_contact_properties(made, p%normal, ieee_value(1.0_wp, ieee_quiet_nan), 0.31_wp, &
+         error)
+      call expect('friction_coefficient = NaN')
+      call new_contact_properties(made, p%normal, 0.5_wp, 0.31_wp, error, -1.0e37_wp)
+      call expect('initial_separation = -1.0E37')
       call new_contact_properties(made, p%normal, 0.5_wp, 0.0_wp, error)
       call expect('critical_slip = 0.0')
       call new_contact_properties(made, p%normal, 0.5_wp, 0.31_wp, error, &

@@ -9,7 +9,7 @@ module test_normal_inverse
    use funit, only: anyExceptions, assertEqual, assertFail, assertFalse, assertGreaterThan, &
       assertLessThanOrEqual, assertRelativelyEqual, assertTrue, TestMethod, TestSuite
    use measurements, only: record
-   use random_inputs, only: pair_properties, random_properties, random_stream
+   use random_inputs, only: normal_of_pair, random_properties, random_stream
    use reference_table, only: read_reference, reference_row
    implicit none
    private
@@ -129,7 +129,7 @@ contains
       type(error_type), allocatable :: error
       real(wp) :: d
 
-      p = pair_properties('transverse-tangential')
+      p = normal_of_pair('transverse-tangential')
       call separation_for_pressure(p, tiny(1.0_wp), d, error)
       call assertFalse(allocated(error))
       ! phi(37) = 1e-298, phi(38) = 1e-314
@@ -177,7 +177,7 @@ contains
       type(error_type), allocatable :: error
       real(wp) :: d
 
-      call separation_for_pressure(pair_properties('transverse-tangential'), pressure, d, error)
+      call separation_for_pressure(normal_of_pair('transverse-tangential'), pressure, d, error)
       call assertTrue(allocated(error), begin//' is refused')
       if (.not. allocated(error)) return
       call assertEqual(input_error, error%category)

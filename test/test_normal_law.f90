@@ -11,7 +11,7 @@ module test_normal_law
    use funit, only: anyExceptions, assertEqual, assertFalse, assertLessThan, &
       assertLessThanOrEqual, assertRelativelyEqual, assertTrue, TestMethod, TestSuite
    use measurements, only: record
-   use random_inputs, only: pair_properties, properties_with, random_properties, random_stream
+   use random_inputs, only: normal_of_pair, properties_with, random_properties, random_stream
    implicit none
    private
    public :: suite_normal_law
@@ -133,7 +133,7 @@ contains
       type(normal_response) :: r
       real(wp) :: d
 
-      p = pair_properties('transverse-tangential')
+      p = normal_of_pair('transverse-tangential')
       d = -1.0e6_wp*p%sigma
       r = evaluate_normal_law(p, d)
       call assertRelativelyEqual(-2.0_wp*pi*p%eta*p%radius*p%hardness*d, r%pressure, 1.0e-14_wp)
@@ -213,7 +213,7 @@ contains
       integer :: i, pair
 
       do pair = 1, 2
-         p = pair_properties(merge('transverse-tangential', 'tangential-tangential', pair == 1))
+         p = normal_of_pair(merge('transverse-tangential', 'tangential-tangential', pair == 1))
          do i = 1, 3
             above = evaluate_normal_law(p, (h(i, pair) + 0.005_wp)*p%sigma)
             below = evaluate_normal_law(p, (h(i, pair) - 0.005_wp)*p%sigma)
@@ -239,7 +239,7 @@ contains
       integer :: pair, i
 
       do pair = 1, 2
-         p = pair_properties(merge('transverse-tangential', 'tangential-tangential', pair == 1))
+         p = normal_of_pair(merge('transverse-tangential', 'tangential-tangential', pair == 1))
          above = evaluate_normal_law(p, (h(pair) + 0.01_wp)*p%sigma)
          below = evaluate_normal_law(p, (h(pair) - 0.01_wp)*p%sigma)
          call assertLessThanOrEqual(above%area_fraction, 1.0_wp)
@@ -247,7 +247,7 @@ contains
          call assertLessThanOrEqual(above%pressure, pressure(pair) + digit(pair))
          call assertLessThanOrEqual(pressure(pair) - digit(pair), below%pressure)
       end do
-      p = pair_properties('transverse-tangential')
+      p = normal_of_pair('transverse-tangential')
       do i = -100, 49
          r = evaluate_normal_law(p, 0.1_wp*i*p%sigma)
          call assertLessThan(r%elastic_share, 1.0e-3_wp, 'elastic share below h = 5')

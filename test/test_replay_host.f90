@@ -41,6 +41,7 @@ contains
       call suite%addTest(TestMethod('an output left unset is found', test_unset))
       call suite%addTest(TestMethod('history keeps every increment', test_history))
       call suite%addTest(TestMethod('two threads give the serial bits', test_threads))
+      call suite%addTest(TestMethod('turned slip directions', test_rotation))
       call suite%addTest(TestMethod('a million random calls', test_million))
    end function suite_replay_host
 
@@ -234,55 +235,99 @@ contains
 
       stream = random_stream(seed + number)
       if (number == 1) then
-         call new_host_point(point, uinter, pair_properties(pair='transverse-tangential'))
+         call new_host_point(point, uinter, pair_properties(pair='transverse-tangential'), &
+            keep_history=.false.)
       else
-         call new_host_point(point, uinter, pair_properties(pair='tangential-tangential'))
+         call new_host_point(point, uinter, pair_properties(pair='tangential-tangential'), &
+            keep_history=.false.)
       end if
       sums = 0.0_wp
       do i = 1, thread_increments
          call try_increment(point, stream%uniform(-0.05_wp, 0.1_wp), [stream%uniform(-0.3_wp, &
             0.3_wp), stream%uniform(-0.3_wp, 0.3_wp)], dtime, error)
          call accept_increment(point)
-         point%increments = 0
          sums = sums + point%start%stress
       end do
    end function thread_work
 
-   !> Random motions over the whole range, every result finite, no negative pressure, no negative
-   !> dissipation, shear within mu p.
+   !> Random motions over the whole range, eight combinations of pair, rule, integration and NDIR,
+   !> with rotations, rejected increments and perturbations: every result finite, no negative
+   !> pressure, no negative dissipation, shear within mu p.
    subroutine test_million()
       type(random_stream) :: stream
-      type(contact_properties) :: p
-      type(host_point) :: point
-      type(error_type), allocatable :: error
-      real(wp) :: overclosure
-      integer :: i, bad
+      integer :: bad, case
 
       stream = random_stream(seed)
       bad = 0
-      p = pair_properties()
-      call new_host_point(point, uinter, p)
-      do i = 1, 1000000
+      do case = 0, 7
+         call run_random(stream, case, 125000, bad)
+      end do
+      call assertEqual(0, bad, 'bad calls')
+   end subroutine test_million
+
+   subroutine run_random(stream, case, calls, bad)
+      type(random_stream), intent(inout) :: stream
+      integer, intent(in) :: case, calls
+      integer, intent(inout) :: bad
+      type(contact_properties) :: p
+      type(host_point) :: point
+      type(error_type), allocatable :: error
+      real(wp) :: overclosure, slip(2), angle, rotation(2, 2)
+      integer :: i, ndir, linper
+
+      ndir = merge(2, 3, btest(case, 2))
+      p = pair_properties(1 + ibits(case, 0, 1), 1 + ibits(case, 1, 1), &
+         merge('transverse-tangential', 'tangential-tangential', btest(case, 0)))
+      call new_host_point(point, uinter, p, ndir, keep_history=.false.)
+      do i = 1, calls
          overclosure = stream%uniform(-0.3_wp, 0.2_wp)
          if (mod(i, 97) == 0) overclosure = no_opposite_surface
          if (mod(i, 89) == 0) overclosure = stream%uniform(-10.0_wp, 3.0_wp)
-         call try_increment(point, overclosure, [stream%uniform(-0.5_wp, 0.5_wp), &
-            stream%uniform(-0.5_wp, 0.5_wp)], dtime, error)
+         slip = [stream%uniform(-0.5_wp, 0.5_wp), stream%uniform(-0.5_wp, 0.5_wp)]
+         angle = merge(stream%uniform(-3.0_wp, 3.0_wp), 0.0_wp, mod(i, 5) == 0)
+         rotation = reshape([cos(angle), sin(angle), -sin(angle), cos(angle)], [2, 2])
+         linper = merge(1, 0, mod(i, 53) == 0)
+         call try_increment(point, overclosure, slip(:ndir - 1), dtime, error, rotation, linper)
          if (allocated(error)) bad = bad + 1
          associate (t => point%trial)
             if (.not. all(ieee_is_finite(t%stress)) .or. .not. all(ieee_is_finite(t%ddsddr)) &
-               .or. .not. all(ieee_is_finite(t%statev))) bad = bad + 1
+               .or. .not. all(ieee_is_finite(t%statev)) .or. t%pnewdt < 1.0_wp) bad = bad + 1
+            if (linper == 1) cycle
             if (t%stress(1) < 0.0_wp .or. t%sfd < 0.0_wp .or. t%sed < 0.0_wp) bad = bad + 1
             if (norm2(t%stress(2:)) > p%friction_coefficient*t%stress(1)*(1.0_wp + 1.0e-14_wp)) &
                bad = bad + 1
          end associate
-         if (mod(i, 3) /= 0) then
-            call accept_increment(point)
-            point%increments = 0
-         end if
+         if (mod(i, 3) /= 0) call accept_increment(point, rotation)
       end do
-      call assertEqual(0, bad, 'bad calls')
-   end subroutine test_million
+   end subroutine run_random
+
+   !> Turned slip directions, through host and UINTER: the same stresses, turned.
+   subroutine test_rotation()
+      type(host_point) :: fixed, turned
+      type(error_type), allocatable :: error
+      real(wp) :: q(2, 2), total(2, 2)
+      real(wp), parameter :: angle = 0.7_wp, slip(2) = [0.11_wp, -0.06_wp]
+      integer :: i
+
+      q = reshape([cos(angle), sin(angle), -sin(angle), cos(angle)], [2, 2])
+      call new_host_point(fixed, uinter, pair_properties())
+      call new_host_point(turned, uinter, pair_properties())
+      total = reshape([1.0_wp, 0.0_wp, 0.0_wp, 1.0_wp], [2, 2])
+      do i = 1, 8
+         total = matmul(q, total)
+         call run_increment(fixed, 0.1_wp, slip*(-1)**(i/3), dtime, error)
+         call run_increment(turned, 0.1_wp, matmul(total, slip*(-1)**(i/3)), dtime, error, q)
+         call assertEqual(matmul(total, fixed%start%stress(2:)), turned%start%stress(2:), &
+            1.0e-14_wp, 'shear stress')
+         call assertEqual(fixed%start%sfd, turned%start%sfd, 1.0e-14_wp, 'dissipation')
+         call assertEqual(matmul(total, fixed%start%rdisp(2:)), turned%start%rdisp(2:), &
+            1.0e-14_wp, 'accumulated motion')
+         call assertEqual(reshape(total, [4]), reshape(turned%rotation, [4]), 1.0e-14_wp, &
+            'accumulated rotation')
+      end do
+      call run_increment(turned, ieee_value(1.0_wp, ieee_quiet_nan), slip, dtime, error, q)
+      call assertTrue(allocated(error), 'an increment with rotation is not cut')
+   end subroutine test_rotation
 
    !> UINTER, but asks for a cut when the motion is large.
    subroutine impatient( &

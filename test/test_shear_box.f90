@@ -122,8 +122,8 @@ contains
       type(error_type), allocatable :: error
       type(contact_properties) :: p
       type(normal_response) :: law
-      real(wp) :: ratio
-      integer :: n
+      real(wp) :: ratio, dissipation, coupling, gamma
+      integer :: i, n
 
       p = pair_properties()
       settings%displacement = [5.0_wp]
@@ -134,9 +134,33 @@ contains
       call assertEqual(0.025_wp, steps(n)%shear_stress_nominal, 1.0e-11_wp, 'nominal is flat')
       call assertEqual(0.025_wp/ratio, steps(n)%shear_stress, 1.0e-11_wp, 'current rises')
       call assertGreaterThan(steps(n)%overclosure, steps(1)%overclosure, 'closes further')
-      law = evaluate_normal_law(p%normal, steps(n)%separation)
-      call assertEqual(law%area_fraction, steps(n)%area_fraction, 0.0_wp, 'real area')
-      call assertEqual(0, steps(n)%validity, 'valid')
+      dissipation = 0.0_wp
+      coupling = 0.0_wp
+      do i = 2, n
+         associate (s => steps(i), last => steps(i - 1))
+            law = evaluate_normal_law(p%normal, s%separation)
+            call assertEqual(law%area_fraction, s%area_fraction, 0.0_wp, 'real area')
+            call assertEqual(s%overlap_area*law%energy, s%normal_energy, &
+               1.0e-12_wp*s%normal_energy, 'stored normal energy')
+            gamma = min(s%slip, 0.31_wp)
+            call assertEqual(s%overlap_area*0.25_wp*s%normal_stress*gamma**2/0.31_wp, &
+               s%tangential_energy, 1.0e-9_wp, 'stored tangential energy')
+            ! the slip beyond gcrit at the pressure and on the overlap of the end of the step
+            dissipation = dissipation + s%overlap_area*0.5_wp*s%normal_stress &
+               *(max(s%slip - 0.31_wp, 0.0_wp) - max(last%slip - 0.31_wp, 0.0_wp))
+            call assertEqual(dissipation, s%dissipation, 1.0e-8_wp, 'dissipation')
+            coupling = coupling + s%overlap_area*0.25_wp*min(last%slip, 0.31_wp)**2/0.31_wp &
+               *(s%normal_stress - last%normal_stress)
+            call assertEqual(coupling, s%pressure_coupling, 1.0e-8_wp, 'pressure coupling')
+            call assertEqual(law%validity, s%validity, 'validity')
+         end associate
+         if (anyExceptions()) return
+      end do
+      call assertGreaterThan(coupling, 0.1_wp, 'pressure rises under stored slip')
+      settings = shear_settings(normal_stress=30.0_wp)
+      call run_shear_box(settings, p, steps, error)
+      call assertEqual(3.0_wp, steps(size(steps))%displacement, 0.0_wp, 'default displacement')
+      call assertEqual(3, steps(1)%validity, 'past real area and hardness')
    end subroutine test_shrinking
 
    !> Specimens so soft that the faces stick for several steps and then slip within one: Newton

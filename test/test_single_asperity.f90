@@ -8,7 +8,7 @@ module test_single_asperity
    use funit, only: anyExceptions, assertEqual, assertLessThan, assertRelativelyEqual, TestMethod, &
       TestSuite
    use measurements, only: record
-   use random_inputs, only: pair_properties, random_properties, random_stream
+   use random_inputs, only: normal_of_pair, random_properties, random_stream
    implicit none
    private
    public :: suite_single_asperity
@@ -106,7 +106,7 @@ contains
    subroutine test_exponents()
       type(normal_properties) :: p
 
-      p = pair_properties('transverse-tangential')
+      p = normal_of_pair('transverse-tangential')
       call assertEqual(0.19494_wp, p%b1, 0.5e-5_wp, 'b1')
       call assertEqual(1.14746_wp, p%b2, 0.5e-5_wp, 'b2')
       call assertEqual(1.34240_wp, p%b3, 0.5e-5_wp, 'b3')
@@ -190,7 +190,7 @@ contains
       type(asperity_response) :: r
       integer :: i
 
-      p = pair_properties('tangential-tangential')
+      p = normal_of_pair('tangential-tangential')
       do i = 1, size(w)
          r = evaluate_asperity(p, w(i)*p%w1)
          call assertEqual(force(i), r%force/p%n1, half_digit(i))
@@ -203,7 +203,7 @@ contains
       integer :: i
 
       do i = 1, size(w)
-         r = evaluate_asperity(pair_properties('transverse-tangential'), w(i))
+         r = evaluate_asperity(normal_of_pair('transverse-tangential'), w(i))
          call assertEqual(stage_open, r%stage)
          call assertEqual(0.0_wp, [r%force, r%force_slope, r%area, r%area_slope, &
             r%mean_pressure, r%mean_pressure_slope, r%energy])
@@ -214,7 +214,7 @@ contains
       type(normal_properties) :: p
       type(asperity_response) :: r
 
-      p = pair_properties('transverse-tangential')
+      p = normal_of_pair('transverse-tangential')
       r = evaluate_asperity(p, 0.499_wp*p%radius)
       call assertEqual(0, r%validity, 'below half the radius')
       r = evaluate_asperity(p, 0.501_wp*p%radius)

@@ -3,8 +3,9 @@ module test_uinter
    use, intrinsic :: ieee_arithmetic, only: ieee_quiet_nan, ieee_value
    use abaqus_stubs, only: exits, forget_calls, last_level, last_message, messages, warnings
    use asperity, only: contact_properties, contact_response, contact_state, error_type, &
-      evaluate_normal_law, no_opposite_surface, no_rotation, normal_response, status_open, &
-      status_slip, status_stick, update_contact_point, wp
+      evaluate_normal_law, no_opposite_surface, no_rotation, normal_response, &
+      roughness_number_low, rule_dissipative, slip_backward_euler, status_open, status_slip, &
+      status_stick, update_contact_point, wp
    use contact_cases, only: pair_properties
    use funit, only: anyExceptions, assertEqual, assertFalse, assertGreaterThan, assertLessThan, &
       assertTrue, TestMethod, TestSuite
@@ -71,7 +72,7 @@ contains
       type(host_point) :: point
       type(contact_response) :: r
       type(error_type), allocatable :: error
-      real(wp), parameter :: path(3, 4) = reshape([0.05_wp, 0.1_wp, 0.1_wp, 0.12_wp, 0.4_wp, &
+      real(wp), parameter :: path(3, 4) = reshape([0.05_wp, 0.1_wp, 0.1_wp, 0.2_wp, 0.4_wp, &
          0.0_wp, 0.03_wp, -0.2_wp, 0.3_wp, -0.4_wp, 0.1_wp, 0.0_wp], [3, 4])
       real(wp) :: slip(2)
       integer :: ndir, i
@@ -89,8 +90,10 @@ contains
             call assertEqual(reshape(r%tangent(:ndir, :ndir), [ndir**2]), &
                reshape(point%trial%ddsddr, [ndir**2]), 0.0_wp, 'tangent')
             call assertEqual(r%status, point%trial%lstate, 'status')
-            call assertEqual(r%state%elastic_slip(1), point%trial%statev(state_elastic_slip_1), &
-               0.0_wp, 'elastic slip')
+            call assertEqual([real(r%state%status, wp), r%state%overclosure, r%state%pressure, &
+               r%state%normal_energy, r%state%elastic_slip, r%state%largest_closure, &
+               r%state%dissipation, r%state%pressure_coupling, real(r%state%validity, wp)], &
+               point%trial%statev(:10), 0.0_wp, 'STATEV')
             call accept_increment(point)
             if (anyExceptions()) return
          end do
@@ -163,6 +166,10 @@ contains
       call try_increment(point, 0.0_wp, [0.0_wp, 0.0_wp], dtime, error, linper=1)
       call assertEqual([0.0_wp, 0.0_wp, 0.0_wp], point%trial%stress, 0.0_wp, 'no perturbation')
       call try_increment(point, no_opposite_surface, [0.0_wp, 0.0_wp], dtime, error, linper=1)
+      call assertEqual([0.0_wp, 0.0_wp, 0.0_wp], point%trial%stress, 0.0_wp, 'no surface')
+      call assertGreaterThan(point%trial%pnewdt, 1.0_wp, 'no surface asks for no cut')
+      call try_increment(point, 0.0_wp, [ieee_value(1.0_wp, ieee_quiet_nan), 0.0_wp], dtime, &
+         error, linper=1)
       call assertEqual(0.25_wp, point%trial%pnewdt, 0.0_wp, 'not computable')
    end subroutine test_perturbation
 
@@ -213,6 +220,9 @@ contains
       props = props_from_properties(p)
       props(3) = 2.06e-4_wp
       call expect_error(props(:12), 'eta looks like 1/um^2')
+      props = props_from_properties(p)
+      props(5) = 3.0_wp
+      call expect_error(props, 'PROPS(5) = 3.0')
    end subroutine test_refused
 
    subroutine expect_error(props, text)
@@ -225,6 +235,7 @@ contains
       call new_host_point(point, uinter, pair_properties(), props=props)
       call try_increment(point, no_opposite_surface, [0.0_wp, 0.0_wp], dtime, error)
       call assertFalse(allocated(error), 'outputs are set')
+      call assertEqual(0.0_wp, point%trial%sed, 0.0_wp, 'no energy')
       call assertTrue(messages >= 1 .and. messages == exits, 'one message, one XIT a call')
       call assertEqual(-3, last_level, 'error and stop')
       call assertTrue(index(last_message, text) > 0, text//' in: '//trim(last_message))
@@ -260,11 +271,21 @@ contains
       call assertEqual(p%normal%sigma, read%normal%sigma, 0.0_wp, 'sigma')
       call assertEqual(p%normal%hardness, read%normal%hardness, 0.0_wp, 'hardness')
       call assertEqual(p%critical_slip, read%critical_slip, 0.0_wp, 'gcrit')
+      p = pair_properties(rule_dissipative, slip_backward_euler)
+      call properties_from_props(props_from_properties(p), read, error)
+      call assertEqual([2, 2], [read%friction_rule, read%slip_integration], 'options kept')
+      props(3) = 2.06e-4_wp
+      call properties_from_props(props, read, error)
+      call assertFalse(allocated(error), 'PROPS(13) = 1 lets it pass')
+      call assertEqual(roughness_number_low, read%normal%validity, 'and flags it')
    end subroutine test_props
 
    subroutine test_sizes()
+      integer, parameter :: slots(3) = [3, 10, 11]
+      real(wp), parameter :: garbage(3) = [-100.0_wp, 1.0e20_wp, -1.0_wp]
       type(host_point) :: point
       type(error_type), allocatable :: error
+      integer :: i
 
       call forget_calls()
       call new_host_point(point, uinter, pair_properties(), nstatv=n_statev - 1)
@@ -281,6 +302,18 @@ contains
       call try_increment(point, 0.1_wp, [0.0_wp, 0.0_wp], dtime, error)
       call assertTrue(index(last_message, 'STATEV(1) = 7.0 is no contact status') > 0, &
          trim(last_message))
+      do i = 1, 3
+         call forget_calls()
+         call new_host_point(point, uinter, pair_properties())
+         point%start%statev(slots(i)) = garbage(i)
+         call try_increment(point, 0.1_wp, [0.0_wp, 0.0_wp], dtime, error)
+         call assertTrue(index(last_message, 'nothing else may write to STATEV') > 0, &
+            trim(last_message))
+      end do
+      call new_host_point(point, uinter, pair_properties())
+      point%start%statev(7) = ieee_value(1.0_wp, ieee_quiet_nan)
+      call try_increment(point, 0.1_wp, [0.0_wp, 0.0_wp], dtime, error)
+      call assertEqual(0.25_wp, point%trial%pnewdt, 0.0_wp, 'STATEV not a number')
    end subroutine test_sizes
 
    !> Past the real area's limit: one warning at the point, however often it is called.
@@ -301,7 +334,8 @@ contains
          call assertGreaterThan(point%trial%stress(1), 1.0_wp, 'not aborted')
          call accept_increment(point)
       end do
-      call assertTrue(warnings == 1 .or. warnings == 2, 'once, or once more for late iterations')
+      ! the first call of an increment, KIT = 0, warns; the second one forgets; the next warns again
+      call assertEqual(2, warnings, 'once, and once more for a later iteration')
       call assertTrue(index(last_message, 'real area above nominal') > 0, trim(last_message))
       call assertEqual(0, exits, 'no XIT')
       state = state_from_statev(point%start%statev)

@@ -9,7 +9,7 @@ module test_validity
       valid, validity_remark, validity_text
    use funit, only: assertEqual, assertTrue, TestMethod, TestSuite
    use gsl_quadrature, only: gaussian_moment
-   use random_inputs, only: pair_properties
+   use random_inputs, only: normal_of_pair
    implicit none
    private
    public :: suite_validity
@@ -53,7 +53,7 @@ contains
       integer, parameter :: flags(3) = [area_above_nominal, pressure_above_hardness, &
          closure_above_half_radius]
 
-      p = pair_properties('transverse-tangential')
+      p = normal_of_pair('transverse-tangential')
       do i = 1, 3
          near = -5.0_wp
          far = 5.0_wp

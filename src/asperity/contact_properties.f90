@@ -1,9 +1,8 @@
 !> Properties of one pair of faces: the normal law, friction and the datum of the overclosure.
 module asperity_contact_properties
-   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use asperity_error, only: error_type, fatal_error
    use asperity_kinds, only: wp
-   use asperity_properties, only: check_positive, normal_properties, pi
+   use asperity_properties, only: check_positive, check_range, normal_properties, pi
    use asperity_text, only: to_text
    implicit none
    private
@@ -27,8 +26,11 @@ module asperity_contact_properties
    end enum
    public :: slip_exact, slip_backward_euler
 
+   !> Largest friction coefficient and |d0|, mm, that are let pass: far beyond any use
+   real(wp), parameter :: largest_friction = 1.0e3_wp, largest_separation = 1.0e20_wp
+
    !> A point opens below p_open = this times 2 pi eta R H sigma
-   real(wp), parameter, public :: open_pressure_factor = 1.0e-9_wp
+   real(wp), parameter :: open_pressure_factor = 1.0e-9_wp
    !> ... and closes above p_open times this
    real(wp), parameter, public :: close_pressure_ratio = 2.0_wp
    !> Separation at zero overclosure when none is given, in sigma
@@ -55,7 +57,8 @@ module asperity_contact_properties
 contains
 
    !> Check friction and datum, and derive the opening pressure.
-   !> `error` is set when mu is negative, gcrit not above zero, d0 not finite, or an option unknown.
+   !> `error` is set when mu is not between 0 and 1000, gcrit not above zero, |d0| above 1e20 or an
+   !> option unknown.
    pure subroutine new_contact_properties(properties, normal, friction_coefficient, &
          critical_slip, error, initial_separation, friction_rule, slip_integration)
       !> Result
@@ -85,17 +88,13 @@ contains
       properties%p_open = open_pressure_factor &
          *2.0_wp*pi*normal%eta*normal%radius*normal%hardness*normal%sigma
 
-      if (.not. (friction_coefficient >= 0.0_wp .and. ieee_is_finite(friction_coefficient))) then
-         call fatal_error(error, 'friction_coefficient = '//to_text(friction_coefficient)// &
-            ' is not allowed: it must be a finite number, zero or above')
-         return
-      end if
-      call check_positive(error, 'critical_slip', critical_slip, 'mm')
+      call check_range(error, 'friction_coefficient', friction_coefficient, 0.0_wp, &
+         largest_friction, '')
+      if (.not. allocated(error)) call check_positive(error, 'critical_slip', critical_slip, 'mm')
+      if (.not. allocated(error)) call check_range(error, 'initial_separation', &
+         properties%initial_separation, -largest_separation, largest_separation, ' mm')
       if (allocated(error)) return
-      if (.not. ieee_is_finite(properties%initial_separation)) then
-         call fatal_error(error, 'initial_separation = '//to_text(properties%initial_separation)// &
-            ' mm is not allowed: it must be a finite number; 4*sigma is usual')
-      else if (properties%friction_rule /= rule_abaqus &
+      if (properties%friction_rule /= rule_abaqus &
             .and. properties%friction_rule /= rule_dissipative) then
          call fatal_error(error, 'friction_rule = '//to_text(properties%friction_rule)// &
             ' is unknown: 1 is abaqus, 2 is dissipative')

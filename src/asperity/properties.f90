@@ -10,7 +10,8 @@ module asperity_properties
       stiffer_than_hertz, valid
    implicit none
    private
-   public :: normal_properties, new_normal_properties, equivalent_modulus, check_positive
+   public :: normal_properties, new_normal_properties, equivalent_modulus, check_positive, &
+      check_range
 
    real(wp), parameter, public :: pi = acos(-1.0_wp)
    !> w2/w1, Eq. 11
@@ -156,6 +157,25 @@ contains
       call fatal_error(error, name//' = '//to_text(value)// &
          ' is not allowed: it must be a number above zero (1e-20 to 1e20), in '//unit)
    end subroutine check_positive
+
+   !> Set `error` unless `value` is a number between two limits.
+   pure subroutine check_range(error, name, value, lowest, highest, unit)
+      !> Set when the value is refused
+      type(error_type), allocatable, intent(inout) :: error
+      !> Name of the property
+      character(len=*), intent(in) :: name
+      !> Its value and the limits
+      real(wp), intent(in) :: value, lowest, highest
+      !> Its unit with a blank before it, or nothing
+      character(len=*), intent(in) :: unit
+
+      if (ieee_is_finite(value)) then
+         if (value >= lowest .and. value <= highest) return
+      end if
+      call fatal_error(error, name//' = '//to_text(value)//unit// &
+         ' is not allowed: it must be a number between '//to_text(lowest)//' and '// &
+         to_text(highest)//unit)
+   end subroutine check_range
 
    pure subroutine check_yield_factor(error, yield_factor)
       type(error_type), allocatable, intent(inout) :: error

@@ -24,6 +24,9 @@ module replay_host
       real(wp), allocatable :: stress(:), ddsddr(:, :)
       !> State variables
       real(wp), allocatable :: statev(:)
+      !> Damping matrices, heat fluxes and their variations
+      real(wp), allocatable :: dviscous(:, :), dstructural(:, :), ddsddt(:, :), ddfddr(:, :)
+      real(wp) :: flux(2) = 0.0_wp, ddfddt(2, 2) = 0.0_wp
       !> Stored energy per area, total, N/mm
       real(wp) :: sed = 0.0_wp
       !> Frictional, plastic, viscous and creep dissipation per area in the increment, N/mm
@@ -50,11 +53,13 @@ module replay_host
       type(host_record) :: trial
       !> Accepted increments
       type(host_record), allocatable :: history(:)
+      !> Whether they are kept
+      logical :: keep_history = .true.
       !> Increments asked to be repeated so far
       integer :: cutbacks = 0
       !> Increments accepted so far
       integer :: increments = 0
-      !> Rotation of the slip directions since the start
+      !> Rotation of the slip directions since the start, the product of all DROT
       real(wp) :: rotation(2, 2) = no_rotation
    end type host_point
 
@@ -64,7 +69,7 @@ module replay_host
 contains
 
    !> A fresh point that calls `routine` with the full property list of `properties`.
-   subroutine new_host_point(point, routine, properties, ndir, props, nstatv)
+   subroutine new_host_point(point, routine, properties, ndir, props, nstatv, keep_history)
       !> Result
       type(host_point), intent(out) :: point
       !> The UINTER to be called
@@ -77,6 +82,8 @@ contains
       real(wp), intent(in), optional :: props(:)
       !> Length of STATEV; what UINTER needs when absent
       integer, intent(in), optional :: nstatv
+      !> Whether accepted increments are kept; they are when absent
+      logical, intent(in), optional :: keep_history
       integer :: n
 
       point%routine => routine
@@ -87,10 +94,13 @@ contains
       if (present(nstatv)) n = nstatv
       associate (start => point%start)
          allocate (start%rdisp(point%ndir), start%drdisp(point%ndir), start%stress(point%ndir), &
-            start%ddsddr(point%ndir, point%ndir), start%statev(n), source=0.0_wp)
+            start%ddsddr(point%ndir, point%ndir), start%dviscous(point%ndir, point%ndir), &
+            start%dstructural(point%ndir, point%ndir), start%ddsddt(point%ndir, 2), &
+            start%ddfddr(2, point%ndir), start%statev(n), source=0.0_wp)
          start%rdisp(1) = no_opposite_surface
       end associate
       point%trial = point%start
+      if (present(keep_history)) point%keep_history = keep_history
       allocate (point%history(0))
    end subroutine new_host_point
 
@@ -152,12 +162,14 @@ contains
 
       if (present(rotation)) point%rotation = matmul(rotation, point%rotation)
       point%increments = point%increments + 1
-      if (point%increments > size(point%history)) then
-         allocate (grown(max(64, 2*size(point%history))))
-         grown(:size(point%history)) = point%history
-         call move_alloc(grown, point%history)
+      if (point%keep_history) then
+         if (point%increments > size(point%history)) then
+            allocate (grown(max(64, 2*size(point%history))))
+            grown(:size(point%history)) = point%history
+            call move_alloc(grown, point%history)
+         end if
+         point%history(point%increments) = point%trial
       end if
-      point%history(point%increments) = point%trial
       point%start = point%trial
       point%start%calls = 0
       point%trial%calls = 0
@@ -220,8 +232,7 @@ contains
       real(wp), parameter :: zero_2(2) = 0.0_wp, zero_field(2, 1) = 0.0_wp, zero_3(3) = 0.0_wp
       real(wp), parameter :: axes(3, 3) = reshape([1.0_wp, 0.0_wp, 0.0_wp, 0.0_wp, 1.0_wp, &
          0.0_wp, 0.0_wp, 0.0_wp, 1.0_wp], [3, 3])
-      real(wp) :: bad, dviscous(point%ndir, point%ndir), dstructural(point%ndir, point%ndir)
-      real(wp) :: flux(2), ddfddt(2, 2), ddsddt(point%ndir, 2), ddfddr(2, point%ndir)
+      real(wp) :: bad
       integer :: calls, lopenclose, lstate
 
       calls = point%trial%calls
@@ -229,13 +240,13 @@ contains
       lstate = point%trial%lstate
       point%trial = point%start
       bad = ieee_value(1.0_wp, ieee_quiet_nan)
-      dviscous = bad
-      dstructural = bad
-      flux = bad
-      ddfddt = bad
-      ddsddt = bad
-      ddfddr = bad
       associate (t => point%trial)
+         t%dviscous = bad
+         t%dstructural = bad
+         t%flux = bad
+         t%ddfddt = bad
+         t%ddsddt = bad
+         t%ddfddr = bad
          t%calls = calls + 1
          t%lopenclose = lopenclose
          t%lstate = lstate
@@ -255,17 +266,17 @@ contains
             t%rdisp(2:) = slip_increment
          else
             t%time = point%start%time + dtime
-            t%rdisp(2:) = point%start%rdisp(2:) + slip_increment
+            if (point%ndir == 3) t%rdisp(2:) = matmul(drot, point%start%rdisp(2:))
+            t%rdisp(2:) = t%rdisp(2:) + slip_increment
          end if
-         call point%routine(t%stress, t%ddsddr, dviscous, dstructural, flux, ddfddt, ddsddt, &
-            ddfddr, t%statev, t%sed, t%sfd, t%spd, t%svd, t%scd, t%pnewdt, t%rdisp, t%drdisp, &
-            zero_2, zero_2, zero_field, zero_field, t%time, dtime, 0.0_wp, ciname, slname, &
-            msname, point%props, zero_3, axes, drot, 1.0_wp, 1.0_wp, 1, point%ndir, &
-            size(t%statev), 1, size(point%props), 3, 1, point%increments + 1, calls, linper, &
+         call point%routine( &
+            t%stress, t%ddsddr, t%dviscous, t%dstructural, t%flux, t%ddfddt, &
+            t%ddsddt, t%ddfddr, t%statev, t%sed, t%sfd, t%spd, t%svd, t%scd, &
+            t%pnewdt, t%rdisp, t%drdisp, zero_2, zero_2, zero_field, zero_field, &
+            t%time, dtime, 0.0_wp, ciname, slname, msname, point%props, zero_3, &
+            axes, drot, 1.0_wp, 1.0_wp, 1, point%ndir, size(t%statev), 1, &
+            size(point%props), 3, 1, point%increments + 1, calls, linper, &
             t%lopenclose, t%lstate, t%lsdi, 0)
-         if (any(ieee_is_nan([dviscous, dstructural])) .or. any(ieee_is_nan([flux, &
-            reshape(ddfddt, [4]), reshape(ddsddt, [2*point%ndir]), &
-            reshape(ddfddr, [2*point%ndir])]))) t%sfd = bad
       end associate
    end subroutine call_routine
 
@@ -275,6 +286,9 @@ contains
       type(error_type), allocatable, intent(out) :: error
 
       if (any(ieee_is_nan(record%stress)) .or. any(ieee_is_nan(record%ddsddr)) &
+         .or. any(ieee_is_nan(record%dviscous)) .or. any(ieee_is_nan(record%dstructural)) &
+         .or. any(ieee_is_nan(record%flux)) .or. any(ieee_is_nan(record%ddfddt)) &
+         .or. any(ieee_is_nan(record%ddsddt)) .or. any(ieee_is_nan(record%ddfddr)) &
          .or. any(ieee_is_nan([record%sed, record%sfd, record%spd, record%svd, record%scd]))) &
          call fatal_error(error, 'UINTER returned a number that is not one, or left an output '// &
          'unset, at overclosure = '//to_text(record%rdisp(1))//' mm', computation_error)

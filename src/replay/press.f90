@@ -63,7 +63,7 @@ contains
 
       call check_settings(settings, error)
       if (allocated(error)) return
-      call new_host_point(point, uinter, properties, ndir=2)
+      call new_host_point(point, uinter, properties, ndir=2, keep_history=.false.)
       allocate (steps(2*settings%increments + 1))
       do i = 0, 2*settings%increments
          target = settings%peak*real(settings%increments - abs(settings%increments - i), wp) &

@@ -96,7 +96,7 @@ contains
          return
       end if
       call box_path(turns, settings%displacement_increment, path)
-      call new_host_point(point, uinter, properties, ndir=2)
+      call new_host_point(point, uinter, properties, ndir=2, keep_history=.false.)
       allocate (steps(size(path)))
       do i = 1, size(path)
          call balance(point, settings, properties, path(i), seconds_per_minute &

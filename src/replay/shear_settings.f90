@@ -2,7 +2,7 @@
 module replay_shear_settings
    use asperity, only: error_type, wp
    use asperity_error, only: fatal_error
-   use asperity_properties, only: check_positive
+   use asperity_properties, only: check_positive, check_range
    use asperity_text, only: to_text
    implicit none
    private
@@ -27,6 +27,7 @@ module replay_shear_settings
    end type shear_settings
 
    integer, parameter :: max_steps = 1000000
+   real(wp), parameter :: largest_compliance = 1.0e20_wp
 
 contains
 
@@ -47,17 +48,15 @@ contains
       if (.not. allocated(error)) call check_positive(error, 'displacement_increment', &
          settings%displacement_increment, 'mm')
       if (allocated(error)) return
-      if (.not. (settings%shear_compliance >= 0.0_wp &
-            .and. settings%shear_compliance < huge(1.0_wp))) then
-         call fatal_error(error, 'shear_compliance = '//to_text(settings%shear_compliance)// &
-            ' is not allowed: it must be a finite number, zero or above, in mm/N')
-      else if (size(turns) == 0) then
+      call check_range(error, 'shear_compliance', settings%shear_compliance, 0.0_wp, &
+         largest_compliance, ' mm/N')
+      do i = 1, size(turns)
+         if (.not. allocated(error)) call check_range(error, 'displacement', turns(i), &
+            -0.9_wp*settings%diameter, 0.9_wp*settings%diameter, ' mm')
+      end do
+      if (allocated(error)) return
+      if (size(turns) == 0) then
          call fatal_error(error, 'displacement is empty: give at least one turning point in mm')
-      else if (.not. all(abs(turns) < 0.9_wp*settings%diameter)) then
-         i = findloc(.not. abs(turns) < 0.9_wp*settings%diameter, .true., 1)
-         call fatal_error(error, 'displacement = '//to_text(turns(i))// &
-            ' mm is not allowed: it must be a number below 0.9*diameter = '// &
-            to_text(0.9_wp*settings%diameter, 6)//' mm in size')
       else if (sum([(real(steps_between(turns, i, settings%displacement_increment), wp), &
             i=1, size(turns))]) > max_steps) then
          call fatal_error(error, 'displacement_increment = '// &

@@ -75,7 +75,7 @@ refuses 'no increment' 2 '--displacement-increment: displacement_increment = 0.0
 refuses 'too many increments' 2 '--displacement-increment: .* gives more than' \
    shear --displacement-increment 1e-12
 refuses 'negative diameter' 2 '--diameter: diameter = -1.0 is not allowed' shear --diameter -1
-refuses 'negative compliance' 2 '--shear-compliance: shear_compliance = -1.0 is not' \
+refuses 'negative compliance' 2 '--shear-compliance: shear_compliance = -1.0 mm/N is not' \
    shear --shear-compliance -1
 refuses 'negative critical slip' 2 '--critical-slip: critical_slip = -1.0 is not' \
    shear --critical-slip -1
