@@ -1,7 +1,7 @@
 !> ABAQUS/Standard user subroutine UINTER for rough contact, the 47 arguments of release 6.12 to
 !> 2025. It reads PROPS and STATEV (see uinter_slots), calls the contact-point update and writes
 !> every output. It keeps nothing between calls: no SAVE, no COMMON, no I/O, so any number of
-!> threads may call it. Deck, signs and slots: README.md.
+!> threads may call it. Arguments: uinter_signature; deck, signs and slots: README.md.
 subroutine uinter( &
    stress, ddsddr, dviscous, dstructural, flux, ddfddt, ddsddt, ddfddr, statev, sed, sfd, spd, &
    svd, scd, pnewdt, rdisp, drdisp, temp, dtemp, predef, dpred, time, dtime, freqr, ciname, &
