@@ -22,8 +22,8 @@ module asperity_double_double
       module procedure :: round
    end interface assignment(=)
 
-   !> 2^27 + 1, which splits a double into two halves of 26 bits (Dekker 1971)
-   real(wp), parameter :: splitter = 134217729.0_wp
+   !> Bits of the upper half of a double; the lower has as many with its sign
+   integer, parameter :: half_bits = 26
 
 contains
 
@@ -55,19 +55,26 @@ contains
       c%low = c%low + a%low*b
    end function multiply_real
 
-   !> a*b without error.
+   !> a*b without error (Dekker 1971).
    pure elemental function exact_product(a, b) result(c)
       real(wp), intent(in) :: a, b
       type(double_double) :: c
       real(wp) :: a_high, a_low, b_high, b_low
 
       c%high = a*b
-      a_high = splitter*a - (splitter*a - a)
-      b_high = splitter*b - (splitter*b - b)
+      a_high = upper_half(a)
+      b_high = upper_half(b)
       a_low = a - a_high
       b_low = b - b_high
       c%low = ((a_high*b_high - c%high) + a_high*b_low + a_low*b_high) + a_low*b_low
    end function exact_product
+
+   !> The leading bits: without Dekker's multiplication, which a fused multiply-add would spoil.
+   pure elemental real(wp) function upper_half(a)
+      real(wp), intent(in) :: a
+
+      upper_half = scale(anint(scale(fraction(a), half_bits)), exponent(a) - half_bits)
+   end function upper_half
 
    pure elemental subroutine round(x, a)
       real(wp), intent(out) :: x
