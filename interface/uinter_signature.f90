@@ -19,7 +19,7 @@ module uinter_signature
          integer, intent(in) :: node, ndir, nstatv, npred, nprops, mcrd, kstep, kinc, kit
          !> 1 in a linear perturbation step; 1 for detailed print
          integer, intent(in) :: linper, lprint
-         !> Pressure (compression positive) and shear stresses, MPa: start of the increment, then end
+         !> Pressure (compression positive) and shear, MPa: start of the increment, then end
          real(wp), intent(inout) :: stress(ndir)
          !> d stress(i)/d relative motion(j), MPa/mm; damping matrices
          real(wp), intent(inout) :: ddsddr(ndir, ndir), dviscous(ndir, ndir)
