@@ -13,6 +13,7 @@ subroutine uinter( &
       status_stick, status_unset, update_contact_point, validity_remark, wp
    use asperity_error, only: fatal_error
    use asperity_text, only: to_text
+   use asperity_validity, only: all_flags
    use uinter_slots, only: n_statev, properties_from_props, state_elastic_slip_2, &
       state_from_statev, state_pressure, state_status, state_validity, state_warned, &
       statev_from_state
@@ -51,8 +52,6 @@ subroutine uinter( &
    real(wp), parameter :: cut_back = 0.25_wp
    !> Larger numbers than this are a host gone wrong
    real(wp), parameter :: largest = 1.0e30_wp
-   !> Sum of all validity flags
-   real(wp), parameter :: all_flags = 63.0_wp
    integer, parameter :: warning = -1, fatal = -3
    type(contact_properties) :: properties
    type(contact_state) :: start
@@ -142,13 +141,14 @@ contains
             to_text(n_statev)//' on *SURFACE INTERACTION')
       else if (ndir /= 2 .and. ndir /= 3) then
          call fatal_error(error, 'NDIR = '//to_text(ndir)//' is not allowed: it must be 2 or 3')
+      else if (.not. all(ieee_is_finite(statev(:n_statev)))) then
+         ! no error of the deck: the increment is cut
+         return
       else if (.not. any(abs(statev(state_status) - [status_unset, status_open, status_stick, &
             status_slip]) <= 0.0_wp)) then
          call fatal_error(error, 'STATEV(1) = '//to_text(statev(state_status))//' is no '// &
             'contact status (0 to 3): STATEV must be zero at the start, and nothing else may '// &
             'write to it')
-      else if (.not. all(ieee_is_finite(statev(:n_statev)))) then
-         return
       else if (statev(state_pressure) < 0.0_wp .or. any(statev(state_validity:state_warned) &
             < 0.0_wp) .or. any(statev(state_validity:state_warned) > all_flags)) then
          call fatal_error(error, 'STATEV(3), (10) or (11) = '//to_text(statev(state_pressure))// &

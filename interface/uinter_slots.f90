@@ -5,6 +5,7 @@ module uinter_slots
    use asperity, only: contact_properties, contact_state, error_type, new_contact_properties, &
       new_normal_properties, normal_properties, rule_abaqus, slip_exact, wp
    use asperity_error, only: fatal_error
+   use asperity_properties, only: pi
    use asperity_text, only: to_text
    implicit none
    private
@@ -57,7 +58,6 @@ module uinter_slots
 
    !> How far PROPS(5) may be from pi: 3.14 passes
    real(wp), parameter :: pi_tolerance = 0.01_wp
-   real(wp), parameter :: pi = acos(-1.0_wp)
 
 contains
 

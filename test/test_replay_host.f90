@@ -23,6 +23,11 @@ module test_replay_host
    integer, parameter :: thread_increments = 2000
    real(wp), parameter :: dtime = 0.1_wp
 
+   !> Outputs that `spoiled` can leave unset, numbered from 1; 0 is no fault
+   integer, parameter :: n_outputs = 11
+   integer, parameter :: fault_cuts = -1, fault_flips = -2
+   integer :: fault = 0
+
    !> What the two threads found, one column each; written by its own thread only
    real(wp) :: thread_sums(3, 2)
 
@@ -158,7 +163,8 @@ contains
       type(error_type), allocatable :: error
 
       call new_host_point(whole, uinter, pair_properties())
-      call new_host_point(cut, impatient, pair_properties())
+      fault = fault_cuts
+      call new_host_point(cut, spoiled, pair_properties())
       call run_increment(whole, 0.05_wp, [0.0_wp, 0.0_wp], dtime, error)
       call run_increment(cut, 0.05_wp, [0.0_wp, 0.0_wp], dtime, error)
       call run_increment(whole, 0.1_wp, [0.4_wp, 0.3_wp], dtime, error)
@@ -173,14 +179,21 @@ contains
       call assertTrue(allocated(error), 'cut for ever is an error')
    end subroutine test_cut_back
 
-   !> A routine that leaves an output unset must be caught.
+   !> A routine that leaves any output unset, or never settles on open or closed, must be caught.
    subroutine test_unset()
       type(host_point) :: point
       type(error_type), allocatable :: error
 
-      call new_host_point(point, lazy, pair_properties())
+      do fault = 0, n_outputs
+         call new_host_point(point, spoiled, pair_properties())
+         call try_increment(point, 0.1_wp, [0.0_wp, 0.0_wp], dtime, error)
+         call assertTrue(allocated(error) .eqv. fault > 0, 'output unset')
+      end do
+      fault = fault_flips
+      call new_host_point(point, spoiled, pair_properties())
       call try_increment(point, 0.1_wp, [0.0_wp, 0.0_wp], dtime, error)
-      call assertTrue(allocated(error), 'DDSDDR unset')
+      call assertTrue(allocated(error), 'LOPENCLOSE keeps changing')
+      if (allocated(error)) call assertEqual(1, index(error%message, 'LOPENCLOSE keeps changing'))
    end subroutine test_unset
 
    subroutine test_history()
@@ -329,8 +342,8 @@ contains
       call assertTrue(allocated(error), 'an increment with rotation is not cut')
    end subroutine test_rotation
 
-   !> UINTER, but asks for a cut when the motion is large.
-   subroutine impatient( &
+   !> UINTER with the fault that `fault` names.
+   subroutine spoiled( &
       stress, ddsddr, dviscous, dstructural, flux, ddfddt, ddsddt, ddfddr, statev, &
       sed, sfd, spd, svd, scd, pnewdt, rdisp, drdisp, temp, dtemp, predef, dpred, &
       time, dtime, freqr, ciname, slname, msname, props, coords, alocaldir, drot, &
@@ -350,46 +363,45 @@ contains
       real(wp), intent(in) :: area, chrlngth
       integer, intent(inout) :: lopenclose, lstate, lsdi
 
+      real(wp) :: poison
+
+      poison = sfd
       call uinter( &
          stress, ddsddr, dviscous, dstructural, flux, ddfddt, ddsddt, ddfddr, statev, &
          sed, sfd, spd, svd, scd, pnewdt, rdisp, drdisp, temp, dtemp, predef, dpred, &
          time, dtime, freqr, ciname, slname, msname, props, coords, alocaldir, drot, &
          area, chrlngth, node, ndir, nstatv, npred, nprops, mcrd, kstep, kinc, kit, &
          linper, lopenclose, lstate, lsdi, lprint)
-      if (norm2(drdisp(2:)) > 0.2_wp) pnewdt = 0.5_wp
-   end subroutine impatient
-
-   !> UINTER, but forgets to set DDSDDR.
-   subroutine lazy( &
-      stress, ddsddr, dviscous, dstructural, flux, ddfddt, ddsddt, ddfddr, statev, &
-      sed, sfd, spd, svd, scd, pnewdt, rdisp, drdisp, temp, dtemp, predef, dpred, &
-      time, dtime, freqr, ciname, slname, msname, props, coords, alocaldir, drot, &
-      area, chrlngth, node, ndir, nstatv, npred, nprops, mcrd, kstep, kinc, kit, &
-      linper, lopenclose, lstate, lsdi, lprint)
-      integer, intent(in) :: node, ndir, nstatv, npred, nprops, mcrd, kstep, kinc, kit
-      integer, intent(in) :: linper, lprint
-      real(wp), intent(inout) :: stress(ndir)
-      real(wp), intent(inout) :: ddsddr(ndir, ndir), dviscous(ndir, ndir), dstructural(ndir, ndir)
-      real(wp), intent(inout) :: flux(2), ddfddt(2, 2), ddsddt(ndir, 2), ddfddr(2, ndir)
-      real(wp), intent(inout) :: statev(nstatv)
-      real(wp), intent(inout) :: sed, sfd, spd, svd, scd, pnewdt
-      real(wp), intent(in) :: rdisp(ndir), drdisp(ndir), temp(2), dtemp(2)
-      real(wp), intent(in) :: predef(2, npred), dpred(2, npred), time(2), dtime, freqr
-      character(len=80), intent(in) :: ciname, slname, msname
-      real(wp), intent(in) :: props(nprops), coords(mcrd), alocaldir(3, 3), drot(2, 2)
-      real(wp), intent(in) :: area, chrlngth
-      integer, intent(inout) :: lopenclose, lstate, lsdi
-
-      real(wp) :: kept(ndir, ndir)
-
-      kept = ddsddr
-      call uinter( &
-         stress, ddsddr, dviscous, dstructural, flux, ddfddt, ddsddt, ddfddr, statev, &
-         sed, sfd, spd, svd, scd, pnewdt, rdisp, drdisp, temp, dtemp, predef, dpred, &
-         time, dtime, freqr, ciname, slname, msname, props, coords, alocaldir, drot, &
-         area, chrlngth, node, ndir, nstatv, npred, nprops, mcrd, kstep, kinc, kit, &
-         linper, lopenclose, lstate, lsdi, lprint)
-      ddsddr = kept
-   end subroutine lazy
+      select case (fault)
+      case (fault_cuts)
+         if (norm2(drdisp(2:)) > 0.2_wp) pnewdt = 0.5_wp
+      case (fault_flips)
+         lopenclose = mod(kit, 2)
+      case (1)
+         ddsddr(ndir, 1) = poison
+      case (2)
+         dviscous(1, 1) = poison
+      case (3)
+         dstructural(1, ndir) = poison
+      case (4)
+         flux(2) = poison
+      case (5)
+         ddfddt(2, 1) = poison
+      case (6)
+         ddsddt(ndir, 2) = poison
+      case (7)
+         ddfddr(2, ndir) = poison
+      case (8)
+         sfd = poison
+      case (9)
+         spd = poison
+      case (10)
+         svd = poison
+      case (11)
+         scd = poison
+      case default
+         continue
+      end select
+   end subroutine spoiled
 
 end module test_replay_host

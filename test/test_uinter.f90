@@ -314,6 +314,12 @@ contains
       point%start%statev(7) = ieee_value(1.0_wp, ieee_quiet_nan)
       call try_increment(point, 0.1_wp, [0.0_wp, 0.0_wp], dtime, error)
       call assertEqual(0.25_wp, point%trial%pnewdt, 0.0_wp, 'STATEV not a number')
+      call forget_calls()
+      call new_host_point(point, uinter, pair_properties())
+      point%start%statev(1) = ieee_value(1.0_wp, ieee_quiet_nan)
+      call try_increment(point, 0.1_wp, [0.0_wp, 0.0_wp], dtime, error)
+      call assertEqual(0.25_wp, point%trial%pnewdt, 0.0_wp, 'status not a number')
+      call assertEqual(0, messages, 'which ends no job')
    end subroutine test_sizes
 
    !> Past the real area's limit: one warning at the point, however often it is called.

@@ -148,19 +148,7 @@ contains
       energy = elastic_energy(properties, start%pressure, gamma)
 
       associate (p => response%traction(1), r => response)
-         if (is_open(properties, p, was_closed)) then
-            ! the rule of the pressure acts down to the opening, then the rest is lost
-            r%status = status_open
-            kept_energy = elastic_energy(properties, p, gamma)
-            if (properties%friction_rule == rule_dissipative) then
-               r%dissipation = energy
-            else
-               r%pressure_coupling = kept_energy - energy
-               r%dissipation = kept_energy
-            end if
-            return
-         end if
-
+         ! the pressure changes at the slip of the start, as its rule says
          gamma_by_pressure = 0.0_wp
          if (properties%friction_rule == rule_dissipative .and. p > start%pressure) then
             gamma_by_pressure = -gamma*(start%pressure/p)/p
@@ -171,6 +159,11 @@ contains
             r%dissipation = max(energy - kept_energy, 0.0_wp)
          else
             r%pressure_coupling = kept_energy - energy
+         end if
+         if (is_open(properties, p, was_closed)) then
+            r%status = status_open
+            r%dissipation = r%dissipation + kept_energy
+            return
          end if
 
          call share_after_closing(properties, start, overclosure, share, share_by_overclosure)

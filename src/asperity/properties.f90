@@ -15,18 +15,18 @@ module asperity_properties
 
    real(wp), parameter, public :: pi = acos(-1.0_wp)
    !> w2/w1, Eq. 11
-   real(wp), parameter, public :: plastic_ratio = 110.0_wp
+   real(wp), parameter :: plastic_ratio = 110.0_wp
    !> Smallest eta R sigma of an isotropic Gaussian surface: Nayak's alpha = 1.5, McCool's relations
-   real(wp), parameter, public :: roughness_number_min = 0.0249_wp
+   real(wp), parameter :: roughness_number_min = 0.0249_wp
    !> Above this eta R sigma a warning is given
-   real(wp), parameter, public :: roughness_number_max = 4.0_wp
+   real(wp), parameter :: roughness_number_max = 4.0_wp
    !> Range of every other property, wide of any system of units
    real(wp), parameter :: smallest = 1.0e-20_wp, largest = 1.0e20_wp
    !> 3 pi/4 to 32 digits
    type(double_double), parameter :: three_quarters_pi = &
       double_double(2.356194490192345_wp, 9.184850993605148436e-17_wp)
    !> Range of the yield factor over which the law is verified
-   real(wp), parameter, public :: yield_factor_min = 0.05_wp, yield_factor_max = 1.0_wp
+   real(wp), parameter :: yield_factor_min = 0.05_wp, yield_factor_max = 1.0_wp
 
    !> Properties of the normal law. Build it with `new_normal_properties`; read only afterwards.
    type :: normal_properties

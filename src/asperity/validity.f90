@@ -22,6 +22,8 @@ module asperity_validity
 
    integer, parameter :: name_length = 26, remark_length = 72
    integer, parameter :: n_flags = 6
+   !> Sum of all flags
+   integer, parameter, public :: all_flags = 2**n_flags - 1
    character(len=name_length), parameter :: names(n_flags) = [character(len=name_length) :: &
       'area_above_nominal', 'pressure_above_hardness', 'closure_above_half_radius', &
       'stiffer_than_hertz', 'roughness_number_high', 'roughness_number_low']
