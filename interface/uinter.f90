@@ -7,16 +7,14 @@ subroutine uinter( &
    svd, scd, pnewdt, rdisp, drdisp, temp, dtemp, predef, dpred, time, dtime, freqr, ciname, &
    slname, msname, props, coords, alocaldir, drot, area, chrlngth, node, ndir, nstatv, npred, &
    nprops, mcrd, kstep, kinc, kit, linper, lopenclose, lstate, lsdi, lprint)
-   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use asperity, only: contact_properties, contact_response, contact_state, contact_tangent, &
-      error_type, no_opposite_surface, no_rotation, no_surface_limit, status_open, status_slip, &
-      status_stick, status_unset, update_contact_point, validity_remark, wp
-   use asperity_error, only: fatal_error
+      error_type, no_opposite_surface, no_rotation, no_surface_limit, status_open, &
+      update_contact_point, validity_remark, wp
+   use asperity_finite, only: all_finite, is_finite
    use asperity_text, only: to_text
-   use asperity_validity, only: all_flags
+   use uinter_checks, only: check_sizes, check_statev, computable
    use uinter_slots, only: n_statev, properties_from_props, state_elastic_slip_2, &
-      state_from_statev, state_pressure, state_status, state_validity, state_warned, &
-      statev_from_state
+      state_from_statev, state_pressure, state_validity, state_warned, statev_from_state
    implicit none
    integer, intent(in) :: node, ndir, nstatv, npred, nprops, mcrd, kstep, kinc, kit
    integer, intent(in) :: linper, lprint
@@ -50,14 +48,13 @@ subroutine uinter( &
 
    !> Time step factor asked for when the host's numbers are not finite
    real(wp), parameter :: cut_back = 0.25_wp
-   !> Larger numbers than this are a host gone wrong
-   real(wp), parameter :: largest = 1.0e30_wp
    integer, parameter :: warning = -1, fatal = -3
    type(contact_properties) :: properties
    type(contact_state) :: start
    type(contact_response) :: response
    type(error_type), allocatable :: error
    real(wp) :: slip(2), rotation(2, 2), overclosure, tangent(3, 3)
+   logical :: known
 
    associate (u1 => temp, u2 => dtemp, u3 => predef, u4 => dpred, u5 => time, u6 => dtime, &
          u7 => freqr, u8 => coords, u9 => alocaldir, u10 => area, u11 => chrlngth, &
@@ -87,8 +84,8 @@ subroutine uinter( &
       return
    end if
 
-   if (.not. (computable(statev(state_pressure:state_elastic_slip_2)) &
-      .and. all(ieee_is_finite(statev(:n_statev))) .and. ieee_is_finite(rdisp(1)))) then
+   if (.not. (known .and. is_finite(rdisp(1)) &
+      .and. computable(statev(state_pressure:state_elastic_slip_2)))) then
       pnewdt = cut_back
       return
    end if
@@ -114,7 +111,7 @@ subroutine uinter( &
       overclosure = rdisp(1)
       slip(:ndir - 1) = drdisp(2:)
       if (ndir == 3) rotation = drot
-      if (.not. computable([overclosure, slip, reshape(rotation, [4])])) then
+      if (.not. computable([overclosure, slip, rotation(:, 1), rotation(:, 2)])) then
          pnewdt = cut_back
          return
       end if
@@ -136,34 +133,12 @@ contains
    subroutine check_state(error)
       type(error_type), allocatable, intent(out) :: error
 
-      if (nstatv < n_statev) then
-         call fatal_error(error, 'DEPVAR = '//to_text(nstatv)//' is too small: give DEPVAR = '// &
-            to_text(n_statev)//' on *SURFACE INTERACTION')
-      else if (ndir /= 2 .and. ndir /= 3) then
-         call fatal_error(error, 'NDIR = '//to_text(ndir)//' is not allowed: it must be 2 or 3')
-      else if (.not. all(ieee_is_finite(statev(:n_statev)))) then
-         ! no error of the deck: the increment is cut
-         return
-      else if (.not. any(abs(statev(state_status) - [status_unset, status_open, status_stick, &
-            status_slip]) <= 0.0_wp)) then
-         call fatal_error(error, 'STATEV(1) = '//to_text(statev(state_status))//' is no '// &
-            'contact status (0 to 3): STATEV must be zero at the start, and nothing else may '// &
-            'write to it')
-      else if (statev(state_pressure) < 0.0_wp .or. any(statev(state_validity:state_warned) &
-            < 0.0_wp) .or. any(statev(state_validity:state_warned) > all_flags)) then
-         call fatal_error(error, 'STATEV(3), (10) or (11) = '//to_text(statev(state_pressure))// &
-            ', '//to_text(statev(state_validity))//', '//to_text(statev(state_warned))// &
-            ' is no pressure or sum of flags: nothing else may write to STATEV')
-      end if
+      call check_sizes(nstatv, ndir, error)
+      if (allocated(error)) return
+      ! not finite is no error of the deck: the increment is cut
+      known = all_finite(statev(:n_statev))
+      if (known) call check_statev(statev, error)
    end subroutine check_state
-
-   !> Finite, and far from overflow.
-   pure logical function computable(values)
-      real(wp), intent(in) :: values(:)
-
-      computable = all(ieee_is_finite(values))
-      if (computable) computable = all(abs(values) < largest)
-   end function computable
 
    !> Warn, in the first iteration of an increment, of flags not yet warned of at this point:
    !> those of this trial, and those that came up in a later iteration of an earlier increment.

@@ -1,15 +1,16 @@
-!> What stands where in PROPS and STATEV of UINTER, and nothing else: every reader and writer of
-!> the two arrays uses these names.
+!> What stands where in PROPS and STATEV of UINTER and VUINTER, and nothing else: every reader and
+!> writer of the two arrays uses these names.
 module uinter_slots
-   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use asperity, only: contact_properties, contact_state, error_type, new_contact_properties, &
       new_normal_properties, normal_properties, rule_abaqus, slip_exact, wp
    use asperity_error, only: fatal_error
+   use asperity_finite, only: is_finite
    use asperity_properties, only: pi
    use asperity_text, only: to_text
    implicit none
    private
-   public :: properties_from_props, props_from_properties, state_from_statev, statev_from_state
+   public :: properties_from_props, props_from_properties, state_from_statev, statev_from_state, &
+      near_pi
 
    !> Slots of PROPS, N-mm-MPa
    enum, bind(c)
@@ -32,6 +33,7 @@ module uinter_slots
       !> 1 lets an eta R sigma below 0.0249 pass
       enumerator :: prop_accept_unphysical
    end enum
+   public :: prop_pi, prop_sigma
    !> Length of the longest list
    integer, parameter, public :: n_props = prop_accept_unphysical
 
@@ -53,7 +55,7 @@ module uinter_slots
    public :: state_status, state_overclosure, state_pressure, state_normal_energy, &
       state_elastic_slip_1, state_elastic_slip_2, state_largest_closure, state_dissipation, &
       state_pressure_coupling, state_validity, state_warned
-   !> DEPVAR that UINTER needs
+   !> DEPVAR that UINTER and VUINTER need
    integer, parameter, public :: n_statev = state_warned
 
    !> How far PROPS(5) may be from pi: 3.14 passes
@@ -163,10 +165,12 @@ contains
       statev(state_validity) = state%validity
    end subroutine statev_from_state
 
+   !> Is it pi as PROPS(5) holds it?
    pure logical function near_pi(value)
+      !> A property, or a number that may be none
       real(wp), intent(in) :: value
 
-      near_pi = ieee_is_finite(value)
+      near_pi = is_finite(value)
       if (near_pi) near_pi = abs(value - pi) < pi_tolerance
    end function near_pi
 
@@ -182,7 +186,7 @@ contains
       option = 0
       if (allocated(error) .or. slot > size(props)) return
       known = .false.
-      if (ieee_is_finite(props(slot))) &
+      if (is_finite(props(slot))) &
          known = any(abs(props(slot) - [0.0_wp, 1.0_wp, 2.0_wp]) <= 0.0_wp) &
          .and. props(slot) <= largest
       if (known) then

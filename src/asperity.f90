@@ -1,9 +1,12 @@
 !> Elasto-plastic contact of rough faces: everything a caller needs, `use asperity`.
 module asperity
+   use asperity_compiled_law, only: compiled_law, evaluate_compiled_law, new_compiled_law
    use asperity_contact_point, only: contact_response, contact_state, contact_tangent, &
       no_opposite_surface, no_rotation, no_surface_limit, status_open, status_slip, &
       status_stick, status_text, status_unset, &
       update_contact_point
+   use asperity_contact_points, only: contact_states, get_contact_state, new_contact_states, &
+      set_contact_state, update_contact_points
    use asperity_contact_properties, only: contact_properties, new_contact_properties, &
       rule_abaqus, rule_dissipative, slip_backward_euler, slip_exact
    use asperity_error, only: computation_error, error_type, file_error, input_error
@@ -21,14 +24,17 @@ module asperity
    use asperity_version, only: version
    implicit none
    private
-   public :: area_above_nominal, asperity_response, closure_above_half_radius, &
-      computation_error, contact_properties, contact_response, contact_state, contact_tangent, &
-      equivalent_modulus, error_type, evaluate_asperity, evaluate_normal_law, file_error, &
-      find_pair, find_surface, input_error, new_contact_properties, new_normal_properties, &
+   public :: area_above_nominal, asperity_response, closure_above_half_radius, compiled_law, &
+      computation_error, contact_properties, contact_response, contact_state, contact_states, &
+      contact_tangent, equivalent_modulus, error_type, evaluate_asperity, &
+      evaluate_compiled_law, evaluate_normal_law, file_error, find_pair, find_surface, &
+      get_contact_state, input_error, new_compiled_law, new_contact_properties, &
+      new_contact_states, new_normal_properties, set_contact_state, &
       no_opposite_surface, no_rotation, no_surface_limit, normal_properties, normal_response, &
       pair_preset, pairs, pressure_above_hardness, roughness_number_high, roughness_number_low, &
       rule_abaqus, rule_dissipative, separation_for_pressure, slip_backward_euler, slip_exact, &
       stage_elastic, stage_elastoplastic, stage_open, stage_plastic, status_open, status_slip, &
       status_stick, status_text, status_unset, stiffer_than_hertz, surface_preset, surfaces, &
-      update_contact_point, valid, validity_remark, validity_text, version, wp
+      update_contact_point, update_contact_points, valid, validity_remark, validity_text, &
+      version, wp
 end module asperity

@@ -5,17 +5,19 @@
 !> point slips at the pressure of the end. If the point closes within the increment, only the
 !> share of the motion after closing counts, for a straight path of the overclosure.
 module asperity_contact_point
+   use asperity_compiled_law, only: evaluate_compiled_law
    use asperity_contact_properties, only: close_pressure_ratio, contact_properties, &
       rule_dissipative
    use asperity_error, only: error_type
    use asperity_friction, only: integrate_slip, slip_path
    use asperity_kinds, only: wp
    use asperity_normal_inverse, only: separation_for_pressure
-   use asperity_normal_law, only: evaluate_normal_law, normal_response
+   use asperity_normal_law, only: evaluate_normal_law, normal_response, vanishing_separation
    use asperity_validity, only: valid
    implicit none
    private
-   public :: contact_state, contact_response, update_contact_point, contact_tangent, status_text
+   public :: contact_state, contact_response, update_contact_point, advance_contact_point, &
+      contact_tangent, normal_at, status_text
 
    !> Contact status
    enum, bind(c)
@@ -106,7 +108,24 @@ contains
       type(contact_response) :: response
       type(normal_response) :: normal
 
-      normal = evaluate_normal_law(properties%normal, properties%initial_separation - overclosure)
+      normal = normal_at(properties, overclosure)
+      response = advance_contact_point(properties, start, normal, overclosure, slip_increment, &
+         rotation)
+   end function update_contact_point
+
+   !> The same with the normal law already evaluated at the end of the increment.
+   pure function advance_contact_point(properties, start, normal, overclosure, slip_increment, &
+         rotation) result(response)
+      !> Checked properties
+      type(contact_properties), intent(in) :: properties
+      !> State at the start of the increment
+      type(contact_state), intent(in) :: start
+      !> Pressure, stiffness, energy and validity at the end; the rest is not used
+      type(normal_response), intent(in) :: normal
+      !> As for `update_contact_point`
+      real(wp), intent(in) :: overclosure, slip_increment(2), rotation(2, 2)
+      type(contact_response) :: response
+
       response%traction(1) = normal%pressure
       response%tangent(1, 1) = normal%stiffness
       response%normal_energy = normal%energy
@@ -125,7 +144,7 @@ contains
          state%pressure_coupling = start%pressure_coupling + response%pressure_coupling
          state%validity = ior(start%validity, response%validity)
       end associate
-   end function update_contact_point
+   end function advance_contact_point
 
    !> Tangential part of the update, at the pressure already found.
    pure subroutine slide(response, properties, start, overclosure, slip_increment, rotation)
@@ -198,8 +217,7 @@ contains
 
       tangent = 0.0_wp
       if (state%status == status_unset) return
-      normal = evaluate_normal_law(properties%normal, &
-         properties%initial_separation - state%overclosure)
+      normal = normal_at(properties, state%overclosure)
       tangent(1, 1) = normal%stiffness
       if (state%status == status_open) return
       scale = properties%friction_coefficient/properties%critical_slip
@@ -213,6 +231,25 @@ contains
          tangent(3, 3) = scale*normal%pressure
       end if
    end function contact_tangent
+
+   !> The normal law at an overclosure, in the way the properties choose.
+   pure function normal_at(properties, overclosure) result(normal)
+      type(contact_properties), intent(in) :: properties
+      real(wp), intent(in) :: overclosure
+      type(normal_response) :: normal
+
+      associate (separation => properties%initial_separation - overclosure)
+         if (separation > vanishing_separation*properties%normal%sigma) then
+            ! open, as most points of a model are: no need to evaluate zeros
+            normal%validity = properties%normal%validity
+         else if (allocated(properties%compiled)) then
+            call evaluate_compiled_law(properties%compiled, separation, normal%pressure, &
+               normal%stiffness, energy=normal%energy, validity=normal%validity)
+         else
+            normal = evaluate_normal_law(properties%normal, separation)
+         end if
+      end associate
+   end function normal_at
 
    !> Name of a status: `unset`, `open`, `stick` or `slip`.
    pure function status_text(status) result(text)

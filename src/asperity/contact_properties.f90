@@ -1,5 +1,6 @@
 !> Properties of one pair of faces: the normal law, friction and the datum of the overclosure.
 module asperity_contact_properties
+   use asperity_compiled_law, only: compiled_law, new_compiled_law
    use asperity_error, only: error_type, fatal_error
    use asperity_kinds, only: wp
    use asperity_properties, only: check_positive, check_range, normal_properties, pi
@@ -52,6 +53,8 @@ module asperity_contact_properties
       integer :: slip_integration = slip_exact
       !> A closed point opens below this pressure, MPa; an open one closes above twice it
       real(wp) :: p_open = 0.0_wp
+      !> The compiled normal law, where it was asked for; the law is evaluated directly otherwise
+      type(compiled_law), allocatable :: compiled
    end type contact_properties
 
 contains
@@ -60,7 +63,7 @@ contains
    !> `error` is set when mu is not between 0 and 1000, gcrit not above zero, |d0| above 1e20 or an
    !> option unknown.
    pure subroutine new_contact_properties(properties, normal, friction_coefficient, &
-         critical_slip, error, initial_separation, friction_rule, slip_integration)
+         critical_slip, error, initial_separation, friction_rule, slip_integration, compiled)
       !> Result
       type(contact_properties), intent(out) :: properties
       !> Checked properties of the normal law
@@ -77,6 +80,8 @@ contains
       integer, intent(in), optional :: friction_rule
       !> `slip_exact` (default) or `slip_backward_euler`
       integer, intent(in), optional :: slip_integration
+      !> Compile the normal law, for very many updates; false when absent
+      logical, intent(in), optional :: compiled
 
       properties%normal = normal
       properties%friction_coefficient = friction_coefficient
@@ -103,6 +108,10 @@ contains
          call fatal_error(error, 'slip_integration = '//to_text(properties%slip_integration)// &
             ' is unknown: 1 is exact, 2 is backward_euler')
       end if
+      if (allocated(error) .or. .not. present(compiled)) return
+      if (.not. compiled) return
+      allocate (properties%compiled)
+      call new_compiled_law(properties%compiled, normal, error)
    end subroutine new_contact_properties
 
 end module asperity_contact_properties

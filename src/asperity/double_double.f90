@@ -1,6 +1,7 @@
 !> Products and quotients with twice the digits, as a sum of two doubles. The constants w1 and w2
 !> are found with it: far in the tail of the heights one bit of theirs is worth 1e-12 of a result.
 module asperity_double_double
+   use, intrinsic :: iso_fortran_env, only: int64
    use asperity_kinds, only: wp
    implicit none
    private
@@ -22,8 +23,8 @@ module asperity_double_double
       module procedure :: round
    end interface assignment(=)
 
-   !> Bits of the upper half of a double; the lower has as many with its sign
-   integer, parameter :: half_bits = 26
+   !> Bits of the lower half of a double
+   integer, parameter :: half_bits = 27
 
 contains
 
@@ -69,11 +70,14 @@ contains
       c%low = ((a_high*b_high - c%high) + a_high*b_low + a_low*b_high) + a_low*b_low
    end function exact_product
 
-   !> The leading bits: without Dekker's multiplication, which a fused multiply-add would spoil.
+   !> The leading bits, rounded to nearest: by its bits, without Dekker's multiplication, which a
+   !> fused multiply-add would spoil.
    pure elemental real(wp) function upper_half(a)
       real(wp), intent(in) :: a
+      integer(int64), parameter :: lower = 2_int64**half_bits - 1_int64
+      integer(int64), parameter :: half = 2_int64**(half_bits - 1)
 
-      upper_half = scale(anint(scale(fraction(a), half_bits)), exponent(a) - half_bits)
+      upper_half = transfer(iand(transfer(a, lower) + half, not(lower)), a)
    end function upper_half
 
    pure elemental subroutine round(x, a)

@@ -78,7 +78,7 @@ contains
       type(slip_path), intent(inout) :: path
       real(wp), intent(in) :: start(2), increment(2), critical_slip
       real(wp) :: e(2), n(2), tangent(2), length, size, a, b, c, one_minus_c, inside, stick, x, q
-      real(wp) :: k, t, cosine, sine, turn
+      real(wp) :: one_minus_q, growth, k, t, cosine, sine, turn
 
       length = hypot(increment(1), increment(2))
       e = increment/length
@@ -97,34 +97,41 @@ contains
          end if
          stick = min(stick, length)
          x = (length - stick)/g
-         q = exp(-x)
+         call decay_and_growth(x, c, q, one_minus_q, growth)
          k = q/(1.0_wp + c)
          t = b/g*k
          cosine = (1.0_wp - t)*(1.0_wp + t)/(1.0_wp + t*t)
          sine = 2.0_wp*t/(1.0_wp + t*t)
          path%elastic_slip = g*(cosine*e + sine*n)
-         path%slipped = g*log_growth(x, c)
+         path%slipped = g*growth
          tangent = -sine*e + cosine*n
-         turn = (tanh(0.5_wp*x)*(1.0_wp + q)*(1.0_wp - k*one_minus_c) + 2.0_wp*k*c*stick/g) &
+         turn = (one_minus_q*(1.0_wp - k*one_minus_c) + 2.0_wp*k*c*stick/g) &
             /(1.0_wp + t*t)
          path%by_increment = outer(tangent, -sine*e + turn*g/length*n)
          path%by_start = outer(tangent, -sine*e + 2.0_wp*c*k/(1.0_wp + t*t)*n)
       end associate
    end subroutine follow_circle
 
-   !> ln(sin theta0/sin theta) = ln(cosh x + c sinh x), without loss for a small x, where
-   !> ln(1 + z) = 2 artanh(z/(2 + z)), and without overflow for a large one.
-   pure real(wp) function log_growth(x, c)
+   !> q = exp(-x), 1 - q, and ln(sin theta0/sin theta) = ln(cosh x + c sinh x): without loss for a
+   !> small x, where ln(1 + z) = 2 artanh(z/(2 + z)), and without overflow for a large one.
+   pure subroutine decay_and_growth(x, c, q, one_minus_q, growth)
       real(wp), intent(in) :: x, c
-      real(wp) :: z
+      real(wp), intent(out) :: q, one_minus_q, growth
+      real(wp) :: half_sinh, half_cosh, z
 
       if (x < 1.0_wp) then
-         z = 2.0_wp*sinh(0.5_wp*x)**2 + c*sinh(x)
-         log_growth = 2.0_wp*atanh(z/(2.0_wp + z))
+         half_sinh = sinh(0.5_wp*x)
+         half_cosh = sqrt(1.0_wp + half_sinh**2)
+         q = (half_cosh - half_sinh)**2
+         one_minus_q = 2.0_wp*half_sinh*(half_cosh - half_sinh)
+         z = 2.0_wp*half_sinh*(half_sinh + c*half_cosh)
+         growth = 2.0_wp*atanh(z/(2.0_wp + z))
       else
-         log_growth = x + log(0.5_wp*((1.0_wp + c) + (1.0_wp - c)*exp(-2.0_wp*x)))
+         q = exp(-x)
+         one_minus_q = 1.0_wp - q
+         growth = x + log(0.5_wp*((1.0_wp + c) + (1.0_wp - c)*q*q))
       end if
-   end function log_growth
+   end subroutine decay_and_growth
 
    pure function outer(u, v) result(matrix)
       real(wp), intent(in) :: u(2), v(2)

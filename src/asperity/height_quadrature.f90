@@ -1,13 +1,15 @@
 !> Quadrature over summit heights: Gauss points and weights for integrals of functions that are
-!> smooth in sqrt(w), times the Gaussian density of heights, over a range of deformations w.
+!> smooth in sqrt(w) or in ln(w), times the Gaussian density of heights, over a range of
+!> deformations w.
 module asperity_height_quadrature
+   use asperity_exponential, only: exponentials
    use asperity_gauss_legendre, only: n_points, nodes, weights
    use asperity_gaussian_tail, only: density_reach, phi_0
    use asperity_kinds, only: wp
    use asperity_properties, only: normal_properties
    implicit none
    private
-   public :: quadrature_type, new_quadrature, relative_exponent
+   public :: quadrature_type, new_quadrature, new_log_quadrature, relative_exponent
 
    !> Gauss points, one column a panel. The weights hold the density of heights, to be multiplied
    !> by exp(-exponent - max(h, 0)^2/2), which makes it one at its largest.
@@ -16,19 +18,22 @@ module asperity_height_quadrature
       integer :: panels = 0
       !> Points w/w1, and weights
       real(wp) :: ratio(n_points, 2), weight(n_points, 2)
+      !> ln(w/w1), from `new_log_quadrature`
+      real(wp) :: log_ratio(n_points, 2)
       !> See above; never negative
       real(wp) :: exponent = 0.0_wp
    end type quadrature_type
 
    !> Ranges that end beyond this many sigma are split
    real(wp), parameter :: wide = 4.0_wp
+   !> Points are even in ln(w) where the range of ln(w) is longer than this and d/sigma above
+   !> -1: shorter ranges gain nothing, and around w = -d the density has only the width sigma/|d|
+   real(wp), parameter :: shortest = 1.0_wp, lowest = -1.0_wp
 
 contains
 
    !> Gauss points for integrals over the deformations from..to of functions that are smooth in
    !> sqrt(w), times the density, cut to where the density matters.
-   !> Lengths are measured from the anchor, the densest point of the range, so that nothing is
-   !> lost where the range is narrow and far from zero.
    pure function new_quadrature(properties, separation, from, to) result(rule)
       !> Checked properties
       type(normal_properties), intent(in) :: properties
@@ -37,30 +42,101 @@ contains
       !> Range of the deformation w, mm
       real(wp), intent(in) :: from, to
       type(quadrature_type) :: rule
-      real(wp) :: anchor, y, reach, lower, upper, root_split
+      real(wp) :: anchor, y, lower, upper
+
+      call place_anchor(rule, properties, separation, from, to, anchor, y, lower, upper)
+      if (rule%panels == 0) call add_panels(rule, properties, anchor, y, lower, upper)
+   end function new_quadrature
+
+   !> The same for functions that are smooth in ln(w), and with the logarithms; `from` is above
+   !> zero.
+   pure function new_log_quadrature(properties, separation, from, to) result(rule)
+      !> Checked properties
+      type(normal_properties), intent(in) :: properties
+      !> Separation d, mm
+      real(wp), intent(in) :: separation
+      !> Range of the deformation w, mm
+      real(wp), intent(in) :: from, to
+      type(quadrature_type) :: rule
+      real(wp) :: anchor, y, lower, upper, center, first, last
+      integer :: i
+
+      call place_anchor(rule, properties, separation, from, to, anchor, y, lower, upper)
+      if (rule%panels == 0) then
+         center = anchor/properties%sigma
+         first = log(1.0_wp + lower/center)
+         last = log(1.0_wp + upper/center)
+         if (last - first > shortest .and. y - center > lowest) then
+            call add_log_panel(rule, properties, anchor, y, first, last)
+            return
+         end if
+         call add_panels(rule, properties, anchor, y, lower, upper)
+      end if
+      do i = 1, rule%panels
+         rule%log_ratio(:, i) = log(rule%ratio(:, i))
+      end do
+   end function new_log_quadrature
+
+   !> Find the anchor, the densest point of the range, from which lengths are measured, so that
+   !> nothing is lost where the range is narrow and far from zero; and the range about it, cut to
+   !> where the density matters. Where that lies inside the range on both sides, the panel is added.
+   pure subroutine place_anchor(rule, properties, separation, from, to, anchor, y, lower, upper)
+      type(quadrature_type), intent(out) :: rule
+      type(normal_properties), intent(in) :: properties
+      real(wp), intent(in) :: separation, from, to
+      !> Anchor, mm; height there over sigma; range about it, in sigma
+      real(wp), intent(out) :: anchor, y, lower, upper
+      real(wp) :: reach
 
       anchor = min(max(-separation, from), to)
       y = (separation + anchor)/properties%sigma
       reach = density_reach(y)
       lower = (from - anchor)/properties%sigma
       upper = (to - anchor)/properties%sigma
+      rule%exponent = relative_exponent(separation/properties%sigma, anchor/properties%sigma, y)
+      if (lower < -reach .and. upper > reach) call add_bell(rule, properties, anchor, reach)
+      lower = max(lower, -reach)
+      upper = min(upper, reach)
+   end subroutine place_anchor
+
+   !> Add the Gauss points in lower..upper sigma beyond the anchor, in one panel or two: the
+   !> density narrows in sqrt(w), so a wide range is split at a quarter of its upper end.
+   pure subroutine add_panels(rule, properties, anchor, y, lower, upper)
+      type(quadrature_type), intent(inout) :: rule
+      type(normal_properties), intent(in) :: properties
+      real(wp), intent(in) :: anchor, y, lower, upper
+      real(wp) :: root_split
+
       associate (center => anchor/properties%sigma)
-         rule%exponent = relative_exponent(separation/properties%sigma, center, y)
-         if (lower < -reach .and. upper > reach) then
-            call add_bell(rule, properties, anchor, reach)
-            return
-         end if
-         lower = max(lower, -reach)
-         upper = min(upper, reach)
-         ! the density narrows in sqrt(w): a wide range is split at a quarter of its upper end
          root_split = 0.25_wp*(center + upper) - center
          if (center + upper > wide .and. lower < root_split) then
             call add_panel(rule, properties, anchor, y, lower, root_split)
-            lower = root_split
+            call add_panel(rule, properties, anchor, y, root_split, upper)
+         else
+            call add_panel(rule, properties, anchor, y, lower, upper)
          end if
       end associate
-      call add_panel(rule, properties, anchor, y, lower, upper)
-   end function new_quadrature
+   end subroutine add_panels
+
+   !> Add the Gauss points between the logarithms of w/anchor, spread evenly in ln(w).
+   pure subroutine add_log_panel(rule, properties, anchor, y, first, last)
+      type(quadrature_type), intent(inout) :: rule
+      type(normal_properties), intent(in) :: properties
+      real(wp), intent(in) :: anchor, y, first, last
+      real(wp) :: center, half
+      real(wp), dimension(n_points) :: x, growth, t, density
+
+      center = anchor/properties%sigma
+      half = 0.5_wp*(last - first)
+      x = 0.5_wp*(last + first) + half*nodes
+      call exponentials(n_points, x, growth)
+      t = center*(growth - 1.0_wp)
+      call exponentials(n_points, -t*(y + 0.5_wp*t), density)
+      rule%panels = 1
+      rule%log_ratio(:, 1) = log(anchor/properties%w1) + x
+      rule%ratio(:, 1) = anchor/properties%w1*growth
+      rule%weight(:, 1) = (phi_0*half*center)*weights*growth*density
+   end subroutine add_log_panel
 
    !> Add the Gauss points in lower..upper sigma beyond the anchor, spread evenly in sqrt(w). The
    !> density is phi(y + t) at t sigma beyond it. Each w is rounded for itself, so that the errors
@@ -69,7 +145,8 @@ contains
       type(quadrature_type), intent(inout) :: rule
       type(normal_properties), intent(in) :: properties
       real(wp), intent(in) :: anchor, y, lower, upper
-      real(wp) :: start, first, last, half, w(n_points), t(n_points), beyond(n_points)
+      real(wp) :: start, first, last, half
+      real(wp), dimension(n_points) :: w, t, beyond, density
 
       associate (sigma => properties%sigma)
          ! roots of w/sigma, then less that of the anchor
@@ -87,8 +164,8 @@ contains
          w = max(anchor + sigma*t, 0.0_wp)
          rule%panels = rule%panels + 1
          rule%ratio(:, rule%panels) = w/properties%w1
-         rule%weight(:, rule%panels) = (2.0_wp*phi_0*half)*weights*sqrt(w/sigma) &
-            *exp(-t*(y + 0.5_wp*t))
+         call exponentials(n_points, -t*(y + 0.5_wp*t), density)
+         rule%weight(:, rule%panels) = (2.0_wp*phi_0*half)*weights*sqrt(w/sigma)*density
       end associate
    end subroutine add_panel
 
@@ -98,12 +175,13 @@ contains
       type(quadrature_type), intent(inout) :: rule
       type(normal_properties), intent(in) :: properties
       real(wp), intent(in) :: anchor, reach
-      real(wp) :: t(n_points)
+      real(wp), dimension(n_points) :: t, density
 
       t = reach*nodes
+      call exponentials(n_points, -0.5_wp*t*t, density)
       rule%panels = 1
       rule%ratio(:, 1) = (anchor + properties%sigma*t)/properties%w1
-      rule%weight(:, 1) = (phi_0*reach)*weights*exp(-0.5_wp*t*t)
+      rule%weight(:, 1) = (phi_0*reach)*weights*density
    end subroutine add_bell
 
    !> Exponent y^2/2 of the density where a piece is densest, at y = h + t, less max(h, 0)^2/2:

@@ -1,7 +1,7 @@
 !> Inverse of the normal law: the separation at which it gives a pressure.
 module asperity_normal_inverse
-   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use asperity_error, only: error_type, fatal_error
+   use asperity_finite, only: is_finite
    use asperity_kinds, only: wp
    use asperity_normal_law, only: evaluate_normal_law, normal_response
    use asperity_properties, only: normal_properties
@@ -94,7 +94,7 @@ contains
       real(wp), intent(in) :: pressure
       type(error_type), allocatable, intent(out) :: error
 
-      if (ieee_is_finite(pressure)) then
+      if (is_finite(pressure)) then
          if (pressure >= tiny(1.0_wp)) return
       end if
       call fatal_error(error, 'pressure = '//to_text(pressure)// &

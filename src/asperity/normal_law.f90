@@ -7,16 +7,19 @@
 !> (w1, w2), plastic beyond. Each integral is scaled by the density at its largest point, so
 !> that no piece underflows before the result does.
 module asperity_normal_law
-   use asperity_gauss_legendre, only: n_points, pairwise_sum
+   use asperity_fixed_pieces, only: evaluate_fixed_pieces, fixed_pieces_serve
    use asperity_gaussian_tail, only: tail_moments
-   use asperity_height_quadrature, only: new_quadrature, quadrature_type, relative_exponent
    use asperity_kinds, only: wp
+   use asperity_law_pieces, only: elastic_piece, elastoplastic_piece, piece_type, plastic_piece
    use asperity_properties, only: normal_properties, pi
    use asperity_validity, only: area_above_nominal, closure_above_half_radius, &
       pressure_above_hardness, valid
    implicit none
    private
-   public :: normal_response, evaluate_normal_law
+   public :: normal_response, evaluate_normal_law, evaluate_scaled_law
+
+   !> Beyond this d/sigma the factor exp(-h^2/2), and with it the law, is zero in double precision
+   real(wp), parameter, public :: vanishing_separation = 39.0_wp
 
    !> Answer of the rough face at one separation.
    type :: normal_response
@@ -37,12 +40,6 @@ module asperity_normal_law
       integer :: validity = valid
    end type normal_response
 
-   !> Integrals over one piece, to be multiplied by exp(-exponent - max(h, 0)^2/2).
-   type :: piece_type
-      real(wp) :: pressure = 0.0_wp, stiffness = 0.0_wp, area = 0.0_wp, energy = 0.0_wp
-      real(wp) :: exponent = 0.0_wp
-   end type piece_type
-
 contains
 
    !> Evaluate the law at one separation. Relative error below 1e-12 in every component that is
@@ -54,23 +51,59 @@ contains
       !> Separation d, mm; any finite value up to 1e100 sigma in size
       real(wp), intent(in) :: separation
       type(normal_response) :: response
+      real(wp) :: area_stiffness, decay
+
+      call evaluate_scaled_law(properties, separation, response, area_stiffness)
+      decay = exp(-0.5_wp*max(separation/properties%sigma, 0.0_wp)**2)
+      associate (r => response)
+         r%pressure = r%pressure*decay
+         r%stiffness = r%stiffness*decay
+         r%area_fraction = r%area_fraction*decay
+         r%contact_density = r%contact_density*decay
+         r%energy = r%energy*decay
+         if (r%area_fraction > 1.0_wp) r%validity = ior(r%validity, area_above_nominal)
+         if (r%pressure > properties%hardness) &
+            r%validity = ior(r%validity, pressure_above_hardness)
+      end associate
+   end function evaluate_normal_law
+
+   !> The law without the factor exp(-max(h, 0)^2/2), which underflows far out.
+   pure subroutine evaluate_scaled_law(properties, separation, scaled, area_stiffness)
+      !> Checked properties
+      type(normal_properties), intent(in) :: properties
+      !> Separation d, mm
+      real(wp), intent(in) :: separation
+      !> Pressure, stiffness, area fraction, contact density and energy over the factor; the shares;
+      !> and validity without the flags of area and pressure
+      type(normal_response), intent(out) :: scaled
+      !> Derivative of the area fraction by closure, 1/mm, over the factor
+      real(wp), intent(out) :: area_stiffness
       type(piece_type) :: pieces(3)
-      real(wp) :: h, moments(0:2), decay, total, root(3), share(3)
+      real(wp) :: h, moments(0:2), total, root(3), share(3)
+      integer :: i
 
       h = separation/properties%sigma
-      pieces = [elastic_piece(properties, separation), &
-         elastoplastic_piece(properties, separation), plastic_piece(properties, separation)]
+      if (fixed_pieces_serve(properties%w1/properties%sigma, h)) then
+         call evaluate_fixed_pieces(properties, h, pieces(1), pieces(2))
+      else
+         pieces(1) = elastic_piece(properties, separation)
+         pieces(2) = elastoplastic_piece(properties, separation)
+      end if
+      pieces(3) = plastic_piece(properties, separation)
       moments = tail_moments(h)
-      root = exp(-0.5_wp*pieces%exponent)
-      decay = exp(-0.5_wp*max(h, 0.0_wp)**2)
+      do i = 1, 3
+         root(i) = 1.0_wp
+         if (pieces(i)%exponent > 0.0_wp) root(i) = exp(-0.5_wp*pieces(i)%exponent)
+      end do
 
-      associate (p => properties, r => response)
+      associate (p => properties, r => scaled)
          total = sum(root*root*pieces%pressure)
-         r%pressure = p%eta*p%n1*total*decay
-         r%stiffness = p%eta*p%n1/p%w1*sum(root*root*pieces%stiffness)*decay
-         r%area_fraction = p%eta*pi*p%radius*p%w1*sum(root*root*pieces%area)*decay
-         r%energy = p%eta*p%n1*p%w1*sum(root*root*pieces%energy)*decay
-         r%contact_density = p%eta*moments(0)*decay
+         r%pressure = p%eta*p%n1*total
+         r%stiffness = p%eta*p%n1/p%w1*sum(root*root*pieces%stiffness)
+         r%area_fraction = p%eta*pi*p%radius*p%w1*sum(root*root*pieces%area)
+         area_stiffness = p%eta*pi*p%radius*sum(root*root*pieces%area_slope)
+         r%energy = p%eta*p%n1*p%w1*sum(root*root*pieces%energy)
+         r%contact_density = p%eta*moments(0)
          if (total > 0.0_wp) then
             ! root by root, so that a share underflows only when it is no normal number itself
             share = pieces%pressure/total*root*root
@@ -79,82 +112,9 @@ contains
             r%plastic_share = share(3)
          end if
          r%validity = p%validity
-         if (r%area_fraction > 1.0_wp) r%validity = ior(r%validity, area_above_nominal)
-         if (r%pressure > p%hardness) r%validity = ior(r%validity, pressure_above_hardness)
          if (p%sigma*moments(1) > 0.5_wp*p%radius*moments(0)) &
             r%validity = ior(r%validity, closure_above_half_radius)
       end associate
-   end function evaluate_normal_law
-
-   !> Integrals of the force, its slope, area and energy over elastic summits, in units of N1,
-   !> N1/w1, pi R w1 and N1 w1.
-   pure function elastic_piece(properties, separation) result(piece)
-      type(normal_properties), intent(in) :: properties
-      real(wp), intent(in) :: separation
-      type(piece_type) :: piece
-      type(quadrature_type) :: rule
-      real(wp), dimension(n_points) :: force_slope, force
-      integer :: i
-
-      rule = new_quadrature(properties, separation, 0.0_wp, properties%w1)
-      piece%exponent = rule%exponent
-      do i = 1, rule%panels
-         associate (ratio => rule%ratio(:, i), weight => rule%weight(:, i))
-            force_slope = weight*sqrt(ratio)
-            force = force_slope*ratio
-            piece%stiffness = piece%stiffness + 1.5_wp*pairwise_sum(force_slope)
-            piece%pressure = piece%pressure + pairwise_sum(force)
-            piece%area = piece%area + pairwise_sum(weight*ratio)
-            piece%energy = piece%energy + 0.4_wp*pairwise_sum(force*ratio)
-         end associate
-      end do
-   end function elastic_piece
-
-   !> The same over elasto-plastic summits.
-   pure function elastoplastic_piece(properties, separation) result(piece)
-      type(normal_properties), intent(in) :: properties
-      real(wp), intent(in) :: separation
-      type(piece_type) :: piece
-      type(quadrature_type) :: rule
-      real(wp), dimension(n_points) :: log_ratio, force
-      integer :: i
-
-      rule = new_quadrature(properties, separation, properties%w1, properties%w2)
-      piece%exponent = rule%exponent
-      associate (b2 => properties%b2, b3 => properties%b3)
-         do i = 1, rule%panels
-            associate (ratio => rule%ratio(:, i), weight => rule%weight(:, i))
-               log_ratio = log(ratio)
-               force = ratio*exp(properties%b3_less_1*log_ratio)
-               piece%stiffness = piece%stiffness + b3*pairwise_sum(weight*force/ratio)
-               piece%pressure = piece%pressure + pairwise_sum(weight*force)
-               piece%area = piece%area + pairwise_sum(weight*exp(b2*log_ratio))
-               piece%energy = piece%energy &
-                  + pairwise_sum(weight*(0.4_wp + (force*ratio - 1.0_wp)/(b3 + 1.0_wp)))
-            end associate
-         end do
-      end associate
-   end function elastoplastic_piece
-
-   !> The same over plastic summits, in closed form: force and area are linear in w.
-   pure function plastic_piece(properties, separation) result(piece)
-      type(normal_properties), intent(in) :: properties
-      real(wp), intent(in) :: separation
-      type(piece_type) :: piece
-      real(wp) :: a, b, y, moments(0:2), slope
-
-      a = properties%w1/properties%sigma
-      b = properties%w2/properties%sigma
-      y = (separation + properties%w2)/properties%sigma
-      moments = tail_moments(y)
-      ! moments of y < 0 are not scaled
-      piece%exponent = relative_exponent(separation/properties%sigma, b, max(y, 0.0_wp))
-      slope = 2.0_wp/properties%yield_factor
-      piece%stiffness = slope*moments(0)
-      piece%area = 2.0_wp*(moments(1) + b*moments(0))/a
-      piece%pressure = slope*(moments(1) + b*moments(0))/a
-      piece%energy = properties%energy_2/(properties%n1*properties%w1)*moments(0) &
-         + 0.5_wp*slope*(moments(2) + 2.0_wp*b*moments(1))/(a*a)
-   end function plastic_piece
+   end subroutine evaluate_scaled_law
 
 end module asperity_normal_law

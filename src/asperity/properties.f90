@@ -1,9 +1,9 @@
 !> Properties of one pair of rough faces for the normal law: checked once, with all constants
 !> that follow from them. Any consistent units; N-mm-MPa in messages, presets and examples.
 module asperity_properties
-   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use asperity_double_double, only: assignment(=), double_double, operator(*), quotient
    use asperity_error, only: error_type, fatal_error
+   use asperity_finite, only: is_finite
    use asperity_kinds, only: wp
    use asperity_text, only: to_text
    use asperity_validity, only: roughness_number_high, roughness_number_low, &
@@ -16,6 +16,9 @@ module asperity_properties
    real(wp), parameter, public :: pi = acos(-1.0_wp)
    !> w2/w1, Eq. 11
    real(wp), parameter :: plastic_ratio = 110.0_wp
+   !> b2, Eq. 15: 1 + ln 2/ln 110
+   real(wp), parameter, public :: plastic_area_exponent = &
+      1.0_wp + log(2.0_wp)/log(plastic_ratio)
    !> Smallest eta R sigma of an isotropic Gaussian surface: Nayak's alpha = 1.5, McCool's relations
    real(wp), parameter :: roughness_number_min = 0.0249_wp
    !> Above this eta R sigma a warning is given
@@ -25,6 +28,9 @@ module asperity_properties
    !> 3 pi/4 to 32 digits
    type(double_double), parameter :: three_quarters_pi = &
       double_double(2.356194490192345_wp, 9.184850993605148436e-17_wp)
+   !> 4/3 to 32 digits
+   type(double_double), parameter :: four_thirds = &
+      double_double(1.3333333333333333_wp, 7.401486830834376e-17_wp)
    !> Range of the yield factor over which the law is verified
    real(wp), parameter :: yield_factor_min = 0.05_wp, yield_factor_max = 1.0_wp
 
@@ -84,7 +90,7 @@ contains
       type(error_type), allocatable, intent(out) :: error
       !> Let an eta R sigma below 0.0249 pass; results are then flagged
       logical, intent(in), optional :: accept_unphysical
-      type(double_double) :: strain
+      type(double_double) :: strain, yield
       real(wp) :: number
       logical :: accepted
 
@@ -103,13 +109,14 @@ contains
       properties%yield_factor = yield_factor
       properties%sigma = sigma
       strain = quotient(hardness, modulus)*yield_factor*three_quarters_pi
-      properties%w1 = strain*strain*radius
-      properties%w2 = strain*strain*radius*plastic_ratio
+      yield = strain*strain*radius
+      properties%w1 = yield
+      properties%w2 = yield*plastic_ratio
       properties%b1 = log(1.0_wp/yield_factor)/log(plastic_ratio)
-      properties%b2 = 1.0_wp + log(2.0_wp)/log(plastic_ratio)
+      properties%b2 = plastic_area_exponent
       properties%b3_less_1 = log(2.0_wp/yield_factor)/log(plastic_ratio)
       properties%b3 = 1.0_wp + properties%b3_less_1
-      properties%n1 = strain*strain*strain*quotient(4.0_wp, 3.0_wp)*radius*radius*modulus
+      properties%n1 = strain*yield*four_thirds*radius*modulus
       properties%energy_2 = properties%n1*properties%w1*(0.4_wp - 1.0_wp/(properties%b3 + 1.0_wp)) &
          + 2.0_wp*pi*radius*hardness*properties%w2**2/(properties%b3 + 1.0_wp)
 
@@ -151,7 +158,7 @@ contains
       !> Its unit, for the message
       character(len=*), intent(in) :: unit
 
-      if (ieee_is_finite(value)) then
+      if (is_finite(value)) then
          if (value >= smallest .and. value <= largest) return
       end if
       call fatal_error(error, name//' = '//to_text(value)// &
@@ -169,7 +176,7 @@ contains
       !> Its unit with a blank before it, or nothing
       character(len=*), intent(in) :: unit
 
-      if (ieee_is_finite(value)) then
+      if (is_finite(value)) then
          if (value >= lowest .and. value <= highest) return
       end if
       call fatal_error(error, name//' = '//to_text(value)//unit// &
@@ -181,7 +188,7 @@ contains
       type(error_type), allocatable, intent(inout) :: error
       real(wp), intent(in) :: yield_factor
 
-      if (ieee_is_finite(yield_factor)) then
+      if (is_finite(yield_factor)) then
          if (yield_factor >= yield_factor_min .and. yield_factor <= yield_factor_max) return
       end if
       call fatal_error(error, 'yield_factor = '//to_text(yield_factor)// &

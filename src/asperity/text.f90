@@ -3,7 +3,7 @@
 !> Character results have explicit lengths: gfortran keeps the length of a deferred-length result
 !> in static storage, which two threads that warn at once would share.
 module asperity_text
-   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite, ieee_is_nan
+   use asperity_finite, only: is_finite, is_nan
    use asperity_kinds, only: wp
    implicit none
    private
@@ -83,10 +83,10 @@ contains
       real(wp) :: back
       integer :: n
 
-      if (ieee_is_nan(value)) then
+      if (is_nan(value)) then
          buffer = 'NaN'
          return
-      else if (.not. ieee_is_finite(value)) then
+      else if (.not. is_finite(value)) then
          buffer = merge('Infinity ', '-Infinity', value > 0.0_wp)
          return
       end if

@@ -1,0 +1,65 @@
+!> What UINTER and VUINTER check before they compute: sizes that the deck sets, a STATEV that only
+!> they write to, and numbers that a host gone wrong may pass.
+module uinter_checks
+   use asperity, only: error_type, status_open, status_slip, status_stick, status_unset, wp
+   use asperity_error, only: fatal_error
+   use asperity_finite, only: all_finite
+   use asperity_text, only: to_text
+   use asperity_validity, only: all_flags
+   use uinter_slots, only: n_statev, state_pressure, state_status, state_validity, state_warned
+   implicit none
+   private
+   public :: check_sizes, check_statev, computable
+
+   !> Larger numbers than this are a host gone wrong
+   real(wp), parameter :: largest = 1.0e30_wp
+
+contains
+
+   !> Refuse what would be read or written out of bounds.
+   pure subroutine check_sizes(nstatv, ndir, error)
+      !> Number of state variables
+      integer, intent(in) :: nstatv
+      !> Number of components
+      integer, intent(in) :: ndir
+      !> Set when one is refused
+      type(error_type), allocatable, intent(out) :: error
+
+      if (nstatv < n_statev) then
+         call fatal_error(error, 'DEPVAR = '//to_text(nstatv)//' is too small: give DEPVAR = '// &
+            to_text(n_statev)//' on *SURFACE INTERACTION')
+      else if (ndir /= 2 .and. ndir /= 3) then
+         call fatal_error(error, 'NDIR = '//to_text(ndir)//' is not allowed: it must be 2 or 3')
+      end if
+   end subroutine check_sizes
+
+   !> Refuse a STATEV that is not ours.
+   pure subroutine check_statev(statev, error)
+      !> At least `n_statev` numbers, all finite
+      real(wp), intent(in) :: statev(:)
+      !> Set when it is refused
+      type(error_type), allocatable, intent(out) :: error
+
+      if (.not. any(abs(statev(state_status) - [status_unset, status_open, status_stick, &
+            status_slip]) <= 0.0_wp)) then
+         call fatal_error(error, 'STATEV(1) = '//to_text(statev(state_status))//' is no '// &
+            'contact status (0 to 3): STATEV must be zero at the start, and nothing else may '// &
+            'write to it')
+      else if (statev(state_pressure) < 0.0_wp .or. any(statev(state_validity:state_warned) &
+            < 0.0_wp) .or. any(statev(state_validity:state_warned) > all_flags)) then
+         call fatal_error(error, 'STATEV(3), (10) or (11) = '//to_text(statev(state_pressure))// &
+            ', '//to_text(statev(state_validity))//', '//to_text(statev(state_warned))// &
+            ' is no pressure or sum of flags: nothing else may write to STATEV')
+      end if
+   end subroutine check_statev
+
+   !> Finite, and far from overflow.
+   pure logical function computable(values)
+      !> Numbers of the host
+      real(wp), intent(in) :: values(:)
+
+      computable = all_finite(values)
+      if (computable) computable = all(abs(values) < largest)
+   end function computable
+
+end module uinter_checks

@@ -1,0 +1,318 @@
+!> The normal law compiled to polynomials of degree seven on fixed intervals of h = d/sigma: as good
+!> as the direct evaluation and some fifty times faster. Built once from the properties, then read
+!> only, so that threads share it.
+!>
+!> Up to h = 8 the polynomials are of pressure, area and energy themselves; beyond, of the same over
+!> exp(-h^2/2). Values and slopes are exact at four points of an interval, its ends among them. The
+!> stiffness is the derivative of the polynomial of the pressure. Outside -8 <= h < 38 the law is
+!> evaluated directly, and beyond 39 it is zero.
+module asperity_compiled_law
+   use asperity_error, only: error_type, fatal_error
+   use asperity_gaussian_tail, only: tail_moments
+   use asperity_hermite_polynomial, only: degree, hermite_points, hermite_polynomial
+   use asperity_kinds, only: wp
+   use asperity_normal_law, only: evaluate_normal_law, evaluate_scaled_law, normal_response, &
+      vanishing_separation
+   use asperity_properties, only: normal_properties
+   use asperity_validity, only: area_above_nominal, closure_above_half_radius, &
+      pressure_above_hardness
+   implicit none
+   private
+   public :: compiled_law, new_compiled_law, evaluate_compiled_law
+
+   !> Ends of the three ranges of h, and intervals per unit of h in each
+   real(wp), parameter :: first = -8.0_wp, second = 2.0_wp, third = 8.0_wp, last = 38.0_wp
+   integer, parameter :: coarse = 8, fine = 24
+   real(wp), parameter :: far = 2.0_wp
+   !> Number of intervals: in the first two ranges, and in all
+   integer, parameter :: n_near = nint((second - first)*coarse + (third - second)*fine)
+   integer, parameter :: n_all = n_near + nint((last - third)*far)
+   !> Stand for the column of an h without a polynomial: evaluated directly, or zero
+   integer, parameter :: outside = 0, beyond = -1
+
+   !> The law of one pair of faces, compiled. Build it with `new_compiled_law`; read only after.
+   type :: compiled_law
+      !> What it was compiled from
+      type(normal_properties) :: properties
+      !> 1/sigma
+      real(wp), private :: inverse_sigma
+      !> Separations over sigma below which a limit of the law is passed: nominal area, hardness,
+      !> half the radius
+      real(wp), private :: limits(3)
+      !> Polynomials, one column an interval: powers 0 to 7, and the middle of the interval
+      real(wp), private :: pressure(0:degree + 1, n_all)
+      real(wp), private :: area_fraction(0:degree, n_all), energy(0:degree, n_all)
+   end type compiled_law
+
+   !> Pressure and stiffness at one separation, or at many in one call; at one also the rest.
+   interface evaluate_compiled_law
+      procedure evaluate_point
+      procedure evaluate_batch
+   end interface evaluate_compiled_law
+
+contains
+
+   !> Compile the law. `error` is set when the properties were never built.
+   pure subroutine new_compiled_law(law, properties, error)
+      !> Result
+      type(compiled_law), intent(out) :: law
+      !> Checked properties
+      type(normal_properties), intent(in) :: properties
+      !> Set when the properties were never built
+      type(error_type), allocatable, intent(out) :: error
+      real(wp), dimension(3, 4) :: values, slopes
+      real(wp) :: middle, half_width
+      integer :: i, j
+
+      if (.not. properties%sigma > 0.0_wp) then
+         call fatal_error(error, 'the properties of the normal law are not set: build them '// &
+            'with new_normal_properties')
+         return
+      end if
+      law%properties = properties
+      law%inverse_sigma = 1.0_wp/properties%sigma
+      do i = 1, n_all
+         call place_interval(i, middle, half_width)
+         if (i == 1 .or. i == n_near + 1) then
+            call sample(properties, middle - half_width, i > n_near, values(:, 1), slopes(:, 1))
+         else
+            values(:, 1) = values(:, 4)
+            slopes(:, 1) = slopes(:, 4)
+         end if
+         do j = 2, 4
+            call sample(properties, middle + half_width*hermite_points(j), i > n_near, &
+               values(:, j), slopes(:, j))
+         end do
+         law%pressure(:degree, i) = hermite_polynomial(values(1, :), slopes(1, :), half_width)
+         law%pressure(degree + 1, i) = middle
+         law%area_fraction(:, i) = hermite_polynomial(values(2, :), slopes(2, :), half_width)
+         law%energy(:, i) = hermite_polynomial(values(3, :), slopes(3, :), half_width)
+      end do
+      call find_limits(law)
+   end subroutine new_compiled_law
+
+   !> Middle and half width of an interval of h.
+   pure subroutine place_interval(i, middle, half_width)
+      integer, intent(in) :: i
+      real(wp), intent(out) :: middle, half_width
+      integer, parameter :: n_first = nint((second - first)*coarse)
+
+      if (i <= n_first) then
+         half_width = 0.5_wp/coarse
+         middle = first + half_width*(2*i - 1)
+      else if (i <= n_near) then
+         half_width = 0.5_wp/fine
+         middle = second + half_width*(2*(i - n_first) - 1)
+      else
+         half_width = 0.5_wp/far
+         middle = third + half_width*(2*(i - n_near) - 1)
+      end if
+   end subroutine place_interval
+
+   !> Pressure, area fraction and energy, and their derivatives by h; over exp(-h^2/2) if `scaled`.
+   pure subroutine sample(properties, h, scaled, values, slopes)
+      type(normal_properties), intent(in) :: properties
+      real(wp), intent(in) :: h
+      logical, intent(in) :: scaled
+      real(wp), intent(out) :: values(3), slopes(3)
+      type(normal_response) :: r
+      real(wp) :: area_stiffness, decay
+
+      call evaluate_scaled_law(properties, h*properties%sigma, r, area_stiffness)
+      values = [r%pressure, r%area_fraction, r%energy]
+      slopes = -properties%sigma*[r%stiffness, area_stiffness, r%pressure]
+      if (scaled) then
+         slopes = slopes + h*values
+      else
+         decay = exp(-0.5_wp*max(h, 0.0_wp)**2)
+         values = values*decay
+         slopes = slopes*decay
+      end if
+   end subroutine sample
+
+   !> Find where the law's limits are passed, by bisection. What lies outside the polynomials is
+   !> evaluated, and judged, directly.
+   pure subroutine find_limits(law)
+      type(compiled_law), intent(inout) :: law
+      real(wp) :: near, distant, h, pressure, stiffness, area_fraction, moments(0:2)
+      logical :: passed
+      integer :: i
+
+      do i = 1, 3
+         near = first
+         distant = last
+         do while (distant - near > epsilon(h)*max(1.0_wp, abs(near)))
+            h = 0.5_wp*(near + distant)
+            if (i < 3) then
+               call evaluate_point(law, h*law%properties%sigma, pressure, stiffness, area_fraction)
+               passed = merge(area_fraction > 1.0_wp, pressure > law%properties%hardness, i == 1)
+            else
+               moments = tail_moments(h)
+               passed = law%properties%sigma*moments(1) > 0.5_wp*law%properties%radius*moments(0)
+            end if
+            if (passed) then
+               near = h
+            else
+               distant = h
+            end if
+         end do
+         law%limits(i) = distant
+      end do
+   end subroutine find_limits
+
+   !> At one separation. The error against the direct evaluation is below 1e-10 for |h| <= 8 and
+   !> below 1e-9 beyond, relative, in every quantity.
+   pure elemental subroutine evaluate_point(law, separation, pressure, stiffness, area_fraction, &
+         contact_density, energy, validity)
+      !> Compiled law
+      type(compiled_law), intent(in) :: law
+      !> Separation d, mm; any finite value up to 1e100 sigma in size
+      real(wp), intent(in) :: separation
+      !> Pressure, MPa, and normal stiffness -dp/dd, MPa/mm
+      real(wp), intent(out) :: pressure, stiffness
+      !> Real area over nominal area; summits in contact per nominal area, 1/mm^2; stored energy
+      !> per nominal area, N/mm
+      real(wp), intent(out), optional :: area_fraction, contact_density, energy
+      !> `valid`, or flags (see `asperity_validity`)
+      integer, intent(out), optional :: validity
+      real(wp) :: found(2)
+
+      call evaluate_all(law, 1, [separation], found(1:1), found(2:2))
+      pressure = found(1)
+      stiffness = found(2)
+      if (present(area_fraction) .or. present(contact_density) .or. present(energy) &
+         .or. present(validity)) call evaluate_rest(law, separation, area_fraction, &
+         contact_density, energy, validity)
+   end subroutine evaluate_point
+
+   !> At many separations: pressures and stiffnesses only.
+   pure subroutine evaluate_batch(law, separation, pressure, stiffness)
+      !> Compiled law
+      type(compiled_law), intent(in) :: law
+      !> Separations d, mm
+      real(wp), intent(in), contiguous :: separation(:)
+      !> Pressures, MPa, and stiffnesses -dp/dd, MPa/mm; as many as separations
+      real(wp), intent(out), contiguous :: pressure(:), stiffness(:)
+
+      call evaluate_all(law, size(separation), separation, pressure, stiffness)
+   end subroutine evaluate_batch
+
+   !> The one place where pressure and stiffness are found. Horner's rule for the polynomial and its
+   !> derivative is written out for speed.
+   pure subroutine evaluate_all(law, n, separation, pressure, stiffness)
+      type(compiled_law), intent(in) :: law
+      integer, intent(in) :: n
+      real(wp), intent(in) :: separation(n)
+      real(wp), intent(out) :: pressure(n), stiffness(n)
+      type(normal_response) :: direct
+      real(wp) :: h, t, v6, v5, v4, v3, v2, v1, v0, s5, s4, s3, s2, s1, s0, decay
+      integer :: i, column
+
+      do i = 1, n
+         h = separation(i)*law%inverse_sigma
+         column = column_at(h)
+         if (column <= outside) then
+            direct = normal_response()
+            if (column == outside) direct = evaluate_normal_law(law%properties, separation(i))
+            pressure(i) = direct%pressure
+            stiffness(i) = direct%stiffness
+            cycle
+         end if
+         associate (c => law%pressure(:, column))
+            t = h - c(9)
+            v6 = c(8)*t + c(7)
+            s5 = c(8)*t + v6
+            v5 = v6*t + c(6)
+            s4 = s5*t + v5
+            v4 = v5*t + c(5)
+            s3 = s4*t + v4
+            v3 = v4*t + c(4)
+            s2 = s3*t + v3
+            v2 = v3*t + c(3)
+            s1 = s2*t + v2
+            v1 = v2*t + c(2)
+            s0 = s1*t + v1
+            v0 = v1*t + c(1)
+         end associate
+         if (column > n_near) then
+            decay = exp(-0.5_wp*h*h)
+            s0 = (s0 - h*v0)*decay
+            v0 = v0*decay
+         end if
+         pressure(i) = v0
+         stiffness(i) = -s0*law%inverse_sigma
+      end do
+   end subroutine evaluate_all
+
+   !> What is not pressure or stiffness, at one separation.
+   pure subroutine evaluate_rest(law, separation, area_fraction, contact_density, energy, validity)
+      type(compiled_law), intent(in) :: law
+      real(wp), intent(in) :: separation
+      real(wp), intent(out), optional :: area_fraction, contact_density, energy
+      integer, intent(out), optional :: validity
+      type(normal_response) :: direct
+      real(wp) :: h, t, decay, moments(0:2)
+      integer :: column
+
+      h = separation*law%inverse_sigma
+      column = column_at(h)
+      if (column <= outside) then
+         direct%validity = law%properties%validity
+         if (column == outside) direct = evaluate_normal_law(law%properties, separation)
+         if (present(area_fraction)) area_fraction = direct%area_fraction
+         if (present(contact_density)) contact_density = direct%contact_density
+         if (present(energy)) energy = direct%energy
+         if (present(validity)) validity = direct%validity
+         return
+      end if
+      t = h - law%pressure(degree + 1, column)
+      decay = 1.0_wp
+      if (column > n_near) decay = exp(-0.5_wp*h*h)
+      if (present(area_fraction)) &
+         area_fraction = polynomial(law%area_fraction(:, column), t)*decay
+      if (present(energy)) energy = polynomial(law%energy(:, column), t)*decay
+      if (present(contact_density)) then
+         moments = tail_moments(h)
+         contact_density = law%properties%eta*moments(0)*exp(-0.5_wp*max(h, 0.0_wp)**2)
+      end if
+      if (present(validity)) validity = flags_at(law, h)
+   end subroutine evaluate_rest
+
+   !> Interval of h = d/sigma, or `outside` or `beyond`.
+   pure integer function column_at(h)
+      real(wp), intent(in) :: h
+      real(wp) :: intervals
+
+      column_at = outside
+      if (h > vanishing_separation) column_at = beyond
+      if (.not. (h >= first .and. h < last)) return
+      intervals = (min(h, second) - first)*coarse + max(h - second, 0.0_wp)*fine
+      if (intervals < n_near) then
+         column_at = 1 + int(intervals)
+      else
+         column_at = n_near + 1 + int(max(h - third, 0.0_wp)*far)
+      end if
+   end function column_at
+
+   !> A polynomial by Horner's rule.
+   pure real(wp) function polynomial(c, t)
+      real(wp), intent(in) :: c(0:degree), t
+      integer :: i
+
+      polynomial = c(degree)
+      do i = degree - 1, 0, -1
+         polynomial = polynomial*t + c(i)
+      end do
+   end function polynomial
+
+   !> Flags at a separation over sigma.
+   pure integer function flags_at(law, h)
+      type(compiled_law), intent(in) :: law
+      real(wp), intent(in) :: h
+      integer, parameter :: flags(3) = &
+         [area_above_nominal, pressure_above_hardness, closure_above_half_radius]
+
+      flags_at = ior(law%properties%validity, sum(flags, mask=h < law%limits))
+   end function flags_at
+
+end module asperity_compiled_law

@@ -1,0 +1,102 @@
+!> The three pieces of the normal law: integrals over elastic, elasto-plastic and plastic summits,
+!> the first two by quadrature that fits any properties and separation, the last in closed form.
+module asperity_law_pieces
+   use asperity_exponential, only: exponentials
+   use asperity_gauss_legendre, only: n_points, pairwise_sum
+   use asperity_gaussian_tail, only: tail_moments
+   use asperity_height_quadrature, only: new_log_quadrature, new_quadrature, quadrature_type, &
+      relative_exponent
+   use asperity_kinds, only: wp
+   use asperity_properties, only: normal_properties
+   implicit none
+   private
+   public :: piece_type, elastic_piece, elastoplastic_piece, plastic_piece
+
+   !> Integrals over one piece, to be multiplied by exp(-exponent - max(h, 0)^2/2).
+   type :: piece_type
+      !> Force, its slope, area, its slope and energy, in units of N1, N1/w1, pi R w1, pi R, N1 w1
+      real(wp) :: pressure = 0.0_wp, stiffness = 0.0_wp
+      real(wp) :: area = 0.0_wp, area_slope = 0.0_wp, energy = 0.0_wp
+      !> See above; never negative
+      real(wp) :: exponent = 0.0_wp
+   end type piece_type
+
+contains
+
+   !> Integrals of the force, its slope, area and energy over elastic summits, in units of N1,
+   !> N1/w1, pi R w1 and N1 w1, and of the area's slope in pi R.
+   pure function elastic_piece(properties, separation) result(piece)
+      type(normal_properties), intent(in) :: properties
+      real(wp), intent(in) :: separation
+      type(piece_type) :: piece
+      type(quadrature_type) :: rule
+      real(wp), dimension(n_points) :: force_slope, force
+      integer :: i
+
+      rule = new_quadrature(properties, separation, 0.0_wp, properties%w1)
+      piece%exponent = rule%exponent
+      do i = 1, rule%panels
+         associate (ratio => rule%ratio(:, i), weight => rule%weight(:, i))
+            force_slope = weight*sqrt(ratio)
+            force = force_slope*ratio
+            piece%stiffness = piece%stiffness + 1.5_wp*pairwise_sum(force_slope)
+            piece%pressure = piece%pressure + pairwise_sum(force)
+            piece%area = piece%area + pairwise_sum(weight*ratio)
+            piece%energy = piece%energy + 0.4_wp*pairwise_sum(force*ratio)
+            piece%area_slope = piece%area_slope + pairwise_sum(weight)
+         end associate
+      end do
+   end function elastic_piece
+
+   !> The same over elasto-plastic summits.
+   pure function elastoplastic_piece(properties, separation) result(piece)
+      type(normal_properties), intent(in) :: properties
+      real(wp), intent(in) :: separation
+      type(piece_type) :: piece
+      type(quadrature_type) :: rule
+      real(wp), dimension(n_points) :: force, area
+      real(wp) :: inverse
+      integer :: i
+
+      rule = new_log_quadrature(properties, separation, properties%w1, properties%w2)
+      piece%exponent = rule%exponent
+      inverse = 1.0_wp/(properties%b3 + 1.0_wp)
+      do i = 1, rule%panels
+         associate (ratio => rule%ratio(:, i), weight => rule%weight(:, i), b2 => properties%b2)
+            call exponentials(n_points, properties%b3_less_1*rule%log_ratio(:, i), force)
+            force = weight*ratio*force
+            call exponentials(n_points, b2*rule%log_ratio(:, i), area)
+            area = weight*area
+            piece%stiffness = piece%stiffness + properties%b3*pairwise_sum(force/ratio)
+            piece%pressure = piece%pressure + pairwise_sum(force)
+            piece%area = piece%area + pairwise_sum(area)
+            piece%area_slope = piece%area_slope + b2*pairwise_sum(area/ratio)
+            piece%energy = piece%energy &
+               + pairwise_sum((0.4_wp - inverse)*weight + inverse*force*ratio)
+         end associate
+      end do
+   end function elastoplastic_piece
+
+   !> The same over plastic summits, in closed form: force and area are linear in w.
+   pure function plastic_piece(properties, separation) result(piece)
+      type(normal_properties), intent(in) :: properties
+      real(wp), intent(in) :: separation
+      type(piece_type) :: piece
+      real(wp) :: a, b, y, moments(0:2), slope
+
+      a = properties%w1/properties%sigma
+      b = properties%w2/properties%sigma
+      y = (separation + properties%w2)/properties%sigma
+      moments = tail_moments(y)
+      ! moments of y < 0 are not scaled
+      piece%exponent = relative_exponent(separation/properties%sigma, b, max(y, 0.0_wp))
+      slope = 2.0_wp/properties%yield_factor
+      piece%stiffness = slope*moments(0)
+      piece%area_slope = 2.0_wp*moments(0)
+      piece%area = 2.0_wp*(moments(1) + b*moments(0))/a
+      piece%pressure = slope*(moments(1) + b*moments(0))/a
+      piece%energy = properties%energy_2/(properties%n1*properties%w1)*moments(0) &
+         + 0.5_wp*slope*(moments(2) + 2.0_wp*b*moments(1))/(a*a)
+   end function plastic_piece
+
+end module asperity_law_pieces
