@@ -1,6 +1,7 @@
 !> Runs every suite. It uses pFUnit's own names only, so it works with the real pFUnit as well.
 program test_main
    use funit, only: SerialContext, TestResult, TestRunner, TestSuite
+   use test_compiled_law, only: suite_compiled_law
    use test_contact_energy, only: suite_contact_energy
    use test_contact_point, only: suite_contact_point
    use test_contact_tangent, only: suite_contact_tangent
@@ -32,6 +33,7 @@ program test_main
    call all_suites%addTest(suite_validity())
    call all_suites%addTest(suite_normal_law_reference())
    call all_suites%addTest(suite_normal_inverse())
+   call all_suites%addTest(suite_compiled_law())
    call all_suites%addTest(suite_friction())
    call all_suites%addTest(suite_contact_point())
    call all_suites%addTest(suite_contact_energy())
