@@ -20,8 +20,34 @@ if(PFUNIT_FOUND)
 endif()
 add_test(NAME asperity_tests COMMAND asperity_tests WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
 
+# The same tests of VUINTER against the file for single precision, all from sources, as its modules
+# are not those of the library
+set(single_sources
+   abaqus_stubs contact_cases random_inputs threads vuinter_host test_vuinter
+   test_vuinter_agreement single/main)
+if(NOT PFUNIT_FOUND)
+   list(APPEND single_sources funit funit_assert)
+endif()
+list(TRANSFORM single_sources PREPEND test/)
+list(TRANSFORM single_sources APPEND .f90)
+add_executable(asperity_single_tests
+   ${PROJECT_BINARY_DIR}/asperity_vuinter_single.f90 ${single_sources}
+   interface/uinter.f90 interface/uinter_signature.f90 interface/vuinter_signature.f90
+   src/replay/host.f90)
+# one rule writes the file, not two at once
+add_dependencies(asperity_single_tests uinter_file)
+asperity_compile_options(asperity_single_tests)
+if(PFUNIT_FOUND)
+   target_link_libraries(asperity_single_tests PRIVATE PFUNIT::funit)
+endif()
+add_test(NAME single_tests COMMAND asperity_single_tests WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
+
 if(ASPERITY_BUILD_PROGRAM)
    add_test(NAME program_tests
       COMMAND bash ${PROJECT_SOURCE_DIR}/test/program/run_tests.sh $<TARGET_FILE:asperity_program>
       WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
+endif()
+
+if(ASPERITY_BUILD_C)
+   include(cmake/AsperityCTests.cmake)
 endif()

@@ -18,6 +18,8 @@ program test_main
    use test_single_asperity, only: suite_single_asperity
    use test_uinter, only: suite_uinter
    use test_validity, only: suite_validity
+   use test_vuinter, only: suite_vuinter
+   use test_vuinter_agreement, only: suite_vuinter_agreement
    implicit none
    type(TestSuite) :: all_suites
    type(TestRunner) :: runner
@@ -40,6 +42,8 @@ program test_main
    call all_suites%addTest(suite_contact_tangent())
    call all_suites%addTest(suite_uinter())
    call all_suites%addTest(suite_replay_host())
+   call all_suites%addTest(suite_vuinter())
+   call all_suites%addTest(suite_vuinter_agreement())
    call all_suites%addTest(suite_press())
    call all_suites%addTest(suite_shear_box())
    runner = TestRunner()

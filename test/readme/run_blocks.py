@@ -5,6 +5,8 @@ usage: run_blocks.py FILE.md --source PROJECT --prefix PREFIX --work FOLDER
 
 The language of a block tells what is done with it:
     fortran    a complete program: compiled against the package installed in PREFIX, and run
+    c          likewise, C99 without a warning
+    python     a script: run by the Python that runs this
     sh, bash   a script: run by `bash -eu` in a fresh copy of the project
     console    lines that begin with `$ ` are run likewise; the lines between are their output
 An HTML comment on the line before the fence (blank lines may stand between) marks a block:
@@ -14,7 +16,7 @@ An HTML comment on the line before the fence (blank lines may stand between) mar
 A block with neither such a language nor a mark is a failure: nothing is passed over silently.
 
 All blocks share one folder, a fresh copy of the project, and find the installed program on PATH,
-the package by CMAKE_PREFIX_PATH and PKG_CONFIG_PATH. Expected output is compared line by line
+the package by CMAKE_PREFIX_PATH, PKG_CONFIG_PATH and LD_LIBRARY_PATH. Expected output is compared line by line
 without trailing blanks; a line of three dots stands for any number of lines.
 """
 
@@ -92,8 +94,10 @@ class Runner:
         libraries = [str(path) for path in prefix.glob("lib*/**/pkgconfig")]
         self.environment = dict(
             os.environ, PATH=f"{prefix / 'bin'}:{os.environ['PATH']}",
-            CMAKE_PREFIX_PATH=str(prefix), PKG_CONFIG_PATH=":".join(libraries))
+            CMAKE_PREFIX_PATH=str(prefix), PKG_CONFIG_PATH=":".join(libraries),
+            LD_LIBRARY_PATH=":".join(str(Path(path).parent) for path in libraries))
         self.compiler = os.environ.get("FC", "gfortran")
+        self.c_compiler = os.environ.get("CC", "gcc")
 
     def command(self, words, limit=600):
         """Run a command and return what it printed; fail when it does."""
@@ -112,6 +116,18 @@ class Runner:
         self.command([self.compiler, "-std=f2018", "-Wall", source.name, *shlex.split(flags),
                       "-o", source.stem])
         self.printed = self.command([f"./{source.stem}"])
+
+    def c(self, block):
+        """Compile a complete program in C as the text says, and run it."""
+        source = self.folder / f"block_at_line_{block.line}.c"
+        source.write_text(block.text, encoding="utf-8")
+        flags = self.command(["pkg-config", "--cflags", "--libs", "asperity-c"])
+        self.command([self.c_compiler, "-std=c99", "-Wall", "-Wextra", "-Wpedantic", "-Werror",
+                      source.name, *shlex.split(flags), "-o", source.stem])
+        self.printed = self.command([f"./{source.stem}"])
+
+    def python(self, block):
+        self.printed = self.command([sys.executable, "-c", block.text])
 
     def script(self, block):
         self.printed = self.command(["bash", "-euo", "pipefail", "-c", block.text])
@@ -142,8 +158,8 @@ class Runner:
                 raise Failure("no block was run before this output")
             compare(block.text, self.printed)
             return "output compared"
-        action = {"fortran": self.fortran, "sh": self.script, "bash": self.script,
-                  "console": self.console}.get(block.language)
+        action = {"fortran": self.fortran, "c": self.c, "python": self.python,
+                  "sh": self.script, "bash": self.script, "console": self.console}.get(block.language)
         if action is None:
             raise Failure(f"language '{block.language}' cannot be run and there is no mark")
         self.printed = None

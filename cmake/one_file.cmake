@@ -1,6 +1,9 @@
-# Write UINTER and every module it uses, directly or not, into the one file that ABAQUS compiles:
-#   cmake -D source=<project> -D output=<file> -D version=<text> -P uinter_file.cmake
+# Write a subroutine of interface/ and every module it uses, directly or not, into the one file that
+# ABAQUS compiles:
+#   cmake -D source=<project> -D output=<file> -D version=<text> -D routine=uinter|vuinter
+#      [-D single=ON] -P one_file.cmake
 # A module comes after those it uses. Its file follows from its name, as everywhere in the project.
+# single=ON gives VUINTER's arguments the single precision that ABAQUS/Explicit has by default.
 
 cmake_minimum_required(VERSION 3.20)
 
@@ -11,7 +14,7 @@ function(file_of_module module result)
       set(${result} src/asperity.f90 PARENT_SCOPE)
    elseif(module MATCHES "^asperity_(.+)$")
       set(${result} src/asperity/${CMAKE_MATCH_1}.f90 PARENT_SCOPE)
-   elseif(module MATCHES "^uinter_")
+   elseif(module MATCHES "^v?uinter_")
       set(${result} interface/${module}.f90 PARENT_SCOPE)
    endif()
 endfunction()
@@ -33,12 +36,24 @@ function(place name)
    set_property(GLOBAL APPEND PROPERTY ordered ${name})
 endfunction()
 
-place(interface/uinter.f90)
+place(interface/${routine}.f90)
 get_property(ordered GLOBAL PROPERTY ordered)
+string(TOUPPER ${routine} title)
+set(changed OFF)
+if(single)
+   string(APPEND title " in single precision")
+endif()
 file(WRITE ${output}.new
-   "! asperity ${version}: UINTER and every module it uses. Generated, do not edit.\n")
+   "! asperity ${version}: ${title} and every module it uses. Generated, do not edit.\n")
 foreach(name IN LISTS ordered)
    file(READ ${source}/${name} text)
+   if(single AND name STREQUAL "interface/vuinter_precision.f90")
+      string(REPLACE real64 real32 text "${text}")
+      set(changed ON)
+   endif()
    file(APPEND ${output}.new "\n! ${name}\n${text}")
 endforeach()
+if(single AND NOT changed)
+   message(FATAL_ERROR "interface/vuinter_precision.f90 is not used by ${routine}")
+endif()
 file(RENAME ${output}.new ${output})

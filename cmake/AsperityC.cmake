@@ -1,0 +1,38 @@
+# The C interface as a shared library, for C, C++ and anything that loads such libraries: the law,
+# the contact point and asperity.h, without UINTER and VUINTER, which need ABAQUS.
+
+# See the file's head: a warning of flang's that the standard does not share
+if(CMAKE_Fortran_COMPILER_ID STREQUAL "LLVMFlang")
+   set_source_files_properties(interface/asperity_c_contents.f90 PROPERTIES COMPILE_OPTIONS -w)
+endif()
+
+if(ASPERITY_BUILD_C)
+   # The objects of the static library, which are position independent
+   add_library(asperity_c SHARED
+      "$<FILTER:$<TARGET_OBJECTS:asperity>,INCLUDE,/(src/asperity|interface/asperity_c)>")
+   add_library(asperity::asperity_c ALIAS asperity_c)
+   # 0.x may change the interface with every x
+   set_target_properties(asperity_c PROPERTIES
+      LINKER_LANGUAGE Fortran
+      VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
+   target_include_directories(asperity_c INTERFACE
+      $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/interface>
+      $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+   if(CMAKE_SYSTEM_NAME STREQUAL "Linux")
+      # Nothing is left for the program to supply, and nothing but asperity_* is seen from outside
+      set(symbols ${PROJECT_SOURCE_DIR}/cmake/asperity_c.map)
+      # -Wl, itself, as CMake 3.25 does not know how flang passes options on
+      target_link_options(asperity_c PRIVATE
+         -Wl,-z,defs -Wl,--version-script=${symbols})
+      set_target_properties(asperity_c PROPERTIES LINK_DEPENDS ${symbols})
+   endif()
+
+   install(TARGETS asperity_c EXPORT asperity-c-targets
+      LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+   install(FILES interface/asperity.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+   install(EXPORT asperity-c-targets NAMESPACE asperity:: DESTINATION ${package_folder})
+   file(RELATIVE_PATH pc_include ${pc_folder} ${CMAKE_INSTALL_FULL_INCLUDEDIR})
+   configure_file(cmake/asperity-c.pc.in asperity-c.pc @ONLY)
+   install(FILES ${PROJECT_BINARY_DIR}/asperity-c.pc
+      DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+endif()

@@ -1,0 +1,335 @@
+/**
+ * @file asperity.h
+ * @brief Elasto-plastic contact of rough timber faces: the C interface of asperity.
+ *
+ * Units are N, mm and MPa, as in the library. Every function returns an #asperity_code, 0 when it
+ * did what it says. The last argument of every function is the caller's own #asperity_error, which
+ * receives the code and a message; it may be NULL.
+ *
+ * Threads: the library keeps nothing of its own between calls. A law never changes once it is
+ * built, so any number of threads may use one law at the same time. A set of states belongs to one
+ * thread at a time: give each thread its own. Freeing must not overlap with any other use.
+ *
+ * Arrays over the points come first-index-last: an array written [2][n] here holds all n first
+ * components, then all n second ones, so that component c of point i is a[c*n + i]. Arrays are
+ * contiguous and aligned as C aligns them. One that a function writes to may share no memory with
+ * another argument of the same call.
+ *
+ * NULL, wrong lengths, numbers that are not finite or absurdly large, and handles of another kind
+ * give a code and a message; after any error nothing that was passed has been changed, save for the
+ * error struct and, where a function says so, a handle or a text buffer. What no library can find
+ * out is undefined as everywhere in C: an array shorter than its n, a pointer to nowhere, and the
+ * copy of a handle that was freed (the handle itself is set to NULL).
+ */
+#ifndef ASPERITY_H
+#define ASPERITY_H
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** What functions return. */
+enum asperity_code {
+   ASPERITY_OK = 0,
+   /** A computation failed. */
+   ASPERITY_COMPUTATION_ERROR = 1,
+   /** A value that is not allowed. */
+   ASPERITY_BAD_INPUT = 2,
+   /** A pointer is NULL that must not be. */
+   ASPERITY_NULL_ARGUMENT = 4,
+   /** A length, number of points, number of a point or size of a struct does not fit. */
+   ASPERITY_WRONG_LENGTH = 5,
+   /** There is not enough memory. */
+   ASPERITY_NO_MEMORY = 6,
+   /** A handle is not of the kind asked for. */
+   ASPERITY_WRONG_HANDLE = 7
+};
+
+/** What happens to the elastic slip when the pressure changes. */
+enum asperity_friction_rule {
+   /** The elastic slip stays: the shear stress follows the pressure, as in ABAQUS' own friction. */
+   ASPERITY_RULE_ABAQUS = 1,
+   /** Pressure rising keeps the shear stress, falling the elastic slip: creates no energy. */
+   ASPERITY_RULE_DISSIPATIVE = 2
+};
+
+/** How the slip of an increment is integrated. */
+enum asperity_slip_integration {
+   /** Exactly, on a straight path: two half increments equal one. */
+   ASPERITY_SLIP_EXACT = 1,
+   /** Backward Euler (radial return), as in ABAQUS' own friction. */
+   ASPERITY_SLIP_BACKWARD_EULER = 2
+};
+
+/** Contact status of a point. */
+enum asperity_status {
+   /** Never updated: nothing is known of the point's past. */
+   ASPERITY_UNSET = 0,
+   ASPERITY_OPEN = 1,
+   /** Closed; only elastic slip at the end of the increment. */
+   ASPERITY_STICK = 2,
+   /** Closed and slipping at the end of the increment. */
+   ASPERITY_SLIP = 3
+};
+
+/** Limits past which a result is still computed but no longer means what the law assumes. The
+ * validity of a result is a sum of these, 0 where no limit is passed. */
+enum asperity_validity {
+   ASPERITY_AREA_ABOVE_NOMINAL = 1,
+   ASPERITY_PRESSURE_ABOVE_HARDNESS = 2,
+   ASPERITY_CLOSURE_ABOVE_HALF_RADIUS = 4,
+   ASPERITY_STIFFER_THAN_HERTZ = 8,
+   ASPERITY_ROUGHNESS_NUMBER_HIGH = 16,
+   ASPERITY_ROUGHNESS_NUMBER_LOW = 32
+};
+
+/** Overclosure of a point without opposite surface, mm; below -1e30 means the same. */
+#define ASPERITY_NO_OPPOSITE_SURFACE (-1.0e36)
+
+/** asperity_properties::initial_separation that stands for 4 sigma. */
+#define ASPERITY_FOUR_SIGMA 1.0e300
+
+/** How a call ended. */
+typedef struct asperity_error {
+   /** An #asperity_code. */
+   int code;
+   /** One line of text, empty when the code is #ASPERITY_OK. */
+   char message[508];
+} asperity_error;
+
+/** A law: the normal law, friction and the datum of the overclosure of one pair of faces. */
+typedef struct asperity_law asperity_law;
+
+/** What a number of contact points remember between increments. */
+typedef struct asperity_states asperity_states;
+
+/** Properties of a pair of faces. Fill it by asperity_properties_init() first: members may join at
+ * the end in later versions. */
+typedef struct asperity_properties {
+   /** Size of this struct; set by asperity_properties_init(). */
+   size_t size;
+   /** Asperity density, summits per nominal area, 1/mm2. */
+   double eta;
+   /** Equivalent modulus E*, MPa. */
+   double modulus;
+   /** Summit radius R, mm. */
+   double radius;
+   /** Hardness H of the softer face, MPa. */
+   double hardness;
+   /** Mean contact pressure factor k, 0.05 to 1. */
+   double yield_factor;
+   /** Standard deviation of summit heights, mm. */
+   double sigma;
+   /** Coulomb friction coefficient mu, 0 to 1000. */
+   double friction_coefficient;
+   /** Critical elastic slip gcrit, mm. */
+   double critical_slip;
+   /** Separation at zero overclosure d0, mm: separation = d0 - overclosure. Taken literally, zero
+    * and negative too; #ASPERITY_FOUR_SIGMA unless set. */
+   double initial_separation;
+   /** An #asperity_friction_rule; #ASPERITY_RULE_ABAQUS unless set. */
+   int friction_rule;
+   /** An #asperity_slip_integration; #ASPERITY_SLIP_EXACT unless set. */
+   int slip_integration;
+   /** 1 lets an eta*radius*sigma below 0.0249 pass, and flags results; 0 unless set. */
+   int accept_unphysical;
+   /** 1 compiles the normal law to polynomials, for many evaluations; 0, direct evaluation, unless
+    * set. */
+   int compiled;
+} asperity_properties;
+
+/** State of one contact point, for a restart. All zero is a fresh point. */
+typedef struct asperity_state {
+   /** An #asperity_status. */
+   int status;
+   /** Sum of all #asperity_validity flags reached so far. */
+   int validity;
+   /** Overclosure, mm. */
+   double overclosure;
+   /** Pressure, MPa. */
+   double pressure;
+   /** Stored normal energy per area, N/mm. */
+   double normal_energy;
+   /** Elastic slip in the two slip directions, mm; zero while open. */
+   double elastic_slip[2];
+   /** Largest overclosure reached, mm. */
+   double largest_closure;
+   /** Frictional dissipation per area since the start, N/mm. */
+   double dissipation;
+   /** Pressure coupling per area since the start, N/mm. */
+   double pressure_coupling;
+} asperity_state;
+
+/**
+ * @brief Version of the library, such as 0.1.0.
+ * @param buffer where the text goes; one that is too short holds what fits
+ * @param length characters in buffer, with the NUL at the end; 16 are plenty
+ * @param error  may be NULL
+ */
+int asperity_library_version(char *buffer, int length, asperity_error *error);
+
+/**
+ * @brief What the validity flags of a result mean, as text; empty where none is set.
+ * @param validity sum of #asperity_validity flags, 0 to 63
+ * @param buffer   where the text goes; one that is too short holds what fits
+ * @param length   characters in buffer, with the NUL at the end; 512 hold any text
+ * @param error    may be NULL
+ */
+int asperity_validity_remark(int validity, char *buffer, int length, asperity_error *error);
+
+/**
+ * @brief Fill the struct with defaults. eta to critical_slip have none: they become NaN, which
+ *        asperity_law_new() refuses by name.
+ * @param properties struct to fill
+ * @param size       sizeof(asperity_properties)
+ * @param error      may be NULL
+ */
+int asperity_properties_init(asperity_properties *properties, size_t size, asperity_error *error);
+
+/**
+ * @brief Build a law. Free it by asperity_law_free().
+ * @param law        receives the handle, NULL after an error
+ * @param properties what the law is built from; not needed afterwards
+ * @param error      may be NULL
+ */
+int asperity_law_new(asperity_law **law, const asperity_properties *properties,
+                     asperity_error *error);
+
+/**
+ * @brief Free a law and set the handle to NULL. A NULL handle, or NULL for law, is fine.
+ * @param law   the handle
+ * @param error may be NULL
+ */
+int asperity_law_free(asperity_law **law, asperity_error *error);
+
+/**
+ * @brief The properties of a law, its initial separation as a number.
+ * @param law        the law
+ * @param properties struct to fill
+ * @param size       sizeof(asperity_properties)
+ * @param error      may be NULL
+ */
+int asperity_law_properties(const asperity_law *law, asperity_properties *properties, size_t size,
+                            asperity_error *error);
+
+/**
+ * @brief The normal law at n separations.
+ * @param law             the law
+ * @param n               number of points; with 0 the arrays may be NULL
+ * @param separation      [n] separations, mm, up to 1e36 in size
+ * @param pressure        [n] receives pressures, MPa
+ * @param stiffness       [n] receives stiffnesses -dp/dd, MPa/mm
+ * @param area_fraction   [n] receives real area over nominal area; may be NULL
+ * @param contact_density [n] receives summits in contact per area, 1/mm2; may be NULL
+ * @param energy          [n] receives stored energies per area, N/mm; may be NULL
+ * @param validity        [n] receives sums of #asperity_validity flags; may be NULL
+ * @param error           may be NULL
+ */
+int asperity_law_evaluate(const asperity_law *law, int n, const double *separation,
+                          double *pressure, double *stiffness, double *area_fraction,
+                          double *contact_density, double *energy, int *validity,
+                          asperity_error *error);
+
+/**
+ * @brief Separation at which the law gives a pressure.
+ * @param law        the law
+ * @param pressure   pressure, MPa, above zero
+ * @param separation receives the separation, mm
+ * @param error      may be NULL
+ */
+int asperity_law_separation(const asperity_law *law, double pressure, double *separation,
+                            asperity_error *error);
+
+/**
+ * @brief States of n fresh points. Free them by asperity_states_free().
+ * @param states receives the handle, NULL after an error
+ * @param n      number of points, zero or more
+ * @param error  may be NULL
+ */
+int asperity_states_new(asperity_states **states, int n, asperity_error *error);
+
+/**
+ * @brief Free states and set the handle to NULL. A NULL handle, or NULL for states, is fine.
+ * @param states the handle
+ * @param error  may be NULL
+ */
+int asperity_states_free(asperity_states **states, asperity_error *error);
+
+/**
+ * @brief Copy the states of all points. A host that iterates keeps the states of the start of an
+ *        increment in a second set, and copies them back before each trial.
+ * @param from  states to read
+ * @param to    states of the same number of points to overwrite
+ * @param error may be NULL
+ */
+int asperity_states_copy(const asperity_states *from, asperity_states *to, asperity_error *error);
+
+/**
+ * @brief Number of points.
+ * @param states the states
+ * @param n      receives the number
+ * @param error  may be NULL
+ */
+int asperity_states_count(const asperity_states *states, int *n, asperity_error *error);
+
+/**
+ * @brief State of one point.
+ * @param states the states
+ * @param point  number of the point, from 0
+ * @param state  struct to fill
+ * @param error  may be NULL
+ */
+int asperity_states_get(const asperity_states *states, int point, asperity_state *state,
+                        asperity_error *error);
+
+/**
+ * @brief Set the state of one point. What no update can have left behind is refused: an unknown
+ *        status or flag, a negative pressure, numbers that are not finite.
+ * @param states the states
+ * @param point  number of the point, from 0
+ * @param state  its new state
+ * @param error  may be NULL
+ */
+int asperity_states_set(asperity_states *states, int point, const asperity_state *state,
+                        asperity_error *error);
+
+/**
+ * @brief Advance all points over one increment, in place.
+ *
+ * Pressure is positive in compression; shear stress has the sign of the elastic slip. Energies are
+ * per area and obey, on any path, work = change of (normal + tangential energy) + dissipation
+ * - pressure coupling.
+ *
+ * @param law            the law
+ * @param states         states at the start; at the end on return
+ * @param n              number of points of the states; with 0 the arrays may be NULL
+ * @param overclosure    [n] overclosure at the end, mm, up to 1e36 in size
+ * @param slip_increment [2][n] relative tangential motion of the increment, mm, up to 1e30
+ * @param rotation       [2][2][n] rotation of the slip directions in the increment, which makes
+ *                       w = R v of a vector v: R(row, column) of point i is
+ *                       rotation[column][row][i], as Fortran has it; NULL for none
+ * @param traction       [3][n] receives the pressure and two shear stresses at the end, MPa
+ * @param tangent        [3][3][n] receives derivatives, MPa/mm: tangent[column][row][i] is that of
+ *                       traction[row][i] by the overclosure (column 0) or a slip (1, 2);
+ *                       unsymmetric; may be NULL
+ * @param tangential_energy [n] receives stored tangential energies at the end, N/mm; may be NULL
+ * @param dissipation       [n] receives dissipation of this increment, N/mm; may be NULL
+ * @param pressure_coupling [n] receives the energy that a change of pressure put into elastic slip
+ *                          in this increment, N/mm; may be NULL
+ * @param validity          [n] receives sums of #asperity_validity flags of this increment; may be
+ *                          NULL
+ * @param error             may be NULL
+ */
+int asperity_states_update(const asperity_law *law, asperity_states *states, int n,
+                           const double *overclosure, const double *slip_increment,
+                           const double *rotation, double *traction, double *tangent,
+                           double *tangential_energy, double *dissipation,
+                           double *pressure_coupling, int *validity, asperity_error *error);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,123 @@
+!> C interface: values of the normal law. See asperity.h for what each function does.
+module asperity_c_evaluate
+   use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_f_pointer, c_int, c_ptr
+   use asperity, only: contact_properties, error_type, evaluate_compiled_law, &
+      evaluate_normal_law, normal_response, separation_for_pressure, wp
+   use asperity_c_arrays, only: array_argument, check_arrays, check_values
+   use asperity_c_checks, only: answer, check_pointer, check_points
+   use asperity_c_law, only: law_of
+   use asperity_c_types, only: error_struct
+   implicit none
+   private
+   public :: asperity_law_evaluate, asperity_law_separation
+
+   !> Largest separation in size, mm: no result of any law overflows there
+   real(wp), parameter :: largest_separation = 1.0e36_wp
+
+contains
+
+   !> The normal law at n separations.
+   integer(c_int) function asperity_law_evaluate(law, n, separation, pressure, stiffness, &
+         area_fraction, contact_density, energy, validity, error) result(code) &
+         bind(c, name='asperity_law_evaluate')
+      !> Handle
+      type(c_ptr), value :: law
+      !> Number of points
+      integer(c_int), value :: n
+      !> Arrays of n reals; the last three may be NULL
+      type(c_ptr), value :: separation, pressure, stiffness, area_fraction, contact_density, energy
+      !> Array of n integers, may be NULL
+      type(c_ptr), value :: validity
+      !> Filled when present
+      type(error_struct), intent(inout), optional :: error
+      type(contact_properties), pointer :: properties
+      type(error_type), allocatable :: problem
+      real(wp), pointer, contiguous :: d(:), p(:), s(:)
+
+      call law_of(problem, law, properties)
+      call check_points(problem, n)
+      if (.not. allocated(problem)) call check_arrays(problem, n, [ &
+         array_argument('separation', separation, required=.true.), &
+         array_argument('pressure', pressure, required=.true., written=.true.), &
+         array_argument('stiffness', stiffness, required=.true., written=.true.), &
+         array_argument('area_fraction', area_fraction, written=.true.), &
+         array_argument('contact_density', contact_density, written=.true.), &
+         array_argument('energy', energy, written=.true.), &
+         array_argument('validity', validity, bytes=4, written=.true.)])
+      call check_values(problem, 'separation', n, 1, separation, largest_separation)
+      if (n > 0 .and. .not. allocated(problem)) then
+         call c_f_pointer(separation, d, [n])
+         call c_f_pointer(pressure, p, [n])
+         call c_f_pointer(stiffness, s, [n])
+         if (allocated(properties%compiled) .and. .not. (c_associated(area_fraction) &
+               .or. c_associated(contact_density) .or. c_associated(energy) &
+               .or. c_associated(validity))) then
+            call evaluate_compiled_law(properties%compiled, d, p, s)
+         else
+            call evaluate_all(properties, d, p, s, area_fraction, contact_density, energy, &
+               validity)
+         end if
+      end if
+      code = answer(problem, error)
+   end function asperity_law_evaluate
+
+   !> Separation at which the law gives a pressure.
+   integer(c_int) function asperity_law_separation(law, pressure, separation, error) &
+         result(code) bind(c, name='asperity_law_separation')
+      !> Handle
+      type(c_ptr), value :: law
+      !> Pressure, MPa
+      real(c_double), value :: pressure
+      !> Where the separation goes, mm; untouched after an error
+      type(c_ptr), value :: separation
+      !> Filled when present
+      type(error_struct), intent(inout), optional :: error
+      type(contact_properties), pointer :: properties
+      type(error_type), allocatable :: problem
+      real(wp), pointer :: place
+      real(wp) :: found
+
+      call law_of(problem, law, properties)
+      call check_pointer(problem, 'separation', separation)
+      if (.not. allocated(problem)) &
+         call separation_for_pressure(properties%normal, pressure, found, problem)
+      if (.not. allocated(problem)) then
+         call c_f_pointer(separation, place)
+         place = found
+      end if
+      code = answer(problem, error)
+   end function asperity_law_separation
+
+   !> Everything that the law answers, into those arrays that are there.
+   subroutine evaluate_all(properties, d, p, s, area_fraction, contact_density, energy, validity)
+      type(contact_properties), intent(in) :: properties
+      real(wp), intent(in), contiguous :: d(:)
+      real(wp), intent(out), contiguous :: p(:), s(:)
+      type(c_ptr), intent(in) :: area_fraction, contact_density, energy, validity
+      real(wp), pointer, contiguous :: a(:), c(:), e(:)
+      integer(c_int), pointer, contiguous :: v(:)
+      type(normal_response) :: r
+      integer :: i
+
+      nullify (a, c, e, v)
+      if (c_associated(area_fraction)) call c_f_pointer(area_fraction, a, [size(d)])
+      if (c_associated(contact_density)) call c_f_pointer(contact_density, c, [size(d)])
+      if (c_associated(energy)) call c_f_pointer(energy, e, [size(d)])
+      if (c_associated(validity)) call c_f_pointer(validity, v, [size(d)])
+      do i = 1, size(d)
+         if (allocated(properties%compiled)) then
+            call evaluate_compiled_law(properties%compiled, d(i), r%pressure, r%stiffness, &
+               r%area_fraction, r%contact_density, r%energy, r%validity)
+         else
+            r = evaluate_normal_law(properties%normal, d(i))
+         end if
+         p(i) = r%pressure
+         s(i) = r%stiffness
+         if (associated(a)) a(i) = r%area_fraction
+         if (associated(c)) c(i) = r%contact_density
+         if (associated(e)) e(i) = r%energy
+         if (associated(v)) v(i) = r%validity
+      end do
+   end subroutine evaluate_all
+
+end module asperity_c_evaluate

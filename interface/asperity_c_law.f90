@@ -1,0 +1,222 @@
+!> C interface: the law. See asperity.h for what each function does.
+module asperity_c_law
+   use, intrinsic :: iso_c_binding, only: c_double, c_f_pointer, c_int, c_int64_t, c_loc, &
+      c_null_ptr, c_ptr, c_size_t, c_sizeof
+   use asperity, only: contact_properties, error_type, new_contact_properties, &
+      new_normal_properties, normal_properties, rule_abaqus, slip_exact
+   use asperity_c_checks, only: answer, check_pointer, content_of, free_handle, wrap
+   use asperity_c_contents, only: content_at
+   use asperity_c_types, only: code_input, code_length, error_struct, four_sigma, &
+      properties_struct, tag_law
+   use asperity_error, only: fatal_error
+   use asperity_text, only: to_text
+   implicit none
+   private
+   public :: asperity_properties_init, asperity_law_new, asperity_law_free, &
+      asperity_law_properties, law_of
+
+   !> Words that must be free before a law is built, as the library does not ask of each of its
+   !> small allocations whether it succeeded
+   integer, parameter :: head_room = 2**15
+   !> Not a number: a property that was not set
+   real(c_double), parameter :: unset = transfer(int(z'7FF8000000000000', c_int64_t), 1.0_c_double)
+
+contains
+
+   !> Defaults; what has none is NaN, so that the law refuses a property that was forgotten.
+   integer(c_int) function asperity_properties_init(properties, size, error) result(code) &
+         bind(c, name='asperity_properties_init')
+      !> Struct to fill
+      type(c_ptr), value :: properties
+      !> Its size for the caller
+      integer(c_size_t), value :: size
+      !> Filled when present
+      type(error_struct), intent(inout), optional :: error
+      type(properties_struct), pointer :: p
+      type(error_type), allocatable :: problem
+
+      call view_properties(problem, properties, p, size)
+      if (.not. allocated(problem)) then
+         p = properties_struct(size=size, eta=unset, modulus=unset, radius=unset, &
+            hardness=unset, yield_factor=unset, sigma=unset, friction_coefficient=unset, &
+            critical_slip=unset, initial_separation=four_sigma, friction_rule=rule_abaqus, &
+            slip_integration=slip_exact, accept_unphysical=0, compiled=0)
+      end if
+      code = answer(problem, error)
+   end function asperity_properties_init
+
+   !> Build a law.
+   integer(c_int) function asperity_law_new(law, properties, error) result(code) &
+         bind(c, name='asperity_law_new')
+      !> Pointer to the handle, which is NULL after an error
+      type(c_ptr), value :: law
+      !> Struct of properties
+      type(c_ptr), value :: properties
+      !> Filled when present
+      type(error_struct), intent(inout), optional :: error
+      type(c_ptr), pointer :: handle
+      type(properties_struct), pointer :: p
+      type(error_type), allocatable :: problem
+      logical :: starved
+
+      starved = .false.
+      call check_pointer(problem, 'law', law)
+      if (.not. allocated(problem)) then
+         call c_f_pointer(law, handle)
+         handle = c_null_ptr
+         call view_properties(problem, properties, p)
+      end if
+      if (.not. allocated(problem)) call make_law(problem, p, handle, starved)
+      code = answer(problem, error, starved)
+   end function asperity_law_new
+
+   !> Free a law and set its handle to NULL. NULL at either place is fine.
+   integer(c_int) function asperity_law_free(law, error) result(code) &
+         bind(c, name='asperity_law_free')
+      !> Pointer to the handle
+      type(c_ptr), intent(inout), optional :: law
+      !> Filled when present
+      type(error_struct), intent(inout), optional :: error
+      type(contact_properties), pointer :: content
+      type(error_type), allocatable :: problem
+
+      if (present(law)) then
+         call law_of(problem, law, content, null_passes=.true.)
+         if (associated(content)) then
+            deallocate (content)
+            call free_handle(law)
+         end if
+      end if
+      code = answer(problem, error)
+   end function asperity_law_free
+
+   !> The properties of a law, with the defaults that it was given.
+   integer(c_int) function asperity_law_properties(law, properties, size, error) result(code) &
+         bind(c, name='asperity_law_properties')
+      !> Handle
+      type(c_ptr), value :: law
+      !> Struct to fill
+      type(c_ptr), value :: properties
+      !> Its size for the caller
+      integer(c_size_t), value :: size
+      !> Filled when present
+      type(error_struct), intent(inout), optional :: error
+      type(contact_properties), pointer :: content
+      type(properties_struct), pointer :: p
+      type(error_type), allocatable :: problem
+
+      call law_of(problem, law, content)
+      call view_properties(problem, properties, p, size)
+      if (.not. allocated(problem)) then
+         associate (c => content, n => content%normal)
+            ! a law that exists has been accepted
+            p = properties_struct(size, n%eta, n%modulus, n%radius, n%hardness, n%yield_factor, &
+               n%sigma, c%friction_coefficient, c%critical_slip, c%initial_separation, &
+               c%friction_rule, c%slip_integration, 1, merge(1, 0, allocated(c%compiled)))
+         end associate
+      end if
+      code = answer(problem, error)
+   end function asperity_law_properties
+
+   !> The law of a handle; a problem and no association when it is none.
+   subroutine law_of(problem, handle, content, null_passes)
+      !> Set when the handle is refused; a problem found before stays
+      type(error_type), allocatable, intent(inout) :: problem
+      !> Handle
+      type(c_ptr), intent(in) :: handle
+      !> Its law
+      type(contact_properties), pointer, intent(out) :: content
+      !> NULL is no problem
+      logical, intent(in), optional :: null_passes
+      type(c_ptr) :: address
+
+      nullify (content)
+      call content_of(problem, 'law', handle, tag_law, address, null_passes)
+      if (.not. allocated(problem)) call content_at(address, content)
+   end subroutine law_of
+
+   !> The caller's struct, after a check that it is the one of this library.
+   subroutine view_properties(problem, address, p, size)
+      type(error_type), allocatable, intent(inout) :: problem
+      type(c_ptr), intent(in) :: address
+      type(properties_struct), pointer, intent(out) :: p
+      integer(c_size_t), intent(in), optional :: size
+      integer(c_size_t) :: given
+
+      nullify (p)
+      call check_pointer(problem, 'properties', address)
+      if (allocated(problem)) return
+      call c_f_pointer(address, p)
+      if (present(size)) then
+         given = size
+      else
+         given = p%size
+      end if
+      if (given /= c_sizeof(p)) call fatal_error(problem, 'the size of asperity_properties is '// &
+         'not '//to_text(int(c_sizeof(p)))//' bytes: fill the struct by '// &
+         'asperity_properties_init(&p, sizeof p, &error) first, and compile with the header of '// &
+         'this library', code_length)
+   end subroutine view_properties
+
+   !> Build the law and its handle.
+   subroutine make_law(problem, p, handle, starved)
+      type(error_type), allocatable, intent(inout) :: problem
+      type(properties_struct), intent(in) :: p
+      type(c_ptr), intent(inout) :: handle
+      logical, intent(out) :: starved
+      type(contact_properties), pointer :: content
+      integer :: status
+
+      starved = .not. has_room()
+      if (starved) return
+      allocate (content, stat=status)
+      starved = status /= 0
+      if (starved) return
+      call build(problem, p, content)
+      if (.not. allocated(problem)) call wrap(tag_law, c_loc(content), handle, starved)
+      if (allocated(problem) .or. starved) deallocate (content)
+   end subroutine make_law
+
+   !> Whether there is memory for what the library allocates on the way.
+   logical function has_room()
+      real(c_double), allocatable, volatile :: room(:)
+      integer :: status
+
+      allocate (room(head_room), stat=status)
+      has_room = status == 0
+   end function has_room
+
+   !> Check the properties and build the law from them.
+   subroutine build(problem, p, content)
+      type(error_type), allocatable, intent(inout) :: problem
+      type(properties_struct), intent(in) :: p
+      type(contact_properties), intent(inout) :: content
+      type(normal_properties) :: normal
+
+      call check_switch(problem, 'accept_unphysical', p%accept_unphysical)
+      call check_switch(problem, 'compiled', p%compiled)
+      if (allocated(problem)) return
+      call new_normal_properties(normal, p%eta, p%modulus, p%radius, p%hardness, &
+         p%yield_factor, p%sigma, problem, accept_unphysical=p%accept_unphysical == 1)
+      if (allocated(problem)) return
+      if (transfer(p%initial_separation, p%size) == transfer(four_sigma, p%size)) then
+         call new_contact_properties(content, normal, p%friction_coefficient, p%critical_slip, &
+            problem, friction_rule=p%friction_rule, slip_integration=p%slip_integration, &
+            compiled=p%compiled == 1)
+      else
+         call new_contact_properties(content, normal, p%friction_coefficient, p%critical_slip, &
+            problem, p%initial_separation, p%friction_rule, p%slip_integration, p%compiled == 1)
+      end if
+   end subroutine build
+
+   subroutine check_switch(problem, name, value)
+      type(error_type), allocatable, intent(inout) :: problem
+      character(len=*), intent(in) :: name
+      integer(c_int), intent(in) :: value
+
+      if (allocated(problem) .or. value == 0 .or. value == 1) return
+      call fatal_error(problem, name//' = '//to_text(value)//' is not allowed: 0 is no, 1 is yes', &
+         code_input)
+   end subroutine check_switch
+
+end module asperity_c_law

@@ -1,0 +1,11 @@
+!> The precision of VUINTER's arguments, which is that of the run of ABAQUS/Explicit that calls it.
+module vuinter_precision
+   use, intrinsic :: iso_fortran_env, only: real64
+   implicit none
+   private
+
+   !> Kind of VUINTER's real arguments; all computing is done in `wp`. It is set here alone:
+   !> cmake/one_file.cmake writes a second file from the same sources with the other kind
+   integer, parameter, public :: vp = real64
+
+end module vuinter_precision
