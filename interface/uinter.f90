@@ -12,7 +12,7 @@ subroutine uinter( &
       update_contact_point, validity_remark, wp
    use asperity_finite, only: all_finite, is_finite
    use asperity_text, only: to_text
-   use uinter_checks, only: check_sizes, check_statev, computable
+   use uinter_checks, only: check_sizes, check_statev, computable, largest
    use uinter_slots, only: n_statev, properties_from_props, state_elastic_slip_2, &
       state_from_statev, state_pressure, state_validity, state_warned, statev_from_state
    implicit none
@@ -54,6 +54,7 @@ subroutine uinter( &
    type(contact_response) :: response
    type(error_type), allocatable :: error
    real(wp) :: slip(2), rotation(2, 2), overclosure, tangent(3, 3)
+   !> Whether STATEV and the position are numbers that can be computed with
    logical :: known
 
    associate (u1 => temp, u2 => dtemp, u3 => predef, u4 => dpred, u5 => time, u6 => dtime, &
@@ -84,8 +85,9 @@ subroutine uinter( &
       return
    end if
 
-   if (.not. (known .and. is_finite(rdisp(1)) &
-      .and. computable(statev(state_pressure:state_elastic_slip_2)))) then
+   if (known) known = is_finite(rdisp(1)) &
+      .and. all(abs(statev(state_pressure:state_elastic_slip_2)) < largest)
+   if (.not. known) then
       pnewdt = cut_back
       return
    end if

@@ -12,7 +12,7 @@ module uinter_checks
    public :: check_sizes, check_statev, computable
 
    !> Larger numbers than this are a host gone wrong
-   real(wp), parameter :: largest = 1.0e30_wp
+   real(wp), parameter, public :: largest = 1.0e30_wp
 
 contains
 

@@ -135,7 +135,7 @@ contains
       real(wp), intent(in) :: statev(:)
       type(contact_state) :: state
 
-      state%status = nint(statev(state_status))
+      state%status = int(statev(state_status))
       state%overclosure = statev(state_overclosure)
       state%pressure = statev(state_pressure)
       state%normal_energy = statev(state_normal_energy)
@@ -190,7 +190,7 @@ contains
          known = any(abs(props(slot) - [0.0_wp, 1.0_wp, 2.0_wp]) <= 0.0_wp) &
          .and. props(slot) <= largest
       if (known) then
-         option = nint(props(slot))
+         option = int(props(slot))
       else
          call fatal_error(error, 'PROPS('//to_text(slot)//') = '//to_text(props(slot))// &
             ' is not allowed: '//name)

@@ -14,6 +14,8 @@ module test_compiled_law
    private
    public :: suite_compiled_law
 
+   !> Number of intervals
+   integer, parameter :: n_intervals = 221
    character(len=15), parameter :: names(5) = [character(len=15) :: 'pressure', 'stiffness', &
       'area_fraction', 'contact_density', 'energy']
 
@@ -127,9 +129,8 @@ contains
       call assertLessThan(worst, 1.0e-10_wp, 'relative error')
    end subroutine test_table
 
-   !> Intervals end at multiples of 1/24, 1/8 or 1/2 sigma. Over four roundings of h about each, the
-   !> law may change by its slope and by round-off, which is h^2 eps, and by no more; at -8 and 38
-   !> it meets the direct evaluation.
+   !> Over four roundings of h about each end of an interval, the law may change by its slope and by
+   !> round-off, which is h^2 eps, and by no more; at -8 and 38 it meets the direct evaluation.
    subroutine test_seams()
       integer, parameter :: seed = 17
       type(random_stream) :: stream
@@ -145,8 +146,8 @@ contains
       do i = 1, 30
          call random_properties(stream, p, 1.0e-8_wp, 1.0e3_wp, 0.05_wp)
          call new_compiled_law(law, p, error)
-         do j = -8*24, 37*24
-            h = real(j, wp)/24.0_wp
+         do j = 0, 2*n_intervals, 2
+            h = place(j)
             step = 2.0_wp*spacing(max(1.0_wp, abs(h)))
             call evaluate(law, (h - step)*p%sigma, below)
             call evaluate(law, (h + step)*p%sigma, above)
@@ -162,6 +163,20 @@ contains
       call assertLessThan(worst(2), 5.0e-12_wp, 'stiffness')
       call assertLessThan(maxval(worst(3:)), 2.0e-12_wp, 'area, density, energy')
    end subroutine test_seams
+
+   !> End (even j) or middle (odd j) of the intervals, counted by halves from -8: five a sigma to 2,
+   !> twenty-one to 8, one and a half to 38.
+   pure real(wp) function place(j)
+      integer, intent(in) :: j
+
+      if (j <= 100) then
+         place = -8.0_wp + 0.1_wp*j
+      else if (j <= 352) then
+         place = 2.0_wp + (j - 100)/42.0_wp
+      else
+         place = 8.0_wp + (j - 352)/3.0_wp
+      end if
+   end function place
 
    !> Within an interval the pressure is a polynomial of degree seven, whose derivative the central
    !> differences of eighth order give exactly: only round-off is left. Beyond 8 sigma the factor
@@ -179,14 +194,10 @@ contains
       worst = 0.0_wp
       worst_far = 0.0_wp
       worst_energy = 0.0_wp
-      do i = 0, 16*24 + 56
-         if (i < 16*24) then
-            h = -8.0_wp + (i + 0.5_wp)/24.0_wp
-            step = p%sigma/240.0_wp
-         else
-            h = 8.25_wp + 0.5_wp*(i - 16*24)
-            step = p%sigma/500.0_wp
-         end if
+      do i = 1, 2*n_intervals - 1, 2
+         h = place(i)
+         step = p%sigma/merge(240.0_wp, 500.0_wp, h < 8.0_wp)
+         if (h > 37.0_wp) exit
          call evaluate(law, h*p%sigma, here)
          slopes = 0.0_wp
          do k = 1, 4

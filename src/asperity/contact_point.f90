@@ -17,7 +17,7 @@ module asperity_contact_point
    implicit none
    private
    public :: contact_state, contact_response, update_contact_point, advance_contact_point, &
-      contact_tangent, normal_at, status_text
+      contact_tangent, status_text
 
    !> Contact status
    enum, bind(c)
@@ -106,26 +106,22 @@ contains
       !> Rotation of the slip directions in the increment: a vector v becomes rotation v
       real(wp), intent(in) :: rotation(2, 2)
       type(contact_response) :: response
-      type(normal_response) :: normal
 
-      normal = normal_at(properties, overclosure)
-      response = advance_contact_point(properties, start, normal, overclosure, slip_increment, &
-         rotation)
+      call advance_contact_point(properties, start, overclosure, slip_increment, rotation, response)
    end function update_contact_point
 
-   !> The same with the normal law already evaluated at the end of the increment.
-   pure function advance_contact_point(properties, start, normal, overclosure, slip_increment, &
-         rotation) result(response)
-      !> Checked properties
-      type(contact_properties), intent(in) :: properties
-      !> State at the start of the increment
-      type(contact_state), intent(in) :: start
-      !> Pressure, stiffness, energy and validity at the end; the rest is not used
-      type(normal_response), intent(in) :: normal
+   !> The same as a subroutine: copying the result of the function costs as much as the update.
+   pure subroutine advance_contact_point(properties, start, overclosure, slip_increment, rotation, &
+         response)
       !> As for `update_contact_point`
+      type(contact_properties), intent(in) :: properties
+      type(contact_state), intent(in) :: start
       real(wp), intent(in) :: overclosure, slip_increment(2), rotation(2, 2)
-      type(contact_response) :: response
+      !> Result
+      type(contact_response), intent(out) :: response
+      type(normal_response) :: normal
 
+      call find_normal(properties, overclosure, normal)
       response%traction(1) = normal%pressure
       response%tangent(1, 1) = normal%stiffness
       response%normal_energy = normal%energy
@@ -144,7 +140,7 @@ contains
          state%pressure_coupling = start%pressure_coupling + response%pressure_coupling
          state%validity = ior(start%validity, response%validity)
       end associate
-   end function advance_contact_point
+   end subroutine advance_contact_point
 
    !> Tangential part of the update, at the pressure already found.
    pure subroutine slide(response, properties, start, overclosure, slip_increment, rotation)
@@ -217,7 +213,7 @@ contains
 
       tangent = 0.0_wp
       if (state%status == status_unset) return
-      normal = normal_at(properties, state%overclosure)
+      call find_normal(properties, state%overclosure, normal)
       tangent(1, 1) = normal%stiffness
       if (state%status == status_open) return
       scale = properties%friction_coefficient/properties%critical_slip
@@ -233,10 +229,10 @@ contains
    end function contact_tangent
 
    !> The normal law at an overclosure, in the way the properties choose.
-   pure function normal_at(properties, overclosure) result(normal)
+   pure subroutine find_normal(properties, overclosure, normal)
       type(contact_properties), intent(in) :: properties
       real(wp), intent(in) :: overclosure
-      type(normal_response) :: normal
+      type(normal_response), intent(out) :: normal
 
       associate (separation => properties%initial_separation - overclosure)
          if (separation > vanishing_separation*properties%normal%sigma) then
@@ -249,7 +245,7 @@ contains
             normal = evaluate_normal_law(properties%normal, separation)
          end if
       end associate
-   end function normal_at
+   end subroutine find_normal
 
    !> Name of a status: `unset`, `open`, `stick` or `slip`.
    pure function status_text(status) result(text)

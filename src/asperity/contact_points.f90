@@ -3,11 +3,10 @@
 !> `update_contact_point`.
 module asperity_contact_points
    use asperity_contact_point, only: advance_contact_point, contact_response, contact_state, &
-      no_rotation, normal_at, status_unset
+      no_rotation, status_unset
    use asperity_contact_properties, only: contact_properties
    use asperity_error, only: error_type, fatal_error
    use asperity_kinds, only: wp
-   use asperity_normal_law, only: normal_response
    use asperity_text, only: to_text
    use asperity_validity, only: valid
    implicit none
@@ -158,8 +157,8 @@ contains
       turn = no_rotation
       do i = 1, points
          if (present(rotation)) turn = rotation(i, :, :)
-         response = advance_contact_point(properties, get_contact_state(states, i), &
-            normal_at(properties, overclosure(i)), overclosure(i), slip_increment(i, :), turn)
+         call advance_contact_point(properties, get_contact_state(states, i), overclosure(i), &
+            slip_increment(i, :), turn, response)
          call set_contact_state(states, i, response%state)
          traction(i, :) = response%traction
          if (present(tangent)) tangent(i, :, :) = response%tangent

@@ -44,11 +44,14 @@ contains
    end function fixed_pieces_serve
 
    !> Both pieces, where the fixed rule serves.
-   pure subroutine evaluate_fixed_pieces(properties, h, elastic, elastoplastic)
+   pure subroutine evaluate_fixed_pieces(properties, h, with_area_slope, elastic, &
+         elastoplastic)
       !> Checked properties
       type(normal_properties), intent(in) :: properties
       !> d/sigma
       real(wp), intent(in) :: h
+      !> Whether the area's slope is wanted
+      logical, intent(in) :: with_area_slope
       !> Integrals, with exponents of zero
       type(piece_type), intent(out) :: elastic, elastoplastic
       real(wp) :: a, scale, inverse, t(n), exponent(n), density(n), force(n_elastoplastic), plain
@@ -68,7 +71,6 @@ contains
          elastic%pressure = scale*weighted(n_elastic, elastic_force, first)
          elastic%stiffness = scale*weighted(n_elastic, elastic_slope, first)
          elastic%area = scale*weighted(n_elastic, elastic_area, first)
-         elastic%area_slope = scale*weighted(n_elastic, by_root, first)
          elastic%energy = scale*weighted(n_elastic, elastic_energy, first)
          force = force_powers(p%b3_less_1, 2.0_wp/p%yield_factor)*rest
          inverse = 1.0_wp/(p%b3 + 1.0_wp)
@@ -76,9 +78,12 @@ contains
          elastoplastic%pressure = scale*weighted(n_elastoplastic, force_weight, force)
          elastoplastic%stiffness = scale*p%b3*weighted(n_elastoplastic, by_log, force)
          elastoplastic%area = scale*weighted(n_elastoplastic, area_weight, rest)
-         elastoplastic%area_slope = scale*weighted(n_elastoplastic, area_slope_weight, rest)
          elastoplastic%energy = scale*(inverse*weighted(n_elastoplastic, work_weight, force) &
             + (0.4_wp - inverse)*plain)
+         if (with_area_slope) then
+            elastic%area_slope = scale*weighted(n_elastic, by_root, first)
+            elastoplastic%area_slope = scale*weighted(n_elastoplastic, area_slope_weight, rest)
+         end if
       end associate
    end subroutine evaluate_fixed_pieces
 

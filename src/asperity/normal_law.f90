@@ -51,9 +51,9 @@ contains
       !> Separation d, mm; any finite value up to 1e100 sigma in size
       real(wp), intent(in) :: separation
       type(normal_response) :: response
-      real(wp) :: area_stiffness, decay
+      real(wp) :: decay
 
-      call evaluate_scaled_law(properties, separation, response, area_stiffness)
+      call evaluate_scaled_law(properties, separation, response)
       decay = exp(-0.5_wp*max(separation/properties%sigma, 0.0_wp)**2)
       associate (r => response)
          r%pressure = r%pressure*decay
@@ -77,14 +77,14 @@ contains
       !> and validity without the flags of area and pressure
       type(normal_response), intent(out) :: scaled
       !> Derivative of the area fraction by closure, 1/mm, over the factor
-      real(wp), intent(out) :: area_stiffness
+      real(wp), intent(out), optional :: area_stiffness
       type(piece_type) :: pieces(3)
       real(wp) :: h, moments(0:2), total, root(3), share(3)
       integer :: i
 
       h = separation/properties%sigma
       if (fixed_pieces_serve(properties%w1/properties%sigma, h)) then
-         call evaluate_fixed_pieces(properties, h, pieces(1), pieces(2))
+         call evaluate_fixed_pieces(properties, h, present(area_stiffness), pieces(1), pieces(2))
       else
          pieces(1) = elastic_piece(properties, separation)
          pieces(2) = elastoplastic_piece(properties, separation)
@@ -101,7 +101,8 @@ contains
          r%pressure = p%eta*p%n1*total
          r%stiffness = p%eta*p%n1/p%w1*sum(root*root*pieces%stiffness)
          r%area_fraction = p%eta*pi*p%radius*p%w1*sum(root*root*pieces%area)
-         area_stiffness = p%eta*pi*p%radius*sum(root*root*pieces%area_slope)
+         if (present(area_stiffness)) &
+            area_stiffness = p%eta*pi*p%radius*sum(root*root*pieces%area_slope)
          r%energy = p%eta*p%n1*p%w1*sum(root*root*pieces%energy)
          r%contact_density = p%eta*moments(0)
          if (total > 0.0_wp) then
