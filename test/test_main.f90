@@ -2,11 +2,19 @@
 program test_main
    use funit, only: SerialContext, TestResult, TestRunner, TestSuite
    use test_compiled_law, only: suite_compiled_law
+   use test_compiled_energy, only: suite_compiled_energy
+   use test_compiled_points, only: suite_compiled_points
    use test_contact_energy, only: suite_contact_energy
    use test_contact_point, only: suite_contact_point
+   use test_contact_points, only: suite_contact_points
+   use test_contact_states, only: suite_contact_states
    use test_contact_tangent, only: suite_contact_tangent
+   use test_exponential, only: suite_exponential
+   use test_finite, only: suite_finite
+   use test_fixed_pieces, only: suite_fixed_pieces
    use test_friction, only: suite_friction
    use test_gaussian_tail, only: suite_gaussian_tail
+   use test_hermite_polynomial, only: suite_hermite_polynomial
    use test_normal_inverse, only: suite_normal_inverse
    use test_normal_law, only: suite_normal_law
    use test_normal_law_reference, only: suite_normal_law_reference
@@ -30,7 +38,11 @@ program test_main
    call all_suites%addTest(suite_properties())
    call all_suites%addTest(suite_presets())
    call all_suites%addTest(suite_single_asperity())
+   call all_suites%addTest(suite_finite())
+   call all_suites%addTest(suite_exponential())
    call all_suites%addTest(suite_gaussian_tail())
+   call all_suites%addTest(suite_hermite_polynomial())
+   call all_suites%addTest(suite_fixed_pieces())
    call all_suites%addTest(suite_normal_law())
    call all_suites%addTest(suite_validity())
    call all_suites%addTest(suite_normal_law_reference())
@@ -40,6 +52,10 @@ program test_main
    call all_suites%addTest(suite_contact_point())
    call all_suites%addTest(suite_contact_energy())
    call all_suites%addTest(suite_contact_tangent())
+   call all_suites%addTest(suite_contact_points())
+   call all_suites%addTest(suite_contact_states())
+   call all_suites%addTest(suite_compiled_points())
+   call all_suites%addTest(suite_compiled_energy())
    call all_suites%addTest(suite_uinter())
    call all_suites%addTest(suite_replay_host())
    call all_suites%addTest(suite_vuinter())

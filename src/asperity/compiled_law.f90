@@ -1,6 +1,6 @@
-!> The normal law compiled to polynomials of degree seven on fixed intervals of h = d/sigma, for very
-!> many evaluations: within 1e-10 of the direct evaluation. Built once from the properties, then
-!> read only, so that threads share it.
+!> The normal law compiled to polynomials of degree seven on fixed intervals of h = d/sigma, for
+!> very many evaluations: within 1e-10 of the direct evaluation. Built once from the properties,
+!> then read only, so that threads share it.
 !>
 !> Up to h = 8 the polynomials are of pressure, area and energy themselves; beyond, of the same over
 !> exp(-h^2/2). Values and slopes are exact at four points of an interval, its ends among them. The
@@ -27,6 +27,8 @@ module asperity_compiled_law
    !> Number of intervals: in the first two ranges, and in all
    integer, parameter :: n_near = nint((second - first)*coarse + (third - second)*fine)
    integer, parameter :: n_all = n_near + nint((last - third)*far)
+   !> Points of a batch that are worked on at a time
+   integer, parameter :: chunk = 64
    !> Stand for the column of an h without a polynomial: evaluated directly, or zero
    integer, parameter :: outside = 0, beyond = -1
 
@@ -197,29 +199,56 @@ contains
       call evaluate_all(law, size(separation), separation, pressure, stiffness)
    end subroutine evaluate_batch
 
-   !> The one place where pressure and stiffness are found. Horner's rule for the polynomial and its
-   !> derivative is written out for speed.
+   !> Pressure and stiffness, in chunks: first the interval of each point, then the polynomials,
+   !> so that neither waits for the other.
    pure subroutine evaluate_all(law, n, separation, pressure, stiffness)
       type(compiled_law), intent(in) :: law
       integer, intent(in) :: n
       real(wp), intent(in) :: separation(n)
       real(wp), intent(out) :: pressure(n), stiffness(n)
-      type(normal_response) :: direct
-      real(wp) :: h, t, v6, v5, v4, v3, v2, v1, v0, s5, s4, s3, s2, s1, s0, decay
-      integer :: i, column
+      real(wp) :: h(chunk), intervals, decay
+      integer :: column(chunk), i, j, m
+      logical :: inside(chunk)
+
+      do i = 0, n - 1, chunk
+         m = min(chunk, n - i)
+         do j = 1, m
+            h(j) = separation(i + j)*law%inverse_sigma
+            intervals = intervals_below(h(j))
+            inside(j) = intervals >= 0.0_wp .and. intervals < n_all
+            column(j) = 1 + int(merge(intervals, 0.0_wp, inside(j)))
+         end do
+         call evaluate_polynomials(law, m, column, h, pressure(i + 1), stiffness(i + 1))
+         if (any(column(:m) > n_near)) then
+            do j = 1, m
+               if (column(j) <= n_near) cycle
+               decay = exp(-0.5_wp*h(j)**2)
+               stiffness(i + j) = (stiffness(i + j) + law%inverse_sigma*h(j)*pressure(i + j))*decay
+               pressure(i + j) = pressure(i + j)*decay
+            end do
+         end if
+         if (all(inside(:m))) cycle
+         do j = 1, m
+            if (.not. inside(j)) call evaluate_outside(law, separation(i + j), &
+               pressure(i + j), stiffness(i + j))
+         end do
+      end do
+   end subroutine evaluate_all
+
+   !> The polynomials of the pressure and their derivatives over closure, by Horner's rule for both,
+   !> written out for speed.
+   pure subroutine evaluate_polynomials(law, n, column, h, pressure, stiffness)
+      type(compiled_law), intent(in) :: law
+      !> Number of points, and the interval and d/sigma of each
+      integer, intent(in) :: n, column(n)
+      real(wp), intent(in) :: h(n)
+      real(wp), intent(out) :: pressure(n), stiffness(n)
+      real(wp) :: t, v6, v5, v4, v3, v2, v1, s5, s4, s3, s2, s1
+      integer :: i
 
       do i = 1, n
-         h = separation(i)*law%inverse_sigma
-         column = column_at(h)
-         if (column <= outside) then
-            direct = normal_response()
-            if (column == outside) direct = evaluate_normal_law(law%properties, separation(i))
-            pressure(i) = direct%pressure
-            stiffness(i) = direct%stiffness
-            cycle
-         end if
-         associate (c => law%pressure(:, column))
-            t = h - c(9)
+         associate (c => law%pressure(:, column(i)))
+            t = h(i) - c(9)
             v6 = c(8)*t + c(7)
             s5 = c(8)*t + v6
             v5 = v6*t + c(6)
@@ -231,18 +260,25 @@ contains
             v2 = v3*t + c(3)
             s1 = s2*t + v2
             v1 = v2*t + c(2)
-            s0 = s1*t + v1
-            v0 = v1*t + c(1)
+            pressure(i) = v1*t + c(1)
+            stiffness(i) = -(s1*t + v1)*law%inverse_sigma
          end associate
-         if (column > n_near) then
-            decay = exp(-0.5_wp*h*h)
-            s0 = (s0 - h*v0)*decay
-            v0 = v0*decay
-         end if
-         pressure(i) = v0
-         stiffness(i) = -s0*law%inverse_sigma
       end do
-   end subroutine evaluate_all
+   end subroutine evaluate_polynomials
+
+   !> Pressure and stiffness where there is no polynomial.
+   pure subroutine evaluate_outside(law, separation, pressure, stiffness)
+      type(compiled_law), intent(in) :: law
+      real(wp), intent(in) :: separation
+      real(wp), intent(out) :: pressure, stiffness
+      type(normal_response) :: direct
+
+      ! what is not a number is not far out
+      if (.not. separation*law%inverse_sigma > vanishing_separation) &
+         direct = evaluate_normal_law(law%properties, separation)
+      pressure = direct%pressure
+      stiffness = direct%stiffness
+   end subroutine evaluate_outside
 
    !> What is not pressure or stiffness, at one separation.
    pure subroutine evaluate_rest(law, separation, area_fraction, contact_density, energy, validity)
@@ -283,16 +319,21 @@ contains
       real(wp), intent(in) :: h
       real(wp) :: intervals
 
-      column_at = outside
-      if (h > vanishing_separation) column_at = beyond
-      if (.not. (h >= first .and. h < last)) return
-      intervals = (min(h, second) - first)*coarse + max(h - second, 0.0_wp)*fine
-      if (intervals < n_near) then
+      intervals = intervals_below(h)
+      if (intervals >= 0.0_wp .and. intervals < n_all) then
          column_at = 1 + int(intervals)
       else
-         column_at = n_near + 1 + int(max(h - third, 0.0_wp)*far)
+         column_at = merge(beyond, outside, h > vanishing_separation)
       end if
    end function column_at
+
+   !> Number of intervals that lie below h, with a fraction.
+   pure real(wp) function intervals_below(h)
+      real(wp), intent(in) :: h
+
+      intervals_below = (min(h, second) - first)*coarse &
+         + min(max(h - second, 0.0_wp), third - second)*fine + max(h - third, 0.0_wp)*far
+   end function intervals_below
 
    !> A polynomial by Horner's rule.
    pure real(wp) function polynomial(c, t)

@@ -15,7 +15,7 @@ module bench_contenders
    use bench_results, only: add_row, result_row
    use bench_table, only: new_table_law, table_law
    use bench_timing, only: contender, contender_box, measure, spread_of, spread_type
-   use bench_uinter, only: new_vuinter_caller, uinter_caller, vuinter_caller
+   use bench_uinter, only: new_vuinter_caller, props_reader, uinter_caller, vuinter_caller
    use random_inputs, only: normal_of_pair
    implicit none
    private
@@ -137,6 +137,7 @@ contains
       type(contender_list), intent(inout) :: list
       type(uinter_caller) :: caller
       type(vuinter_caller) :: explicit
+      type(props_reader) :: reader
       type(contact_set) :: set
 
       call new_contact_set(caller%set, in_set, 1, status_stick, 1.0_wp, 5.0_wp)
@@ -149,6 +150,10 @@ contains
       call new_contact_set(caller%set, in_set, random_sets, both, -8.0_wp, 4.0_wp)
       caller%name = 'UINTER, 200 random property sets, h = -8..4'
       call append(list, caller)
+      call new_contact_set(reader%set, in_set, 1, both, 1.0_wp, 5.0_wp)
+      reader%points = in_set
+      reader%name = 'part of UINTER: PROPS read and checked'
+      call append(list, reader)
       call new_contact_set(set, in_set, 1, both, 1.0_wp, 5.0_wp)
       call new_vuinter_caller(explicit, set)
       explicit%name = 'VUINTER, 1000 points a call, h = 1..5'

@@ -1,15 +1,15 @@
 !> Contenders: UINTER as ABAQUS/Standard calls it, a point a call through its 47 arguments, and
 !> VUINTER as ABAQUS/Explicit does, all points of a pair in one call through its 49.
 module bench_uinter
-   use asperity, only: no_rotation, wp
+   use asperity, only: contact_properties, error_type, no_rotation, wp
    use bench_cases, only: contact_set
    use bench_timing, only: contender
    use uinter_signature, only: uinter_interface
-   use uinter_slots, only: n_props, n_statev
+   use uinter_slots, only: n_props, n_statev, properties_from_props
    use vuinter_signature, only: vuinter_interface
    implicit none
    private
-   public :: uinter_caller, vuinter_caller, new_vuinter_caller
+   public :: props_reader, uinter_caller, vuinter_caller, new_vuinter_caller
 
    procedure(uinter_interface) :: uinter
    procedure(vuinter_interface) :: vuinter
@@ -20,6 +20,13 @@ module bench_uinter
    contains
       procedure :: pass => pass_uinter
    end type uinter_caller
+
+   !> What UINTER does before it comes to the point, and what a cache of properties would spare it.
+   type, extends(contender) :: props_reader
+      type(contact_set) :: set
+   contains
+      procedure :: pass => pass_props
+   end type props_reader
 
    !> ABAQUS/Explicit, in double precision. Time includes the copy of STATEV, too.
    type, extends(contender) :: vuinter_caller
@@ -67,6 +74,18 @@ contains
          this%checksum = this%checksum + stress(1) + ddsddr(3, 2) + sed + sfd + statev(1)
       end do
    end subroutine pass_uinter
+
+   subroutine pass_props(this)
+      class(props_reader), intent(inout) :: this
+      type(contact_properties) :: properties
+      type(error_type), allocatable :: error
+      integer :: i
+
+      do i = 1, this%points
+         call properties_from_props(this%set%props(:, this%set%which(i)), properties, error)
+         this%checksum = this%checksum + properties%p_open
+      end do
+   end subroutine pass_props
 
    !> All points of a set, which must share one set of properties.
    subroutine new_vuinter_caller(caller, set)
