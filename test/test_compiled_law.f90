@@ -1,7 +1,8 @@
 !> The compiled law against the direct evaluation, 30-digit values and itself: no seams, the
 !> stiffness is the derivative, scalar and batch forms agree, size.
 module test_compiled_law
-   use, intrinsic :: ieee_arithmetic, only: ieee_is_nan, ieee_quiet_nan, ieee_value
+   use, intrinsic :: ieee_arithmetic, only: ieee_get_halting_mode, ieee_invalid, ieee_is_nan, &
+      ieee_quiet_nan, ieee_set_halting_mode, ieee_value
    use asperity, only: compiled_law, error_type, evaluate_compiled_law, evaluate_normal_law, &
       new_compiled_law, normal_properties, normal_response, wp
    use asperity_normal_law, only: vanishing_separation
@@ -297,13 +298,16 @@ contains
       call assertEqual(7, seen, 'the three limits were passed')
    end subroutine test_validity
 
-   !> Zero beyond 39 sigma, the direct evaluation far in, NaN for NaN, and no index out of bounds.
+   !> Zero beyond 39 sigma, the direct evaluation far in, and for what is not a number the same,
+   !> without an index out of bounds.
    subroutine test_ends()
       type(normal_properties) :: p
       type(compiled_law) :: law
       type(error_type), allocatable :: error
+      type(normal_response) :: r
       real(wp) :: values(5), beyond(3), bad
       integer :: i, validity
+      logical :: halts
 
       p = normal_of_pair('transverse-tangential')
       call new_compiled_law(law, p, error)
@@ -316,9 +320,15 @@ contains
          call assertRelativelyEqual(direct_values(evaluate_normal_law(p, -1.0e3_wp*i*p%sigma)), &
             values, 1.0e-15_wp, 'far in')
       end do
+      ! a comparison with what is not a number would end a build that traps invalid operations
+      call ieee_get_halting_mode(ieee_invalid, halts)
+      call ieee_set_halting_mode(ieee_invalid, .false.)
       bad = ieee_value(bad, ieee_quiet_nan)
       call evaluate_compiled_law(law, bad, values(1), values(2))
       call assertTrue(ieee_is_nan(values(1)), 'not a number')
+      r = evaluate_normal_law(p, bad)
+      call assertTrue(ieee_is_nan(r%pressure), 'not a number, directly')
+      call ieee_set_halting_mode(ieee_invalid, halts)
    end subroutine test_ends
 
    !> Below 64 KiB, without allocatable parts that storage_size would miss.

@@ -78,6 +78,8 @@ contains
    end subroutine test_polynomials
 
    !> Random values and slopes, which no polynomial of lower degree fits: both at all four points.
+   !> The coefficients reach some 20, the terms of a slope at an end 7 times that, each of which
+   !> brings a few eps of its own.
    subroutine test_values()
       real(wp), parameter :: allowed = 1000.0_wp*eps
       type(random_stream) :: stream

@@ -62,7 +62,7 @@ contains
       type(normal_properties), intent(in) :: properties
       !> Set when the properties were never built
       type(error_type), allocatable, intent(out) :: error
-      real(wp), dimension(3, 4) :: values, slopes
+      real(wp), dimension(4, 3) :: values, slopes
       real(wp) :: middle, half_width
       integer :: i, j
 
@@ -76,19 +76,19 @@ contains
       do i = 1, n_all
          call place_interval(i, middle, half_width)
          if (i == 1 .or. i == n_near + 1) then
-            call sample(properties, middle - half_width, i > n_near, values(:, 1), slopes(:, 1))
+            call sample(properties, middle - half_width, i > n_near, values(1, :), slopes(1, :))
          else
-            values(:, 1) = values(:, 4)
-            slopes(:, 1) = slopes(:, 4)
+            values(1, :) = values(4, :)
+            slopes(1, :) = slopes(4, :)
          end if
          do j = 2, 4
             call sample(properties, middle + half_width*hermite_points(j), i > n_near, &
-               values(:, j), slopes(:, j))
+               values(j, :), slopes(j, :))
          end do
-         law%pressure(:degree, i) = hermite_polynomial(values(1, :), slopes(1, :), half_width)
+         law%pressure(:degree, i) = hermite_polynomial(values(:, 1), slopes(:, 1), half_width)
          law%pressure(degree + 1, i) = middle
-         law%area_fraction(:, i) = hermite_polynomial(values(2, :), slopes(2, :), half_width)
-         law%energy(:, i) = hermite_polynomial(values(3, :), slopes(3, :), half_width)
+         law%area_fraction(:, i) = hermite_polynomial(values(:, 2), slopes(:, 2), half_width)
+         law%energy(:, i) = hermite_polynomial(values(:, 3), slopes(:, 3), half_width)
       end do
       call find_limits(law)
    end subroutine new_compiled_law
@@ -116,7 +116,7 @@ contains
       type(normal_properties), intent(in) :: properties
       real(wp), intent(in) :: h
       logical, intent(in) :: scaled
-      real(wp), intent(out) :: values(3), slopes(3)
+      real(wp), intent(out) :: values(:), slopes(:)
       type(normal_response) :: r
       real(wp) :: area_stiffness, decay
 

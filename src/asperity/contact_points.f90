@@ -158,7 +158,7 @@ contains
       do i = 1, points
          if (present(rotation)) turn = rotation(i, :, :)
          call advance_contact_point(properties, get_contact_state(states, i), overclosure(i), &
-            slip_increment(i, :), turn, response)
+            [slip_increment(i, 1), slip_increment(i, 2)], turn, response)
          call set_contact_state(states, i, response%state)
          traction(i, :) = response%traction
          if (present(tangent)) tangent(i, :, :) = response%tangent

@@ -8,9 +8,7 @@ module asperity_exponential
 
    !> Arguments that are handled side by side
    integer, parameter, public :: exponential_block = 4
-   !> Smallest argument: what lies below gives its result
-   real(wp), parameter :: lowest = -100.0_wp
-      !> exp(x) = 2^(k/4) exp(r), |r| <= ln(2)/8; the first part of ln(2)/4 ends in 24 zero bits
+   !> exp(x) = 2^(k/4) exp(r), |r| <= ln(2)/8; the first part of ln(2)/4 ends in 24 zero bits
    real(wp), parameter :: quarters_of_ln2 = 5.7707801635558536294_wp
    real(wp), parameter :: ln2_high = 0.17328679468482733_wp
    real(wp), parameter :: ln2_low = 4.5515899962603654599e-10_wp
@@ -26,16 +24,16 @@ module asperity_exponential
 
 contains
 
-   !> exp(x) to 1.5 units in the last place for -100 <= x <= 10; exp(-100) below.
+   !> exp(x) to 1.5 eps relative for -100 <= x <= 10; what is not a number stays none.
    pure subroutine exponentials(n, x, values)
       !> Number of arguments, a multiple of `exponential_block`
       integer, intent(in) :: n
-      !> Arguments, not above 10
+      !> Arguments, between -100 and 10
       real(wp), intent(in) :: x(n)
       !> Their exponentials
       real(wp), intent(out) :: values(n)
       integer, parameter :: m = exponential_block
-      real(wp) :: y, r, s, power
+      real(wp) :: r, s, power
       integer :: i, j, quarters
       !> 2^((i - offset)/4)
       real(wp), parameter :: power_of_2(0:offset + 60) = [(quarter_powers(modulo(i, 4)) &
@@ -43,10 +41,11 @@ contains
 
       do i = 0, n - m, m
          do j = i + 1, i + m
-            y = max(x(j), lowest)
-            quarters = int(y*quarters_of_ln2 + (offset + 0.5_wp))
+            ! positive before it is cut, so that cutting is rounding to nearest; the integer that
+            ! stands for what is not a number must be no index out of bounds
+            quarters = max(int(x(j)*quarters_of_ln2 + (offset + 0.5_wp)), 0)
             r = real(quarters - offset, wp)
-            r = (y - r*ln2_high) - r*ln2_low
+            r = (x(j) - r*ln2_high) - r*ln2_low
             s = r*r
             power = ((c(0) + c(1)*r) + s*(c(2) + c(3)*r)) + s*s*((c(4) + c(5)*r) + s*c(6))
             values(j) = power_of_2(quarters)*(1.0_wp + (r + s*power))

@@ -14,7 +14,7 @@ module asperity_fixed_pieces
    public :: fixed_pieces_serve, evaluate_fixed_pieces
 
    !> Largest w1/sigma, smallest d/sigma and largest product of the two: test/test_fixed_pieces
-   real(wp), parameter :: largest_ratio = 0.03_wp, lowest = -7.0_wp, largest_product = 0.4_wp
+   real(wp), parameter :: largest_ratio = 0.025_wp, lowest = -7.0_wp, largest_product = 0.28_wp
 
    integer, parameter :: n = n_elastic + n_elastoplastic
    real(wp), parameter :: ratio(n) = [root_ratio**2, elastoplastic_ratio]
