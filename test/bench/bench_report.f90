@@ -160,8 +160,36 @@ contains
             nint(rows(i)%value%median), ' bytes.'
       end do
       call write_growth(unit, rows)
+      call write_levels(unit, rows, options)
       close (unit)
    end subroutine write_markdown
+
+   !> A second table: what was measured at other levels of optimisation, too.
+   subroutine write_levels(unit, rows, options)
+      integer, intent(in) :: unit
+      type(result_row), intent(in) :: rows(:)
+      type(options_type), intent(in) :: options
+      type(level_type) :: levels(size(options%others))
+      character(len=32) :: cells(size(levels))
+      integer :: i, j
+
+      if (size(levels) == 0) return
+      do j = 1, size(levels)
+         call read_csv(options%others(j), levels(j)%rows)
+         cells(j) = levels(j)%rows(1)%name(:32)
+      end do
+      write (unit, '(/, *(a))') '| ns a point | ', trim(options%level), &
+         (bar//trim(cells(j)), j=1, size(levels)), ' |'
+      write (unit, '(*(a))') '|---|---|', ('---|', j=1, size(levels))
+      do i = 1, size(rows)
+         if (rows(i)%section /= 'time') cycle
+         do j = 1, size(levels)
+            cells(j) = figure(levels(j)%rows, 'time', rows(i)%name)
+         end do
+         if (any(cells /= '')) write (unit, '(*(a))') '| ', trim(adjustl(rows(i)%name)), bar, &
+            trim(with_spread(rows(i)%value)), (bar//trim(cells(j)), j=1, size(levels)), ' |'
+      end do
+   end subroutine write_levels
 
    !> Growth with points and threads in a few lines.
    subroutine write_growth(unit, rows)
