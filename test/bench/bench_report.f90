@@ -108,24 +108,44 @@ contains
       type(options_type), intent(in) :: options
       type(level_type) :: levels(size(options%others))
       character(len=32) :: cells(size(levels))
-      integer :: i, j
+      integer :: i
 
       if (size(levels) == 0) return
-      do j = 1, size(levels)
-         call read_csv(options%others(j), levels(j)%rows)
-         cells(j) = levels(j)%rows(1)%name(:32)
-      end do
+      call read_levels(options, levels, cells)
       print '(/, a45, *(a22))', [character(len=45) :: 'Builds, ns a point'], &
          [character(len=32) :: options%level(:32), cells]
       do i = 1, size(rows)
          if (rows(i)%section /= 'time') cycle
-         do j = 1, size(levels)
-            cells(j) = figure(levels(j)%rows, 'time', rows(i)%name)
-         end do
+         cells = times_at(levels, rows(i)%name)
          if (any(cells /= '')) print '(a45, *(a22))', rows(i)%name, &
             [with_spread(rows(i)%value), cells]
       end do
    end subroutine print_levels
+
+   !> Rows of the other levels, and their names.
+   subroutine read_levels(options, levels, names)
+      type(options_type), intent(in) :: options
+      type(level_type), intent(out) :: levels(:)
+      character(len=32), intent(out) :: names(:)
+      integer :: i
+
+      do i = 1, size(levels)
+         call read_csv(options%others(i), levels(i)%rows)
+         names(i) = levels(i)%rows(1)%name(:32)
+      end do
+   end subroutine read_levels
+
+   !> Times of a contender at the other levels, blank where it was not measured.
+   function times_at(levels, name) result(cells)
+      type(level_type), intent(in) :: levels(:)
+      character(len=*), intent(in) :: name
+      character(len=32) :: cells(size(levels))
+      integer :: i
+
+      do i = 1, size(levels)
+         cells(i) = figure(levels(i)%rows, 'time', name)
+      end do
+   end function times_at
 
    !> The table of the README: contenders, then compiling and growth in a few lines.
    subroutine write_markdown(path, machine, options, rows)
@@ -174,18 +194,13 @@ contains
       integer :: i, j
 
       if (size(levels) == 0) return
-      do j = 1, size(levels)
-         call read_csv(options%others(j), levels(j)%rows)
-         cells(j) = levels(j)%rows(1)%name(:32)
-      end do
+      call read_levels(options, levels, cells)
       write (unit, '(/, *(a))') '| ns a point | ', trim(options%level), &
          (bar//trim(cells(j)), j=1, size(levels)), ' |'
       write (unit, '(*(a))') '|---|---|', ('---|', j=1, size(levels))
       do i = 1, size(rows)
          if (rows(i)%section /= 'time') cycle
-         do j = 1, size(levels)
-            cells(j) = figure(levels(j)%rows, 'time', rows(i)%name)
-         end do
+         cells = times_at(levels, rows(i)%name)
          if (any(cells /= '')) write (unit, '(*(a))') '| ', trim(adjustl(rows(i)%name)), bar, &
             trim(with_spread(rows(i)%value)), (bar//trim(cells(j)), j=1, size(levels)), ' |'
       end do
