@@ -14,6 +14,8 @@ program test_main
    use test_fixed_pieces, only: suite_fixed_pieces
    use test_friction, only: suite_friction
    use test_gaussian_tail, only: suite_gaussian_tail
+   use test_hysteresis, only: suite_hysteresis
+   use test_hysteresis_records, only: suite_hysteresis_records
    use test_hermite_polynomial, only: suite_hermite_polynomial
    use test_normal_inverse, only: suite_normal_inverse
    use test_normal_law, only: suite_normal_law
@@ -24,6 +26,10 @@ program test_main
    use test_replay_host, only: suite_replay_host
    use test_shear_box, only: suite_shear_box
    use test_single_asperity, only: suite_single_asperity
+   use test_tenon_forms, only: suite_tenon_forms
+   use test_tenon_energy, only: suite_tenon_energy
+   use test_tenon_joint, only: suite_tenon_joint
+   use test_tenon_solver, only: suite_tenon_solver
    use test_uinter, only: suite_uinter
    use test_validity, only: suite_validity
    use test_vuinter, only: suite_vuinter
@@ -62,6 +68,12 @@ program test_main
    call all_suites%addTest(suite_vuinter_agreement())
    call all_suites%addTest(suite_press())
    call all_suites%addTest(suite_shear_box())
+   call all_suites%addTest(suite_hysteresis())
+   call all_suites%addTest(suite_hysteresis_records())
+   call all_suites%addTest(suite_tenon_forms())
+   call all_suites%addTest(suite_tenon_energy())
+   call all_suites%addTest(suite_tenon_joint())
+   call all_suites%addTest(suite_tenon_solver())
    runner = TestRunner()
    outcome = runner%run(all_suites, SerialContext())
    failed = outcome%failureCount() + outcome%errorCount()

@@ -1,0 +1,138 @@
+!> Post-processing of displacement-force records, measured or computed: cycles, skeleton, yield and
+!> ultimate point, stiffness, energy, damping. Rotation and moment may stand for the two.
+module hysteresis_analysis
+   use asperity_error, only: error_type, fatal_error
+   use asperity_finite, only: is_finite
+   use asperity_kinds, only: wp
+   use asperity_text, only: to_text
+   use hysteresis_cycles, only: find_peaks, measure_cycles
+   use hysteresis_skeletons, only: evaluate_skeleton, new_skeleton
+   use hysteresis_turning_points, only: cut_cycles, find_turning_points
+   use hysteresis_types, only: check_hysteresis_settings, hysteresis_cycle, hysteresis_result, &
+      hysteresis_settings, hysteresis_skeleton, largest_value, negative_side, not_known, &
+      positive_side
+   implicit none
+   private
+   public :: analyse_hysteresis
+   public :: hysteresis_cycle, hysteresis_result, hysteresis_settings, hysteresis_skeleton
+   public :: check_hysteresis_settings, negative_side, not_known, positive_side
+
+   !> Default threshold over the record's range of displacement
+   real(wp), parameter :: default_threshold = 1.0_wp/400.0_wp
+   integer, parameter :: fewest_points = 3
+
+contains
+
+   !> Analyse a record. Its samples need not be evenly spaced, may stand still, and need not end
+   !> where they began.
+   pure subroutine analyse_hysteresis(displacement, force, result, error, settings)
+      !> Displacement, or rotation, of each sample
+      real(wp), intent(in) :: displacement(:)
+      !> Force, or moment, of each sample
+      real(wp), intent(in) :: force(:)
+      !> What was found
+      type(hysteresis_result), intent(out) :: result
+      !> Set when the record or a setting is refused
+      type(error_type), allocatable, intent(out) :: error
+      !> How to read the record
+      type(hysteresis_settings), intent(in), optional :: settings
+      type(hysteresis_settings) :: s
+      integer :: i, side
+
+      if (present(settings)) s = settings
+      call check_hysteresis_settings(s, error)
+      if (.not. allocated(error)) call check_record(displacement, force, error)
+      if (allocated(error)) return
+
+      result%threshold = s%threshold
+      if (.not. s%threshold > 0.0_wp) &
+         result%threshold = default_threshold*(maxval(displacement) - minval(displacement))
+      call find_turning_points(displacement, result%threshold, result%turning_points)
+      if (size(result%turning_points) == 0) then
+         call fatal_error(error, 'displacement changes by no more than '// &
+            to_text(maxval(displacement) - minval(displacement), 4)// &
+            ' in the whole record, which is within the threshold of '// &
+            to_text(result%threshold, 4))
+         return
+      end if
+      call cut_cycles(displacement, force, result%threshold, result%turning_points, result%cycles)
+      do i = 1, size(result%cycles)
+         call find_peaks(displacement, force, result%threshold, s%peaks == 'force', &
+            result%cycles(i))
+      end do
+      call check_signs(result%cycles, error)
+      if (allocated(error)) return
+      call measure_cycles(displacement, force, result%threshold, result%cycles)
+      do side = positive_side, negative_side
+         call new_skeleton(displacement, force, side, s%amplitude_tolerance, result%cycles, &
+            result%skeleton(side))
+         call evaluate_skeleton(side, s, result%skeleton(side))
+      end do
+   end subroutine analyse_hysteresis
+
+   !> Refuse what is no record.
+   pure subroutine check_record(displacement, force, error)
+      real(wp), intent(in) :: displacement(:), force(:)
+      type(error_type), allocatable, intent(out) :: error
+      integer :: i
+
+      if (size(displacement) /= size(force)) then
+         call fatal_error(error, 'the record has '//to_text(size(displacement))// &
+            ' displacements but '//to_text(size(force))//' forces')
+      else if (size(force) < fewest_points) then
+         call fatal_error(error, 'the record is too short: '//to_text(size(force))// &
+            ' samples, and '//to_text(fewest_points)//' are needed')
+      end if
+      do i = 1, size(force)
+         if (allocated(error)) return
+         call check_number(error, 'displacement', i, displacement(i))
+         if (.not. allocated(error)) call check_number(error, 'force', i, force(i))
+      end do
+      if (allocated(error)) return
+      if (.not. maxval(displacement) > minval(displacement)) then
+         call fatal_error(error, 'displacement is '//to_text(displacement(1), 6)// &
+            ' in every sample: the record does not move')
+      else if (.not. (maxval(force) > 0.0_wp .or. minval(force) < 0.0_wp)) then
+         call fatal_error(error, 'force is zero in every sample')
+      end if
+   end subroutine check_record
+
+   !> Refuse a number that is not finite or too large.
+   pure subroutine check_number(error, name, sample, value)
+      type(error_type), allocatable, intent(inout) :: error
+      character(len=*), intent(in) :: name
+      integer, intent(in) :: sample
+      real(wp), intent(in) :: value
+
+      if (is_finite(value)) then
+         if (abs(value) < largest_value) return
+      end if
+      call fatal_error(error, name//' = '//to_text(value)//' in sample '//to_text(sample)// &
+         ' is not a number below 1e100 in size')
+   end subroutine check_number
+
+   !> Refuse a record without a peak, or whose forces point against the displacement.
+   pure subroutine check_signs(cycles, error)
+      type(hysteresis_cycle), intent(in) :: cycles(:)
+      type(error_type), allocatable, intent(out) :: error
+      real(wp) :: product
+      integer :: i, side, peaks
+
+      product = 0.0_wp
+      peaks = 0
+      do i = 1, size(cycles)
+         do side = positive_side, negative_side
+            if (cycles(i)%peak(side) == 0) cycle
+            peaks = peaks + 1
+            product = product + cycles(i)%displacement(side)*cycles(i)%force(side)
+         end do
+      end do
+      if (peaks == 0) then
+         call fatal_error(error, 'displacement comes no further from zero than the threshold')
+      else if (.not. product > 0.0_wp) then
+         call fatal_error(error, 'force points against the displacement at the peaks of '// &
+            'the record: turn the sign of one of them')
+      end if
+   end subroutine check_signs
+
+end module hysteresis_analysis

@@ -1,0 +1,169 @@
+!> What one cycle of a record says: peaks, stiffness, energy, damping, pinching.
+module hysteresis_cycles
+   use asperity_kinds, only: wp
+   use asperity_properties, only: pi
+   use hysteresis_types, only: hysteresis_cycle, negative_side, positive_side, side_sign
+   implicit none
+   private
+   public :: find_peaks, measure_cycles
+
+contains
+
+   !> Find the peak of a cycle on each side where it comes further out than the threshold. Of
+   !> samples equally far out the one with the larger force counts, and the other way round.
+   pure subroutine find_peaks(displacement, force, threshold, by_force, loop)
+      !> The record
+      real(wp), intent(in) :: displacement(:), force(:)
+      !> Distance from zero that counts as zero
+      real(wp), intent(in) :: threshold
+      !> The peak is the largest force rather than the largest displacement
+      logical, intent(in) :: by_force
+      !> The cycle, whose samples are known
+      type(hysteresis_cycle), intent(inout) :: loop
+      integer :: i, side, best
+
+      do side = positive_side, negative_side
+         best = 0
+         associate (s => side_sign(side))
+            do i = loop%first, loop%last
+               if (.not. s*displacement(i) > threshold) cycle
+               if (best == 0) then
+                  best = i
+               else if (by_force) then
+                  if (is_beyond(s*force(i), s*displacement(i), s*force(best), &
+                     s*displacement(best))) best = i
+               else
+                  if (is_beyond(s*displacement(i), s*force(i), s*displacement(best), &
+                     s*force(best))) best = i
+               end if
+            end do
+         end associate
+         loop%peak(side) = best
+         if (best == 0) cycle
+         loop%displacement(side) = displacement(best)
+         loop%force(side) = force(best)
+      end do
+   end subroutine find_peaks
+
+   !> Whether (a, b) is beyond (c, d): a > c, or the same and b > d.
+   pure logical function is_beyond(a, b, c, d)
+      real(wp), intent(in) :: a, b, c, d
+
+      is_beyond = a > c .or. (a >= c .and. b > d)
+   end function is_beyond
+
+   !> Stiffness, energy and shape of all cycles, whose ends and peaks are known.
+   pure subroutine measure_cycles(displacement, force, threshold, cycles)
+      !> The record
+      real(wp), intent(in) :: displacement(:), force(:)
+      !> Distance from zero that counts as zero
+      real(wp), intent(in) :: threshold
+      !> The cycles
+      type(hysteresis_cycle), intent(inout) :: cycles(:)
+      real(wp) :: total
+      integer :: i
+
+      total = 0.0_wp
+      do i = 1, size(cycles)
+         call measure_stiffness(cycles(i))
+         if (cycles(1)%secant_stiffness > 0.0_wp) &
+            cycles(i)%stiffness_ratio = cycles(i)%secant_stiffness/cycles(1)%secant_stiffness
+         cycles(i)%energy = work(cycles(i), displacement, force)
+         total = total + cycles(i)%energy
+         cycles(i)%cumulative_energy = total
+         if (cycles(i)%closed .and. all(cycles(i)%peak > 0)) &
+            call measure_shape(cycles(i), displacement, force, threshold)
+      end do
+   end subroutine measure_cycles
+
+   !> Secant stiffness of both peaks, or of the one there is. Differences rather than absolute
+   !> values: they are the same, unless the force of a small peak has the wrong sign.
+   pure subroutine measure_stiffness(loop)
+      type(hysteresis_cycle), intent(inout) :: loop
+      logical :: there(2)
+
+      there = loop%peak > 0
+      if (.not. any(there)) return
+      loop%secant_stiffness = sum(side_sign*loop%force, mask=there) &
+         /sum(side_sign*loop%displacement, mask=there)
+   end subroutine measure_stiffness
+
+   !> Work of the force along a cycle, by the trapezoidal rule in the record's own order.
+   pure real(wp) function work(loop, displacement, force)
+      type(hysteresis_cycle), intent(in) :: loop
+      real(wp), intent(in) :: displacement(:), force(:)
+      integer :: i
+
+      work = trapezoid(loop%start_displacement, loop%start_force, &
+         displacement(loop%first), force(loop%first))
+      do i = loop%first, loop%last - 1
+         work = work + trapezoid(displacement(i), force(i), displacement(i + 1), force(i + 1))
+      end do
+      work = work + trapezoid(displacement(loop%last), force(loop%last), &
+         loop%end_displacement, loop%end_force)
+   end function work
+
+   pure real(wp) function trapezoid(x1, f1, x2, f2)
+      real(wp), intent(in) :: x1, f1, x2, f2
+
+      trapezoid = 0.5_wp*(f1 + f2)*(x2 - x1)
+   end function trapezoid
+
+   !> Area, damping, pinching and fullness of a closed cycle with two peaks.
+   pure subroutine measure_shape(loop, displacement, force, threshold)
+      type(hysteresis_cycle), intent(inout) :: loop
+      real(wp), intent(in) :: displacement(:), force(:), threshold
+      real(wp) :: product, height, width, between, after
+      logical :: crosses
+      integer :: earlier, later
+
+      associate (x => loop%displacement, f => loop%force)
+         loop%loop_area = loop%energy + trapezoid(loop%end_displacement, loop%end_force, &
+            loop%start_displacement, loop%start_force)
+         product = 0.5_wp*sum(f*x)
+         if (product > 0.0_wp) loop%damping = loop%loop_area/(2.0_wp*pi*product)
+         height = f(positive_side) - f(negative_side)
+         width = x(positive_side) - x(negative_side)
+         if (.not. height > 0.0_wp) return
+         loop%fullness = loop%loop_area/(height*width)
+
+         earlier = minval(loop%peak)
+         later = maxval(loop%peak)
+         call force_at_zero(displacement(earlier:later), force(earlier:later), between, crosses)
+         if (.not. crosses) return
+         call force_at_zero(displacement(later:loop%last), force(later:loop%last), after, crosses)
+         if (.not. crosses) call force_at_zero([displacement(loop%last), loop%end_displacement], &
+            [force(loop%last), loop%end_force], after, crosses)
+         if (.not. crosses) call force_at_zero(displacement(loop%first:earlier), &
+            force(loop%first:earlier), after, crosses)
+         if (.not. crosses) then
+            if (abs(loop%end_displacement) > threshold) return
+            after = loop%end_force
+         end if
+         ! from the positive peak the record comes back with the lower force
+         loop%pinching = sign(1.0_wp, real(later - loop%peak(positive_side), wp) - 0.5_wp) &
+            *(after - between)/height
+      end associate
+   end subroutine measure_shape
+
+   !> Force where the displacement first comes to zero.
+   pure subroutine force_at_zero(displacement, force, at_zero, crosses)
+      real(wp), intent(in) :: displacement(:), force(:)
+      real(wp), intent(out) :: at_zero
+      logical, intent(out) :: crosses
+      integer :: i
+
+      at_zero = 0.0_wp
+      crosses = .false.
+      do i = 1, size(displacement) - 1
+         if (min(displacement(i), displacement(i + 1)) > 0.0_wp .or. &
+            max(displacement(i), displacement(i + 1)) < 0.0_wp) cycle
+         crosses = .true.
+         at_zero = force(i + 1)
+         if (abs(displacement(i + 1)) > 0.0_wp) at_zero = force(i) &
+            + (force(i + 1) - force(i))*(displacement(i)/(displacement(i) - displacement(i + 1)))
+         return
+      end do
+   end subroutine force_at_zero
+
+end module hysteresis_cycles

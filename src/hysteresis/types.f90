@@ -1,0 +1,134 @@
+!> What the post-processing of displacement-force records takes and gives. Units are those of the
+!> record: stiffness is force over displacement, energy force times displacement. Rotation and
+!> moment may stand for displacement and force.
+module hysteresis_types
+   use asperity_error, only: error_type, fatal_error
+   use asperity_kinds, only: wp
+   use asperity_properties, only: check_range
+   implicit none
+   private
+   public :: hysteresis_settings, hysteresis_cycle, hysteresis_skeleton, hysteresis_result
+   public :: check_hysteresis_settings
+
+   !> Stands for a number that the record does not give
+   real(wp), parameter, public :: not_known = huge(1.0_wp)
+   !> The two sides of a record, as places in arrays of two
+   integer, parameter, public :: positive_side = 1, negative_side = 2
+   !> Sign of displacement on each side
+   real(wp), parameter, public :: side_sign(2) = [1.0_wp, -1.0_wp]
+   !> Share of the peak force at which the initial stiffness begins (EN 12512)
+   real(wp), parameter, public :: initial_fraction = 0.1_wp
+   !> Numbers of a record, and a threshold, must be smaller, so that no product overflows
+   real(wp), parameter, public :: largest_value = 1.0e100_wp
+
+   !> How a record is read.
+   type :: hysteresis_settings
+      !> Reversals of displacement up to this size are noise, and so is such a distance from zero;
+      !> zero for 1/400 of the record's range of displacement
+      real(wp) :: threshold = 0.0_wp
+      !> A peak has a new amplitude if it is larger than all before it by this share at least
+      real(wp) :: amplitude_tolerance = 0.05_wp
+      !> What makes the peak of a half cycle: largest `displacement` or largest `force`
+      character(len=12) :: peaks = 'displacement'
+      !> Share of the peak force that the elastic stiffness goes through (ASTM E2126)
+      real(wp) :: elastic_fraction = 0.4_wp
+      !> Share of the peak force, past the peak, at the ultimate point (ASTM E2126)
+      real(wp) :: ultimate_fraction = 0.8_wp
+   end type hysteresis_settings
+
+   !> One cycle. Arrays of two hold the positive side first.
+   type :: hysteresis_cycle
+      !> First and last sample of the record in this cycle
+      integer :: first = 0, last = 0
+      !> Displacement and force where it starts, which may lie between two samples
+      real(wp) :: start_displacement = 0.0_wp, start_force = 0.0_wp
+      !> Displacement and force where it ends
+      real(wp) :: end_displacement = 0.0_wp, end_force = 0.0_wp
+      !> It ends at the displacement at which it started, but for the threshold
+      logical :: closed = .false.
+      !> Sample of the peak on each side; zero where the record has none
+      integer :: peak(2) = 0
+      !> Displacement of each peak, signed
+      real(wp) :: displacement(2) = not_known
+      !> Force of each peak, signed
+      real(wp) :: force(2) = not_known
+      !> Whether the peak is a point of the skeleton
+      logical :: in_skeleton(2) = .false.
+      !> (|F+| + |F-|)/(|X+| + |X-|), of one side when there is no other
+      real(wp) :: secant_stiffness = not_known
+      !> Secant stiffness over that of the first cycle
+      real(wp) :: stiffness_ratio = not_known
+      !> Work of the force in this cycle, in the record's order, and in all cycles up to it
+      real(wp) :: energy = 0.0_wp, cumulative_energy = 0.0_wp
+      !> Area of the loop, its small gap closed by a straight line; of closed cycles only, as are
+      !> the next three, which also need both peaks
+      real(wp) :: loop_area = not_known
+      !> Equivalent viscous damping, area/(2 pi (F+ X+/2 + F- X-/2))
+      real(wp) :: damping = not_known
+      !> Pinching ratio: height of the loop at zero displacement over F+ - F-
+      real(wp) :: pinching = not_known
+      !> Area over that of the rectangle (F+ - F-)(X+ - X-)
+      real(wp) :: fullness = not_known
+   end type hysteresis_cycle
+
+   !> Skeleton of one side and what follows from it; displacement and force are signed.
+   type :: hysteresis_skeleton
+      !> Points from the inside to the outside, without the origin
+      real(wp), allocatable :: displacement(:), force(:)
+      !> Cycle of each point; zero if the record is its own skeleton
+      integer, allocatable :: cycle(:)
+      !> Slope between 0.1 of the peak force and the elastic fraction (EN 12512)
+      real(wp) :: initial_stiffness = not_known
+      !> Slope from the origin through the elastic fraction of the peak force, Ke of ASTM E2126
+      real(wp) :: elastic_stiffness = not_known
+      !> Yield point of equal energy (EEEP)
+      real(wp) :: yield_displacement = not_known, yield_force = not_known
+      !> The equal-energy equation has no solution, and 0.85 of the peak force is taken instead
+      logical :: yield_assumed = .false.
+      !> Point of the largest force
+      real(wp) :: peak_displacement = not_known, peak_force = not_known
+      !> Point past the peak where the force has fallen to the ultimate fraction, or the last point
+      real(wp) :: ultimate_displacement = not_known, ultimate_force = not_known
+      !> The force has fallen so far
+      logical :: ultimate_reached = .false.
+      !> Area under the skeleton from the origin to the ultimate point
+      real(wp) :: area = not_known
+      !> Ultimate over yield displacement
+      real(wp) :: ductility = not_known
+   end type hysteresis_skeleton
+
+   !> Everything found in a record.
+   type :: hysteresis_result
+      !> Threshold in use
+      real(wp) :: threshold = 0.0_wp
+      !> Samples at which the displacement turns, and the last extreme of a record that still moves
+      integer, allocatable :: turning_points(:)
+      !> The cycles, which follow each other without a gap
+      type(hysteresis_cycle), allocatable :: cycles(:)
+      !> Skeletons of the positive and the negative side; without points if there are none
+      type(hysteresis_skeleton) :: skeleton(2)
+   end type hysteresis_result
+
+contains
+
+   !> `error` is set when a setting is not allowed.
+   pure subroutine check_hysteresis_settings(settings, error)
+      !> Settings
+      type(hysteresis_settings), intent(in) :: settings
+      !> Set when one is refused; its message starts with the name
+      type(error_type), allocatable, intent(out) :: error
+
+      call check_range(error, 'threshold', settings%threshold, 0.0_wp, largest_value, '')
+      if (.not. allocated(error)) call check_range(error, 'amplitude_tolerance', &
+         settings%amplitude_tolerance, 0.0_wp, 1.0_wp, '')
+      if (.not. allocated(error)) call check_range(error, 'elastic_fraction', &
+         settings%elastic_fraction, 0.2_wp, 0.9_wp, '')
+      if (.not. allocated(error)) call check_range(error, 'ultimate_fraction', &
+         settings%ultimate_fraction, 0.1_wp, 0.99_wp, '')
+      if (allocated(error)) return
+      if (all(settings%peaks /= [character(len=12) :: 'displacement', 'force'])) &
+         call fatal_error(error, "peaks = '"//trim(settings%peaks)// &
+         "' is unknown; known: displacement, force")
+   end subroutine check_hysteresis_settings
+
+end module hysteresis_types

@@ -1,0 +1,291 @@
+!> Settings of the tenon joint: sizes, wood, axial rule, resolution and load programme.
+!>
+!> The drawing, symbols and signs are in `replay_tenon_model`. What the paper does not print is
+!> marked as chosen.
+module replay_tenon_settings
+   use asperity, only: error_type, wp
+   use asperity_error, only: fatal_error
+   use asperity_properties, only: check_positive, check_range
+   use asperity_text, only: to_text
+   implicit none
+   private
+   public :: tenon_settings, check_tenon_settings, tenon_amplitudes, tenon_face_arm
+
+   !> Sizes, wood, axial rule, resolution and load programme of one joint.
+   type :: tenon_settings
+      !> Length of the tenon in the mortise, which is the column's depth, mm; chosen
+      real(wp) :: length = 300.0_wp
+      !> Height of the tenon, mm; chosen
+      real(wp) :: height = 300.0_wp
+      !> Width of the tenon, mm; chosen
+      real(wp) :: width = 105.0_wp
+      !> Clearance above and below the tenon, mm, as `gap` defines it; chosen
+      real(wp) :: clearance_above = 0.5_wp, clearance_below = 0.5_wp
+      !> Length of full material that runs on past the column face, mm; no use with shoulders
+      real(wp) :: extension = 60.0_wp
+      !> Distance of the load point from `arm_datum`, mm
+      real(wp) :: arm = 500.0_wp
+      !> Where the arm is measured from, and the moment is taken about: `column_face` or
+      !> `column_axis`, which lies length/2 inside the face
+      character(len=16) :: arm_datum = 'column_face'
+      !> What the clearance means: distance of the `mean_plane` of the summits to the other face, or
+      !> motion until `first_touch` (separation d0); the same for hard contact
+      character(len=16) :: gap = 'mean_plane'
+      !> Pressure on the two side faces, MPa; none when zero; chosen
+      real(wp) :: side_pressure = 0.2_wp
+      !> What holds the tenon along its axis: `spring`, `fixed`, `free`, or a given `force`, through
+      !> the middle of the tenon at the column face
+      character(len=16) :: axial_rule = 'spring'
+      !> Stiffness of the spring, N/mm; chosen
+      real(wp) :: axial_stiffness = 500.0_wp
+      !> The given force on the tenon, N; positive pulls it out
+      real(wp) :: axial_force = 0.0_wp
+      !> Whether shoulders above and below the tenon bear on the column face
+      logical :: shoulders = .false.
+      !> Height of each shoulder and its gap to the column face, mm
+      real(wp) :: shoulder_height = 50.0_wp, shoulder_gap = 0.0_wp
+      !> Vertical load of the column, N, for information only
+      real(wp) :: column_load = 0.0_wp
+      !> Bearing of the tenon perpendicular to grain: modulus, MPa, over depth, mm, is its
+      !> stiffness. The modulus is the paper's, the depth chosen
+      real(wp) :: bearing_modulus = 351.0_wp, bearing_depth = 150.0_wp
+      !> Its yield pressure fc90, MPa
+      real(wp) :: bearing_strength = 4.7_wp
+      !> Its hardening over its stiffness; zero or more; chosen
+      real(wp) :: hardening = 0.02_wp
+      !> Bearing of the column parallel to grain: modulus, MPa (zero: rigid), and depth, mm, chosen
+      real(wp) :: column_modulus = 3727.0_wp, column_depth = 150.0_wp
+      !> Its yield pressure fc0, MPa, and hardening over its stiffness
+      real(wp) :: column_strength = 50.1_wp, column_hardening = 0.02_wp
+      !> Contact points along each face over `length`, along each side of a side face, and over each
+      !> shoulder's height
+      integer :: points = 100, side_points = 12, shoulder_points = 16
+      !> Largest step of the displacement, mm
+      real(wp) :: displacement_increment = 0.8_wp
+      !> `rough` or `hard`: a rigid interface with the same friction
+      character(len=16) :: contact = 'rough'
+      !> Whether every contact point of the rough joint is run through UINTER
+      logical :: through_uinter = .false.
+      !> Amplitudes, mm, and how many cycles of each; the paper's when not allocated: 0.5, 1, 2,
+      !> 4 mm once; 8, 16, 24, 32, 48 mm three times
+      real(wp), allocatable :: amplitudes(:)
+      integer, allocatable :: cycles(:)
+      !> Recorded displacements of the load point, mm, in place of amplitudes
+      real(wp), allocatable :: displacement(:)
+   end type tenon_settings
+
+   !> Most steps of a programme and most points of a face
+   integer, parameter :: max_steps = 1000000, max_points = 100000
+   integer, parameter :: default_cycles(9) = [1, 1, 1, 1, 3, 3, 3, 3, 3]
+   real(wp), parameter :: default_amplitudes(9) = &
+      [0.5_wp, 1.0_wp, 2.0_wp, 4.0_wp, 8.0_wp, 16.0_wp, 24.0_wp, 32.0_wp, 48.0_wp]
+   real(wp), parameter :: largest = 1.0e9_wp, huge_value = 1.0e20_wp
+
+contains
+
+   !> Distance of the load point from the column face, mm.
+   pure real(wp) function tenon_face_arm(settings)
+      !> Settings
+      type(tenon_settings), intent(in) :: settings
+
+      tenon_face_arm = settings%arm
+      if (settings%arm_datum == 'column_axis') &
+         tenon_face_arm = settings%arm - 0.5_wp*settings%length
+   end function tenon_face_arm
+
+   !> The amplitudes and cycles of the settings, or the paper's.
+   pure subroutine tenon_amplitudes(settings, amplitudes, cycles)
+      !> Settings
+      type(tenon_settings), intent(in) :: settings
+      !> Amplitudes, mm
+      real(wp), allocatable, intent(out) :: amplitudes(:)
+      !> Cycles of each
+      integer, allocatable, intent(out) :: cycles(:)
+
+      if (allocated(settings%amplitudes)) then
+         amplitudes = settings%amplitudes
+         if (allocated(settings%cycles)) then
+            cycles = settings%cycles
+         else
+            allocate (cycles(size(amplitudes)), source=1)
+         end if
+      else
+         amplitudes = default_amplitudes
+         cycles = default_cycles
+         if (allocated(settings%cycles)) cycles = settings%cycles
+      end if
+   end subroutine tenon_amplitudes
+
+   !> `error` is set when a setting is not allowed.
+   pure subroutine check_tenon_settings(settings, error)
+      !> Settings
+      type(tenon_settings), intent(in) :: settings
+      !> Set when a setting is refused
+      type(error_type), allocatable, intent(out) :: error
+
+      call check_sizes(settings, error)
+      call check_wood(settings, error)
+      call check_choices(settings, error)
+      if (allocated(settings%displacement)) then
+         call check_displacement(settings, error)
+      else
+         call check_amplitudes(settings, error)
+      end if
+   end subroutine check_tenon_settings
+
+   pure subroutine check_sizes(s, error)
+      type(tenon_settings), intent(in) :: s
+      type(error_type), allocatable, intent(inout) :: error
+
+      call need_positive(error, 'length', s%length, 'mm')
+      call need_positive(error, 'height', s%height, 'mm')
+      call need_positive(error, 'width', s%width, 'mm')
+      call need_positive(error, 'arm', s%arm, 'mm')
+      call need_positive(error, 'displacement_increment', s%displacement_increment, 'mm')
+      call need_range(error, 'clearance_above', s%clearance_above, 0.0_wp, s%height, ' mm')
+      call need_range(error, 'clearance_below', s%clearance_below, 0.0_wp, s%height, ' mm')
+      call need_range(error, 'extension', s%extension, 0.0_wp, largest, ' mm')
+      call need_range(error, 'shoulder_gap', s%shoulder_gap, 0.0_wp, largest, ' mm')
+      if (s%shoulders) call need_positive(error, 'shoulder_height', s%shoulder_height, 'mm')
+      call need_range(error, 'points', real(s%points, wp), 1.0_wp, real(max_points, wp), '')
+      call need_range(error, 'side_points', real(s%side_points, wp), 1.0_wp, 1000.0_wp, '')
+      call need_range(error, 'shoulder_points', real(s%shoulder_points, wp), 1.0_wp, &
+         real(max_points, wp), '')
+      if (allocated(error)) return
+      if (.not. tenon_face_arm(s) > 0.0_wp) call fatal_error(error, 'arm = '//to_text(s%arm)// &
+         ' mm from the column axis ends inside the column: it must be above length/2 = '// &
+         to_text(0.5_wp*s%length)//' mm')
+   end subroutine check_sizes
+
+   pure subroutine check_wood(s, error)
+      type(tenon_settings), intent(in) :: s
+      type(error_type), allocatable, intent(inout) :: error
+
+      call need_positive(error, 'bearing_modulus', s%bearing_modulus, 'MPa')
+      call need_positive(error, 'bearing_depth', s%bearing_depth, 'mm')
+      call need_positive(error, 'bearing_strength', s%bearing_strength, 'MPa')
+      call need_range(error, 'hardening', s%hardening, 0.0_wp, largest, '')
+      call need_range(error, 'column_modulus', s%column_modulus, 0.0_wp, huge_value, ' MPa')
+      call need_positive(error, 'column_depth', s%column_depth, 'mm')
+      call need_positive(error, 'column_strength', s%column_strength, 'MPa')
+      call need_range(error, 'column_hardening', s%column_hardening, 0.0_wp, largest, '')
+      call need_range(error, 'side_pressure', s%side_pressure, 0.0_wp, 1.0e6_wp, ' MPa')
+      call need_range(error, 'column_load', s%column_load, -huge_value, huge_value, ' N')
+   end subroutine check_wood
+
+   !> As `check_positive` and `check_range`, unless `error` is set.
+   pure subroutine need_positive(error, name, value, unit)
+      type(error_type), allocatable, intent(inout) :: error
+      character(len=*), intent(in) :: name, unit
+      real(wp), intent(in) :: value
+
+      if (.not. allocated(error)) call check_positive(error, name, value, unit)
+   end subroutine need_positive
+
+   pure subroutine need_range(error, name, value, lowest, highest, unit)
+      type(error_type), allocatable, intent(inout) :: error
+      character(len=*), intent(in) :: name, unit
+      real(wp), intent(in) :: value, lowest, highest
+
+      if (.not. allocated(error)) call check_range(error, name, value, lowest, highest, unit)
+   end subroutine need_range
+
+   pure subroutine check_choices(s, error)
+      type(tenon_settings), intent(in) :: s
+      type(error_type), allocatable, intent(inout) :: error
+
+      call check_choice(error, 'arm_datum', s%arm_datum, ['column_face', 'column_axis'])
+      call check_choice(error, 'gap', s%gap, ['mean_plane ', 'first_touch'])
+      call check_choice(error, 'contact', s%contact, ['rough', 'hard '])
+      call check_choice(error, 'axial_rule', s%axial_rule, &
+         ['spring', 'fixed ', 'free  ', 'force '])
+      if (allocated(error)) return
+      if (s%axial_rule == 'spring') &
+         call need_positive(error, 'axial_stiffness', s%axial_stiffness, 'N/mm')
+      if (s%axial_rule == 'force') &
+         call need_range(error, 'axial_force', s%axial_force, -huge_value, huge_value, ' N')
+      if (allocated(error)) return
+      if (s%through_uinter .and. s%contact /= 'rough') call fatal_error(error, &
+         "through_uinter needs contact = 'rough': UINTER has no hard contact")
+   end subroutine check_choices
+
+   !> Set `error`, unless it is set, when a text is none of those known.
+   pure subroutine check_choice(error, name, value, known)
+      type(error_type), allocatable, intent(inout) :: error
+      character(len=*), intent(in) :: name, value, known(:)
+      character(len=:), allocatable :: list
+      integer :: i
+
+      if (allocated(error) .or. any(known == value)) return
+      list = trim(known(1))
+      do i = 2, size(known)
+         list = list//', '//trim(known(i))
+      end do
+      call fatal_error(error, name//" = '"//trim(value)//"' is unknown: it must be one of "//list)
+   end subroutine check_choice
+
+   !> Amplitudes rise and are above zero, with one count each, and within reach of the arm.
+   pure subroutine check_amplitudes(s, error)
+      type(tenon_settings), intent(in) :: s
+      type(error_type), allocatable, intent(inout) :: error
+      real(wp), allocatable :: amplitudes(:)
+      integer, allocatable :: cycles(:)
+      integer :: i
+
+      if (allocated(error)) return
+      call tenon_amplitudes(s, amplitudes, cycles)
+      if (size(amplitudes) == 0) then
+         call fatal_error(error, 'amplitudes is empty: give at least one in mm')
+      else if (size(cycles) /= size(amplitudes)) then
+         call fatal_error(error, 'cycles has '//to_text(size(cycles))//' entries, but there are '&
+            //to_text(size(amplitudes))//' amplitudes: give one count an amplitude')
+      end if
+      do i = 1, size(amplitudes)
+         if (allocated(error)) return
+         call need_positive(error, 'amplitudes', amplitudes(i), 'mm')
+         call need_range(error, 'amplitudes', amplitudes(i), 0.0_wp, s%arm, ' mm')
+         if (allocated(error)) return
+         if (cycles(i) < 1 .or. cycles(i) > max_steps) then
+            call fatal_error(error, 'cycles = '//to_text(cycles(i))// &
+               ' is not allowed: it must be 1 or more')
+         else if (i > 1) then
+            if (amplitudes(i) < amplitudes(i - 1)) call fatal_error(error, 'amplitudes = '// &
+               to_text(amplitudes(i))//' mm after '//to_text(amplitudes(i - 1))// &
+               ' mm is out of order: they must not fall; give displacement for another history')
+         end if
+      end do
+      if (allocated(error)) return
+      call check_steps(error, s, sum(4.0_wp*cycles*amplitudes), 4.0_wp*sum(real(cycles, wp)))
+   end subroutine check_amplitudes
+
+   !> A recorded history is not empty and within reach of the arm.
+   pure subroutine check_displacement(s, error)
+      type(tenon_settings), intent(in) :: s
+      type(error_type), allocatable, intent(inout) :: error
+      integer :: i, n
+
+      if (allocated(error)) return
+      n = size(s%displacement)
+      if (n == 0) then
+         call fatal_error(error, 'displacement is empty: give at least one in mm')
+         return
+      end if
+      do i = 1, n
+         call check_range(error, 'displacement', s%displacement(i), -s%arm, s%arm, ' mm')
+         if (allocated(error)) return
+      end do
+      call check_steps(error, s, abs(s%displacement(1)) + sum(abs(s%displacement(2:) &
+         - s%displacement(:n - 1))), real(n, wp))
+   end subroutine check_displacement
+
+   pure subroutine check_steps(error, s, travel, turns)
+      type(error_type), allocatable, intent(inout) :: error
+      type(tenon_settings), intent(in) :: s
+      real(wp), intent(in) :: travel, turns
+
+      if (travel/s%displacement_increment + turns > max_steps) call fatal_error(error, &
+         'displacement_increment = '//to_text(s%displacement_increment)// &
+         ' mm gives more than '//to_text(max_steps)//' steps; make it larger')
+   end subroutine check_steps
+
+end module replay_tenon_settings
