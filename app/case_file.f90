@@ -4,7 +4,7 @@ module app_case_file
    use asperity, only: error_type, file_error
    use asperity_error, only: fatal_error
    use asperity_text, only: to_text
-   use app_keys, only: find_key, keys, kind_file, kind_request, n_keys, option_name
+   use app_keys, only: find_key, keys, kind_file, n_keys, option_name
    use app_system, only: read_file
    use app_scanner, only: new_scanner, scanner_type, token_comma, token_group, &
       token_none, token_quoted, token_slash, token_type, token_word
@@ -211,7 +211,7 @@ contains
          nearest = nearest_name(name, pack(keys%name, keys%kind < kind_file))
          if (nearest /= '') nearest = '; did you mean '//nearest//'?'
          call fatal_error(error, place//': unknown key '//quoted(name)//nearest)
-      else if (keys(key)%kind == kind_file .or. keys(key)%kind == kind_request) then
+      else if (keys(key)%kind >= kind_file) then
          call fatal_error(error, place//': '//name//' is not a key of a case file, '// &
             'use the option '//option_name(key))
       end if

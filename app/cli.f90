@@ -3,8 +3,9 @@ module app_cli
    use asperity, only: error_type
    use asperity_error, only: fatal_error
    use app_help, only: usage_text
-   use app_keys, only: command_citation, command_curve, command_help, command_names, &
-      command_pairs, command_press, command_shear, command_version
+   use app_keys, only: belongs, command_citation, command_curve, command_help, command_names, &
+      command_hysteresis, command_pairs, command_press, command_shear, command_tenon, &
+      command_version, find_key
    use app_option, only: parse_option
    use app_settings, only: settings_type
    use app_strings, only: nearest_name, quoted, starts_with, string_type
@@ -25,11 +26,11 @@ module app_cli
    end type command_line_type
 
    character(len=*), parameter :: command_words(*) = [character(len=10) :: &
-      'curve', 'press', 'shear', 'pairs', 'version', 'help', '--version', '--help', '-h', &
-      '--citation']
+      'curve', 'press', 'shear', 'tenon', 'hysteresis', 'pairs', 'version', 'help', &
+      '--version', '--help', '-h', '--citation']
    integer, parameter :: command_codes(*) = [command_curve, command_press, command_shear, &
-      command_pairs, command_version, command_help, command_version, command_help, command_help, &
-      command_citation]
+      command_tenon, command_hysteresis, command_pairs, command_version, command_help, &
+      command_version, command_help, command_help, command_citation]
 
 contains
 
@@ -127,6 +128,8 @@ contains
          i = i + 1
          if (starts_with(arguments(i)%text, '-')) then
             call parse_option(line%options, line%command, arguments, i, error)
+         else if (line%command == command_hysteresis) then
+            call take_record(line, arguments(i)%text, error)
          else
             call take_case(line, arguments(i)%text, error)
          end if
@@ -140,7 +143,7 @@ contains
       character(len=*), intent(in) :: path
       type(error_type), allocatable, intent(out) :: error
 
-      if (iand(line%command, command_curve + command_press + command_shear) == 0) then
+      if (.not. belongs(find_key('pair'), line%command)) then
          call fatal_error(error, quoted(path)//': '//command_names(line%command)// &
             ' takes no case file')
       else if (line%case_path /= '') then
@@ -152,5 +155,26 @@ contains
          line%case_path = path
       end if
    end subroutine take_case
+
+   !> The record of `hysteresis`, which is its one argument that is not an option.
+   pure subroutine take_record(line, path, error)
+      type(command_line_type), intent(inout) :: line
+      character(len=*), intent(in) :: path
+      type(error_type), allocatable, intent(out) :: error
+
+      associate (setting => line%options%of(find_key('record_file')))
+         if (setting%given) then
+            call fatal_error(error, quoted(path)//': there is already the record '// &
+               quoted(setting%text)//', only one is taken')
+         else if (path == '') then
+            call fatal_error(error, 'the name of the record is empty')
+         else
+            setting%given = .true.
+            setting%has_value = .true.
+            setting%source = 'argument'
+            setting%text = path
+         end if
+      end associate
+   end subroutine take_record
 
 end module app_cli

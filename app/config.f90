@@ -3,21 +3,18 @@ module app_config
    use asperity, only: contact_properties, error_type, new_contact_properties, &
       new_normal_properties, normal_properties, rule_abaqus, rule_dissipative, &
       slip_backward_euler, slip_exact, wp
-   use asperity_contact_properties, only: default_initial_separation
    use asperity_error, only: fatal_error
    use asperity_text, only: to_text
    use replay_press, only: press_settings
    use replay_shear_box, only: shear_settings
-   use app_case_file, only: read_case
-   use app_cli, only: command_line_type
-   use app_keys, only: command_curve, command_press, command_shear, find_key, n_keys
-   use app_lists, only: linear_range
-   use app_presets, only: apply_presets, check_presets_used, drop_overridden, fill
-   use app_settings, only: default_settings, settings_type
-   use app_strings, only: starts_with
+   use replay_tenon_settings, only: tenon_settings
+   use app_effective, only: locate
+   use app_keys, only: command_curve, command_shear, command_tenon, find_key
+   use app_settings, only: settings_type
+   use app_tenon_config, only: new_side_properties, new_tenon_settings, whole_list
    implicit none
    private
-   public :: effective_settings, config_type, new_config, locate
+   public :: config_type, new_config
 
    !> What a command runs on.
    type :: config_type
@@ -25,6 +22,12 @@ module app_config
       type(contact_properties) :: properties
       !> Separations of `curve`, mm; allocated for it only
       real(wp), allocatable :: separation(:)
+      !> Checked properties of the sides of the tenon
+      type(contact_properties) :: sides
+      !> The tenon joint, without contact model and recorded history
+      type(tenon_settings) :: tenon
+      !> Steps of `tenon` at which every point is kept; not allocated unless given
+      integer, allocatable :: record(:)
       !> Load path of `press`
       type(press_settings) :: press
       !> Specimen and path of `shear`; the normal stress is set for each run
@@ -33,53 +36,10 @@ module app_config
       real(wp), allocatable :: normal_stress(:)
    end type config_type
 
-   !> Default of `separation`: from 4 sigma down to 0
-   integer, parameter :: default_points = 41
    !> Largest separation over sigma
    real(wp), parameter :: farthest = 1.0e100_wp
 
 contains
-
-   !> Settings in effect: options, then the case file, then defaults. Explicit values go before
-   !> a surface, and that before a pair, each of the options before all of the case file.
-   !> `error` names the place.
-   subroutine effective_settings(line, settings, error)
-      !> Command line
-      type(command_line_type), intent(in) :: line
-      !> A value for every key of the command
-      type(settings_type), intent(out) :: settings
-      !> Set when a value is missing or refused
-      type(error_type), allocatable, intent(out) :: error
-      integer :: key
-
-      settings = default_settings()
-      if (line%case_path /= '') then
-         call read_case(line%case_path, settings, error)
-         if (allocated(error)) return
-         call drop_overridden(settings, line%options)
-      end if
-      do key = 1, n_keys
-         if (line%options%of(key)%given) settings%of(key) = line%options%of(key)
-      end do
-      call apply_presets(settings, line%command, error)
-      if (.not. allocated(error)) call check_presets_used(settings, line%options, &
-         line%command, error)
-      if (allocated(error)) then
-         call locate(error, settings)
-         return
-      end if
-      associate (sigma => settings%real_of('sigma'))
-         call fill(settings, 'initial_separation', [default_initial_separation*sigma], &
-            '4 sigma', follows_sigma=.true.)
-         call fill(settings, 'separation', linear_range(default_initial_separation*sigma, &
-            0.0_wp, default_points), '4 sigma to 0', follows_sigma=.true.)
-      end associate
-      if (line%command == command_press .and. settings%text_of('control') == 'overclosure' &
-            .and. .not. settings%given('peak')) then
-         call fatal_error(error, 'control = overclosure needs a peak, in mm')
-         call locate(error, settings)
-      end if
-   end subroutine effective_settings
 
    !> Checked properties and settings of the test. `error` names the place of the value.
    pure subroutine new_config(config, settings, command, error)
@@ -102,7 +62,7 @@ contains
          if (.not. allocated(error)) then
             friction_coefficient = 0.0_wp
             critical_slip = 1.0_wp
-            if (command == command_shear) then
+            if (iand(command, command_shear + command_tenon) /= 0) then
                friction_coefficient = s%real_of('friction_coefficient')
                critical_slip = s%real_of('critical_slip')
             end if
@@ -112,7 +72,13 @@ contains
                s%text_of('slip_integration') == 'backward_euler')
             call new_contact_properties(config%properties, normal, friction_coefficient, &
                critical_slip, error, s%real_of('initial_separation'), friction_rule, &
-               slip_integration)
+               slip_integration, compiled=command == command_tenon)
+         end if
+         if (.not. allocated(error) .and. command == command_tenon) then
+            call new_side_properties(config%sides, s, friction_rule, slip_integration, error)
+            if (.not. allocated(error)) call new_tenon_settings(config%tenon, s, error)
+            if (.not. allocated(error) .and. s%given('record')) &
+               call whole_list(s, 'record', config%record, error)
          end if
          if (allocated(error)) then
             call locate(error, settings)
@@ -150,32 +116,5 @@ contains
       if (i > 0) call fatal_error(error, 'separation = '//to_text(separation(i))// &
          ' mm is not allowed: it must be below 1e100 sigma in size')
    end subroutine check_separation
-
-   !> Put the place of a value before a message that starts with its name, such as
-   !> `sigma = -1.0` or `eta*radius*sigma = 0.01`, if the user gave it.
-   pure subroutine locate(error, settings)
-      !> Its message is changed
-      type(error_type), intent(inout) :: error
-      !> Settings in effect
-      type(settings_type), intent(in) :: settings
-      integer :: first, last, key
-
-      first = 1
-      do
-         last = verify(error%message(first:), 'abcdefghijklmnopqrstuvwxyz_')
-         if (last < 2) return
-         last = first + last - 2
-         key = find_key(error%message(first:last))
-         if (key > 0) then
-            if (settings%of(key)%given .and. .not. starts_with(error%message, &
-               settings%of(key)%source)) then
-               error%message = settings%of(key)%source//': '//error%message
-               return
-            end if
-         end if
-         if (error%message(last + 1:last + 1) /= '*') return
-         first = last + 2
-      end do
-   end subroutine locate
 
 end module app_config

@@ -1,16 +1,18 @@
 !> Brings a report to where the user wants it: terminal, CSV, JSON, picture.
 module app_delivery
-   use asperity, only: error_type
+   use asperity, only: error_type, file_error
    use asperity_error, only: fatal_error
    use app_cli, only: command_line_type
    use app_csv, only: csv_text
    use app_gnuplot, only: check_picture, draw
    use app_json, only: json_text
-   use app_output, only: open_target, output_file, write_files, &
+   use app_html, only: count_svg
+   use app_output, only: discard_files, open_target, output_file, write_files, &
       write_standard_output
    use app_plots, only: plot_script
-   use app_system, only: resolved_path, standard_error, write_text
+   use app_system, only: read_file, remove_file, resolved_path, standard_error, write_text
    use app_report, only: report_type
+   use app_tenon_page, only: page_script, page_text
    use app_terminal, only: terminal_text, warning_text
    implicit none
    private
@@ -26,7 +28,10 @@ module app_delivery
    end type delivery_type
 
    !> Options that name a file; pictures first since they are most likely to fail
-   character(len=*), parameter :: options(3) = [character(len=4) :: 'plot', 'csv', 'json']
+   character(len=*), parameter :: options(5) = [character(len=6) :: 'plot', 'report', 'csv', &
+      'json', 'points']
+   !> Largest page, characters
+   integer, parameter :: largest_page = 64*1024*1024
    !> Path that stands for standard output
    character(len=*), parameter :: dash = '-'
 
@@ -50,7 +55,7 @@ contains
          option = '--'//trim(options(i))
          path = line%options%text_of(trim(options(i)))
          if (path == '') cycle
-         if (path == dash .and. option /= '--plot') then
+         if (path == dash .and. .not. is_drawn(option)) then
             if (delivery%standard /= '') then
                call fatal_error(error, option//': standard output already takes '// &
                   delivery%standard)
@@ -61,17 +66,17 @@ contains
          end if
          n = n + 1
          call open_target(files(n), option, path, error)
-         if (.not. allocated(error) .and. option == '--plot') call check_picture(files(n), error)
-         if (.not. allocated(error)) call check_collision(files(:n), line%case_path, error)
+         if (.not. allocated(error) .and. is_drawn(option)) call check_picture(files(n), error)
+         if (.not. allocated(error)) call check_collision(files(:n), line, error)
          if (allocated(error)) return
       end do
       allocate (delivery%files, source=files(:n))
    end subroutine prepare_delivery
 
-   !> Set `error` if the last file is another output or the case file.
-   subroutine check_collision(files, case_path, error)
+   !> Set `error` if the last file is another output or one that is read.
+   subroutine check_collision(files, line, error)
       type(output_file), intent(in) :: files(:)
-      character(len=*), intent(in) :: case_path
+      type(command_line_type), intent(in) :: line
       type(error_type), allocatable, intent(out) :: error
       integer :: i
 
@@ -81,11 +86,23 @@ contains
             if (files(i)%target == last%target) call fatal_error(error, last%option//': '// &
                last%path//' is already written by '//files(i)%option)
          end do
-         if (case_path == '') return
-         if (resolved_path(case_path) == last%target) call fatal_error(error, last%option// &
-            ': '//last%path//' is the case file, it would be lost')
+         if (allocated(error)) return
+         call check_input(last, line%case_path, 'the case file', error)
+         if (.not. allocated(error)) &
+            call check_input(last, line%options%text_of('record_file'), 'the record', error)
       end associate
    end subroutine check_collision
+
+   !> Set `error` if a file to write is one that is read.
+   subroutine check_input(file, path, what, error)
+      type(output_file), intent(in) :: file
+      character(len=*), intent(in) :: path, what
+      type(error_type), allocatable, intent(out) :: error
+
+      if (path == '') return
+      if (resolved_path(path) == file%target) call fatal_error(error, file%option//': '// &
+         file%path//' is '//what//', it would be lost')
+   end subroutine check_input
 
    !> Write all outputs. Files are written completely or not at all, then standard output.
    subroutine deliver(delivery, report, error)
@@ -101,13 +118,19 @@ contains
       do i = 1, size(delivery%files)
          associate (file => delivery%files(i))
             if (file%option == '--plot') then
-               call draw(file, plot_script(report), error)
-               if (allocated(error)) return
+               call draw(file, plot_script(report), allocated(report%pictures), error)
+            else if (file%option == '--report') then
+               call draw_page(file, report, error)
             else
                file%text = text_for(file%option, report)
             end if
          end associate
+         if (allocated(error)) exit
       end do
+      if (allocated(error)) then
+         call discard_files(delivery%files)
+         return
+      end if
       call write_files(delivery%files, error)
       if (allocated(error)) return
       if (delivery%standard == '') then
@@ -118,6 +141,36 @@ contains
       end if
    end subroutine deliver
 
+   !> Draw the pictures of a page under its temporary name, and make the page of them.
+   subroutine draw_page(file, report, error)
+      type(output_file), intent(inout) :: file
+      type(report_type), intent(in) :: report
+      type(error_type), allocatable, intent(out) :: error
+      character(len=:), allocatable :: pictures, reason
+
+      call draw(file, page_script(report), .false., error)
+      if (allocated(error)) return
+      call read_file(file%part, largest_page, pictures, reason)
+      if (.not. allocated(reason)) then
+         if (count_svg(pictures) /= size(report%pictures)) reason = 'gnuplot left out a picture'
+      end if
+      if (allocated(reason)) then
+         call fatal_error(error, file%option//': '//file%path//' cannot be written: '//reason, &
+            file_error)
+         return
+      end if
+      file%text = page_text(report, pictures)
+      call remove_file(file%part)
+      file%staged = .false.
+   end subroutine draw_page
+
+   !> Whether an option's file is drawn by gnuplot.
+   pure logical function is_drawn(option)
+      character(len=*), intent(in) :: option
+
+      is_drawn = option == '--plot' .or. option == '--report'
+   end function is_drawn
+
    !> The report in the form of an option.
    pure function text_for(option, report) result(text)
       character(len=*), intent(in) :: option
@@ -126,6 +179,8 @@ contains
 
       if (option == '--csv') then
          text = csv_text(report%table)
+      else if (option == '--points') then
+         text = csv_text(report%points)
       else
          text = json_text(report)
       end if

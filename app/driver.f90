@@ -2,18 +2,25 @@
 module app_driver
    use asperity, only: error_type
    use app_cli, only: command_line_type
-   use app_config, only: config_type, effective_settings, locate, new_config
+   use app_config, only: config_type, new_config
    use app_curve, only: report_curve
    use app_delivery, only: deliver, delivery_type, prepare_delivery
+   use app_effective, only: case_settings, locate, settled
    use app_help, only: citation_text, help_text, version_text
-   use app_keys, only: command_citation, command_curve, command_help, command_pairs, &
-      command_press, command_shear, command_version
+   use app_hysteresis, only: report_hysteresis, take_defaults
+   use app_keys, only: command_citation, command_curve, command_help, command_hysteresis, &
+      command_pairs, command_press, command_shear, command_tenon, command_version
    use app_output, only: write_standard_output
    use app_pairs, only: report_pairs
    use app_press, only: report_press
    use app_print_case, only: case_text
    use app_report, only: report_type
    use app_shear, only: report_shear
+   use app_settings, only: settings_type
+   use app_sweep_file, only: close_partial, partial_type
+   use app_tenon, only: report_tenon
+   use app_tenon_history, only: take_history
+   use app_tenon_sweep, only: check_sweep, report_sweep
    implicit none
    private
    public :: drive
@@ -44,13 +51,18 @@ contains
       type(command_line_type), intent(in) :: line
       type(error_type), allocatable, intent(out) :: error
       type(report_type) :: report
+      type(settings_type) :: base
       type(config_type) :: config
+      type(partial_type) :: partial
       type(delivery_type) :: delivery
 
       report%command = line%command
       report%settings = line%options
-      if (line%command /= command_pairs) then
-         call effective_settings(line, report%settings, error)
+      if (line%command == command_hysteresis) then
+         call take_defaults(report%settings)
+      else if (line%command /= command_pairs) then
+         call case_settings(line%case_path, base, error)
+         if (.not. allocated(error)) call settled(base, line, report%settings, error)
          if (.not. allocated(error)) &
             call new_config(config, report%settings, line%command, error)
          if (allocated(error)) return
@@ -59,7 +71,8 @@ contains
             return
          end if
       end if
-      call prepare_delivery(delivery, line, error)
+      if (line%options%given('sweep')) call check_sweep(line, error)
+      if (.not. allocated(error)) call prepare_delivery(delivery, line, error)
       if (allocated(error)) return
 
       select case (line%command)
@@ -69,6 +82,15 @@ contains
          call report_press(config, report, error)
       case (command_shear)
          call report_shear(config, report, error)
+      case (command_tenon)
+         if (line%options%given('sweep')) then
+            call report_sweep(line, base, report, partial, error)
+         else
+            call take_history(config%tenon, report%settings, error)
+            if (.not. allocated(error)) call report_tenon(config, report, error)
+         end if
+      case (command_hysteresis)
+         call report_hysteresis(report, error)
       case default
          call report_pairs(report)
       end select
@@ -77,6 +99,7 @@ contains
          return
       end if
       call deliver(delivery, report, error)
+      if (allocated(partial%path) .and. .not. allocated(error)) call close_partial(partial)
    end subroutine run
 
 end module app_driver

@@ -26,7 +26,10 @@ contains
       !> Set on failure
       type(error_type), allocatable, intent(out) :: error
 
-      if (format_of(file%path) == '') then
+      if (file%option == '--report' .and. format_of(file%path) /= 'html') then
+         call fatal_error(error, file%option//': '//file%path//' must end in .html')
+      else if (format_of(file%path) == '' .or. file%option /= '--report' &
+            .and. format_of(file%path) == 'html') then
          call fatal_error(error, file%option//': '//file%path// &
             ' has no known ending: .svg, .png or .pdf')
       else if (file%is_device) then
@@ -39,11 +42,13 @@ contains
 
    !> Draw into the temporary name of a file. `error` is set when that cannot be written or
    !> gnuplot fails; nothing is left then.
-   subroutine draw(file, script, error)
+   subroutine draw(file, script, large, error)
       !> The file
       type(output_file), intent(inout) :: file
       !> Commands of gnuplot without terminal and output
       character(len=*), intent(in) :: script
+      !> A sheet of many panels
+      logical, intent(in) :: large
       !> Set on failure
       type(error_type), allocatable, intent(out) :: error
       character(len=:), allocatable :: picture, reason, late_reason
@@ -58,7 +63,7 @@ contains
       end if
       if (.not. allocated(reason)) then
          status = pipe_to_shell('exec gnuplot -d >'//shell_word(file%part)//' 2>/dev/null', &
-            terminal(format_of(file%path))//script)
+            terminal(format_of(file%path), large)//script)
          call read_file(file%part, largest, picture, late_reason)
          if (allocated(late_reason)) reason = late_reason
       end if
@@ -78,13 +83,13 @@ contains
       file%staged = .false.
    end subroutine draw
 
-   !> `svg`, `png`, `pdf`, or nothing.
+   !> `svg`, `png`, `pdf`, `html`, or nothing.
    pure function format_of(path) result(format)
       character(len=*), intent(in) :: path
       character(len=:), allocatable :: format
 
       format = lower_case(path(index(path, '.', back=.true.) + 1:))
-      if (index(path, '.') == 0 .or. all(format /= ['svg', 'png', 'pdf'])) format = ''
+      if (index(path, '.') == 0 .or. all(format /= ['svg ', 'png ', 'pdf ', 'html'])) format = ''
    end function format_of
 
    !> Whether a picture has its end; one too large to be read is trusted.
@@ -92,7 +97,7 @@ contains
       character(len=*), intent(in) :: picture, format
 
       select case (format)
-      case ('svg')
+      case ('svg', 'html')
          is_complete = index(picture, '</svg>', back=.true.) > 0
       case ('png')
          is_complete = index(picture, 'IEND', back=.true.) > 0
@@ -103,18 +108,21 @@ contains
    end function is_complete
 
    !> The first commands of the script.
-   pure function terminal(format) result(script)
+   pure function terminal(format, large) result(script)
       character(len=*), intent(in) :: format
+      logical, intent(in) :: large
       character(len=:), allocatable :: script
 
       select case (format)
-      case ('svg')
-         script = "set terminal svg size 960,720 noenhanced font 'DejaVu Sans,15' "// &
-            "background 'white'"
+      case ('svg', 'html')
+         script = 'set terminal svg size '//trim(merge('1440,1500', '960,720  ', large))// &
+            " noenhanced font 'DejaVu Sans,15' background 'white'"
       case ('png')
-         script = "set terminal pngcairo size 1440,1080 noenhanced font 'DejaVu Sans,21'"
+         script = 'set terminal pngcairo size '//trim(merge('2160,2250', '1440,1080', large))// &
+            " noenhanced font 'DejaVu Sans,21'"
       case default
-         script = "set terminal pdfcairo size 20cm,15cm noenhanced font 'DejaVu Sans,13'"
+         script = 'set terminal pdfcairo size '//trim(merge('40cm,42cm', '20cm,15cm', large))// &
+            " noenhanced font 'DejaVu Sans,13'"
       end select
       script = 'set encoding utf8'//newline//script//newline
    end function terminal

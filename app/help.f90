@@ -1,9 +1,9 @@
 !> Help texts, made from the table of keys.
 module app_help
    use asperity_version, only: version
-   use app_keys, only: belongs, command_curve, command_pairs, command_press, command_shear, &
-      keys, kind_choice, kind_file, kind_integer, kind_list, kind_logical, kind_real, &
-      kind_text, n_keys, option_name
+   use app_keys, only: belongs, command_curve, command_hysteresis, command_pairs, command_press, &
+      command_shear, command_tenon, keys, kind_choice, kind_file, kind_integer, kind_list, &
+      kind_logical, kind_real, kind_sweep, kind_text, n_keys, option_name
    use app_strings, only: escaped, newline
    use app_text_buffer, only: text_buffer
    implicit none
@@ -20,7 +20,8 @@ contains
       character(len=:), allocatable :: text
 
       text = newline// &
-         'usage: asperity curve|press|shear [CASE.nml] [options]'//newline// &
+         'usage: asperity curve|press|shear|tenon [CASE.nml] [options]'//newline// &
+         '       asperity hysteresis FILE.csv [options]'//newline// &
          '       asperity pairs|version|help [COMMAND]'//newline// &
          'help:  asperity help'
    end function usage_text
@@ -43,6 +44,15 @@ contains
       case (command_shear)
          text = command_help('asperity shear [CASE.nml] [options]', &
             'Direct shear of two discs under dead weight, through UINTER (Figs 13-18).', topic)
+      case (command_tenon)
+         text = command_help('asperity tenon [CASE.nml] [options]', &
+            'Cyclic replay of a straight tenon joint: moment, stiffness and energy of hard'// &
+            ' contact and'//newline//'of the rough law, beside the paper''s (Figs 19-35,'// &
+            ' Table 5).', topic)
+      case (command_hysteresis)
+         text = command_help('asperity hysteresis FILE.csv [options]', &
+            'Cycles, skeleton, yield and ultimate point, stiffness, energy and damping of a'// &
+            newline//'record of displacement and force, or of rotation and moment.', topic)
       case (command_pairs)
          text = command_help('asperity pairs [options]', &
             'Pairs of faces (--pair) and surfaces (--surface) of the paper, in N-mm-MPa.', topic)
@@ -62,6 +72,9 @@ contains
          '  curve      pressure and real area against separation'//newline// &
          '  press      press and release, as ABAQUS calls UINTER'//newline// &
          '  shear      direct shear box, as ABAQUS calls UINTER'//newline// &
+         '  tenon      cyclic tenon joint, hard contact against the rough law'//newline// &
+         '  hysteresis stiffness, energy and damping of a record of displacement and force'// &
+         newline// &
          '  pairs      pairs of faces and surfaces of the paper'//newline// &
          '  version    version, also --version'//newline// &
          '  help       this text; asperity help COMMAND for one command'//newline// &
@@ -96,7 +109,11 @@ contains
          case (1)
             call buffer%line('Properties of the faces, also keys of a case file:')
          case (2)
-            call buffer%line('The test, also keys of a case file:')
+            if (command == command_hysteresis) then
+               call buffer%line('The record:')
+            else
+               call buffer%line('The test, also keys of a case file:')
+            end if
          case default
             call buffer%line('Output:')
          end select
@@ -138,6 +155,8 @@ contains
          option = option//' LIST'
       case (kind_file)
          option = option//' FILE'
+      case (kind_sweep)
+         option = option//' NAME=VALUES'
       case default
          continue
       end select

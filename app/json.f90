@@ -9,7 +9,7 @@ module app_json
    use app_report, only: report_type
    use app_settings, only: setting_type
    use app_strings, only: backslash
-   use app_table, only: column_numbers, column_type, full_figures, table_type
+   use app_table, only: column_counts, column_numbers, column_type, full_figures, table_type
    use app_text_buffer, only: text_buffer
    implicit none
    private
@@ -23,6 +23,7 @@ contains
       type(report_type), intent(in) :: report
       character(len=:), allocatable :: text
       type(text_buffer) :: buffer
+      integer :: i
 
       call buffer%line('{')
       call buffer%line('"asperity": '//json_string(version)//',')
@@ -30,11 +31,19 @@ contains
       call buffer%line('"properties": {'//inputs(report, .true.)//'},')
       call buffer%line('"settings": {'//inputs(report, .false.)//'},')
       call buffer%line('"units": {'//units(report)//'},')
-      call buffer%line('"remarks": ['//remarks(report%validity())//'],')
+      call buffer%line('"remarks": ['//remarks(report)//'],')
       if (report%summary%set > 0) then
          call buffer%line('"summary": {')
          call add_columns(buffer, report%summary)
          call buffer%line('},')
+      end if
+      if (allocated(report%more)) then
+         do i = 1, size(report%more)
+            if (report%more(i)%name == '') cycle
+            call buffer%line(json_string(report%more(i)%name)//': {')
+            call add_columns(buffer, report%more(i)%table)
+            call buffer%line('},')
+         end do
       end if
       call buffer%line('"data": {')
       call add_columns(buffer, report%table)
@@ -88,12 +97,34 @@ contains
             if (report%table%find(column%name) == 0) call add_unit(text, column%name, column%unit)
          end associate
       end do
+      if (allocated(report%more)) then
+         do i = 1, size(report%more)
+            if (report%more(i)%name /= '') call add_units(text, report, report%more(i)%table)
+         end do
+      end if
       do i = 1, report%table%set
          associate (column => report%table%columns(i))
             if (column%kind == column_numbers) call add_unit(text, column%name, column%unit)
          end associate
       end do
    end function units
+
+   !> Append the units of a further table that no other column of that name has given.
+   pure subroutine add_units(text, report, table)
+      character(len=:), allocatable, intent(inout) :: text
+      type(report_type), intent(in) :: report
+      type(table_type), intent(in) :: table
+      integer :: i
+
+      do i = 1, table%set
+         associate (column => table%columns(i))
+            if (column%kind /= column_numbers .or. report%table%find(column%name) > 0 &
+               .or. report%summary%find(column%name) > 0) cycle
+            if (index(text, json_string(column%name)//': ') == 0) &
+               call add_unit(text, column%name, column%unit)
+         end associate
+      end do
+   end subroutine add_units
 
    !> Append one member `"name": "unit"`.
    pure subroutine add_unit(text, name, unit)
@@ -104,17 +135,23 @@ contains
       text = text//json_string(name)//': '//json_string(unit)
    end subroutine add_unit
 
-   !> What the validity flags mean, one text each.
-   pure function remarks(flags) result(text)
-      integer, intent(in) :: flags
+   !> What the validity flags mean, and what else is to be said, one text each.
+   pure function remarks(report) result(text)
+      type(report_type), intent(in) :: report
       character(len=:), allocatable :: text
-      integer :: bit
+      integer :: bit, flags, i
 
       text = ''
+      flags = report%validity()
       do bit = 0, bit_size(flags) - 2
          if (.not. btest(flags, bit)) cycle
          if (text /= '') text = text//', '
          text = text//json_string(validity_remark(ibset(0, bit)))
+      end do
+      if (.not. allocated(report%remarks)) return
+      do i = 1, size(report%remarks)
+         if (text /= '') text = text//', '
+         text = text//json_string(report%remarks(i)%text)
       end do
    end function remarks
 
@@ -143,7 +180,7 @@ contains
       character(len=:), allocatable :: text
 
       text = column%cell(row)
-      if (column%kind /= column_numbers) text = json_string(text)
+      if (column%kind /= column_numbers .and. column%kind /= column_counts) text = json_string(text)
       if (text == '') text = 'null'
    end function json_cell
 

@@ -6,13 +6,17 @@ module app_keys
    public :: key_type, find_key, option_name, command_names, belongs
 
    integer, parameter :: name_length = 24, unit_length = 12, default_length = 24
-   integer, parameter :: choices_length = 24, help_length = 84
+   integer, parameter :: choices_length = 32, help_length = 84
 
    !> Commands, as bits of a sum
    integer, parameter, public :: command_curve = 1, command_press = 2, command_shear = 4, &
-      command_pairs = 8, command_version = 16, command_help = 32, command_citation = 64
-   integer, parameter :: all_runs = command_curve + command_press + command_shear
-   integer, parameter :: all_tables = all_runs + command_pairs
+      command_pairs = 8, command_version = 16, command_help = 32, command_citation = 64, &
+      command_hysteresis = 128, command_tenon = 256
+   integer, parameter :: all_runs = command_curve + command_press + command_shear + command_tenon
+   integer, parameter :: slides = command_shear + command_tenon
+   integer, parameter :: records = command_hysteresis + command_tenon
+   integer, parameter :: all_drawn = all_runs + command_hysteresis
+   integer, parameter :: all_tables = all_drawn + command_pairs
    integer, parameter :: everything = all_tables + command_version + command_help
 
    !> Kinds of values
@@ -33,9 +37,11 @@ module app_keys
       enumerator :: kind_file
       !> Something asked for; an option only
       enumerator :: kind_request
+      !> A key and its values, `name=values`; an option only, which may be given again
+      enumerator :: kind_sweep
    end enum
    public :: kind_text, kind_choice, kind_real, kind_integer, kind_logical, kind_list, &
-      kind_file, kind_request
+      kind_file, kind_request, kind_sweep
 
    !> One row of the table.
    type :: key_type
@@ -77,18 +83,24 @@ module app_keys
       'mean contact pressure at first yield over hardness, 0.05 to 1'), &
       key_type('sigma', kind_real, 'mm', all_runs, yes, '', '', &
       'standard deviation of summit heights'), &
-      key_type('friction_coefficient', kind_real, '', command_shear, yes, '', '', &
+      key_type('friction_coefficient', kind_real, '', slides, yes, '', '', &
       'Coulomb friction coefficient mu'), &
-      key_type('critical_slip', kind_real, 'mm', command_shear, yes, '', '', &
+      key_type('critical_slip', kind_real, 'mm', slides, yes, '', '', &
       'largest elastic slip gcrit'), &
       key_type('initial_separation', kind_real, 'mm', all_runs, yes, '', '', &
       'separation d0 at zero overclosure; 4 sigma unless given'), &
-      key_type('friction_rule', kind_choice, '', command_shear, yes, 'abaqus', &
+      key_type('friction_rule', kind_choice, '', slides, yes, 'abaqus', &
       'abaqus dissipative', &
       'what elastic slip does when the pressure changes'), &
-      key_type('slip_integration', kind_choice, '', command_shear, yes, 'exact', &
+      key_type('slip_integration', kind_choice, '', slides, yes, 'exact', &
       'exact backward_euler', &
       'how the slip of an increment is integrated'), &
+      key_type('side_pair', kind_text, '', command_tenon, yes, 'tangential-tangential', '', &
+      'pair of faces of the two sides of the tenon'), &
+      key_type('side_friction', kind_real, '', command_tenon, yes, '', '', &
+      'Coulomb friction coefficient of the sides; friction_coefficient unless given'), &
+      key_type('side_critical_slip', kind_real, 'mm', command_tenon, yes, '', '', &
+      'largest elastic slip of the sides; critical_slip unless given'), &
       key_type('accept_unphysical', kind_logical, '', all_runs, yes, 'false', '', &
       'let eta*radius*sigma below 0.0249 pass; results are flagged'), &
       key_type('separation', kind_list, 'mm', command_curve, no, '', '', &
@@ -110,18 +122,132 @@ module app_keys
       'speed of the lower box'), &
       key_type('displacement', kind_list, 'mm', command_shear, no, '3', '', &
       'turning points of the lower box, such as 3,-3,3'), &
-      key_type('displacement_increment', kind_real, 'mm', command_shear, no, '0.02', '', &
-      'largest displacement in one increment'), &
+      key_type('displacement_increment', kind_real, 'mm', slides, no, '', '', &
+      'largest displacement in one increment; shear 0.02, tenon 0.8 unless given'), &
       key_type('shrinking_overlap', kind_logical, '', command_shear, no, 'true', '', &
       'the overlap of the discs shrinks with displacement'), &
       key_type('shear_compliance', kind_real, 'mm/N', command_shear, no, '0', '', &
       'shear compliance of the two specimens together'), &
+      key_type('length', kind_real, 'mm', command_tenon, no, '300', '', &
+      'length of the tenon in the mortise'), &
+      key_type('height', kind_real, 'mm', command_tenon, no, '300', '', &
+      'height of the tenon'), &
+      key_type('width', kind_real, 'mm', command_tenon, no, '105', '', &
+      'width of the tenon'), &
+      key_type('clearance', kind_real, 'mm', command_tenon, no, '0.5', '', &
+      'gap above the tenon, and the same below it'), &
+      key_type('clearance_above', kind_real, 'mm', command_tenon, no, '', '', &
+      'gap above the tenon; clearance unless given'), &
+      key_type('clearance_below', kind_real, 'mm', command_tenon, no, '', '', &
+      'gap below the tenon; clearance unless given'), &
+      key_type('gap', kind_choice, '', command_tenon, no, 'mean_plane', 'mean_plane first_touch', &
+      'what the clearance is measured between'), &
+      key_type('extension', kind_real, 'mm', command_tenon, no, '60', '', &
+      'length of full material that runs on past the column face'), &
+      key_type('arm', kind_real, 'mm', command_tenon, no, '500', '', &
+      'distance of the load point from arm_datum; the moment is force times arm'), &
+      key_type('arm_datum', kind_choice, '', command_tenon, no, 'column_face', &
+      'column_face column_axis', &
+      'where the arm is measured from'), &
+      key_type('side_pressure', kind_real, 'MPa', command_tenon, no, '0.2', '', &
+      'pressure on each side face, 0 for none'), &
+      key_type('axial_rule', kind_choice, '', command_tenon, no, 'spring', &
+      'spring fixed free force', &
+      'what resists pull-out'), &
+      key_type('axial_stiffness', kind_real, 'N/mm', command_tenon, no, '500', '', &
+      'stiffness of the axial spring'), &
+      key_type('axial_force', kind_real, 'N', command_tenon, no, '0', '', &
+      'axial force of axial_rule = force, positive pulls the tenon out'), &
+      key_type('shoulders', kind_logical, '', command_tenon, no, 'false', '', &
+      'shoulders above and below the tenon bear on the column face; no extension then'), &
+      key_type('shoulder_height', kind_real, 'mm', command_tenon, no, '50', '', &
+      'height of each shoulder'), &
+      key_type('shoulder_gap', kind_real, 'mm', command_tenon, no, '0', '', &
+      'gap between each shoulder and the column face'), &
+      key_type('column_load', kind_real, 'N', command_tenon, no, '0', '', &
+      'vertical load of the column, for information'), &
+      key_type('bearing_modulus', kind_real, 'MPa', command_tenon, no, '351', '', &
+      'modulus of the wood perpendicular to the grain'), &
+      key_type('bearing_depth', kind_real, 'mm', command_tenon, no, '150', '', &
+      'depth of wood that the bearing compresses'), &
+      key_type('bearing_strength', kind_real, 'MPa', command_tenon, no, '4.7', '', &
+      'strength fc90 perpendicular to the grain'), &
+      key_type('hardening', kind_real, '', command_tenon, no, '0.02', '', &
+      'stiffness after yield over bearing_modulus/bearing_depth'), &
+      key_type('column_modulus', kind_real, 'MPa', command_tenon, no, '3727', '', &
+      'modulus of the column parallel to the grain, 0 for rigid'), &
+      key_type('column_depth', kind_real, 'mm', command_tenon, no, '150', '', &
+      'depth of the column that the bearing compresses'), &
+      key_type('column_strength', kind_real, 'MPa', command_tenon, no, '50.1', '', &
+      'strength fc0 of the column parallel to the grain'), &
+      key_type('column_hardening', kind_real, '', command_tenon, no, '0.02', '', &
+      'stiffness after yield over column_modulus/column_depth'), &
+      key_type('face_points', kind_integer, '', command_tenon, no, '100', '', &
+      'contact points along the upper, and along the lower face'), &
+      key_type('side_points', kind_integer, '', command_tenon, no, '12', '', &
+      'contact points along either direction of a side face'), &
+      key_type('shoulder_points', kind_integer, '', command_tenon, no, '16', '', &
+      'contact points over the height of each shoulder'), &
+      key_type('amplitudes', kind_list, 'mm', command_tenon, no, '0.5 1 2 4 8 16 24 32 48', '', &
+      'amplitudes at the load point, growing'), &
+      key_type('cycles', kind_list, '', command_tenon, no, '', '', &
+      'cycles at each amplitude; 1, and 3 from 8 mm on of the default amplitudes'), &
+      key_type('history', kind_text, '', command_tenon, no, '', '', &
+      'CSV file of recorded displacements, mm, in place of amplitudes'), &
+      key_type('record', kind_list, '', command_tenon, no, '', '', &
+      'steps whose points --points holds; four of the largest loop unless given'), &
+      key_type('through', kind_choice, '', command_tenon, no, 'direct', 'direct uinter', &
+      'what updates a contact point'), &
+      key_type('record_file', kind_text, '', command_hysteresis, no, '', '', &
+      'the record, as FILE.csv without an option'), &
+      key_type('quantity', kind_choice, '', command_hysteresis, no, 'force', 'force moment', &
+      'what the record holds: displacement and force, or rotation and moment'), &
+      key_type('displacement_column', kind_text, '', records, no, '1', '', &
+      'name or number of the column of displacement or rotation'), &
+      key_type('force_column', kind_text, '', command_hysteresis, no, '2', '', &
+      'name or number of the column of force or moment'), &
+      key_type('separator', kind_choice, '', command_hysteresis, no, 'auto', &
+      'auto comma semicolon tab blank', &
+      'what separates columns'), &
+      key_type('decimal', kind_choice, '', command_hysteresis, no, 'point', 'point comma', &
+      'decimal sign'), &
+      key_type('skip_lines', kind_integer, '', command_hysteresis, no, '0', '', &
+      'lines passed over before the column names'), &
+      key_type('displacement_zero', kind_real, '', command_hysteresis, no, '0', '', &
+      'reading at rest, subtracted from the column of displacement'), &
+      key_type('displacement_factor', kind_real, '', command_hysteresis, no, '1', '', &
+      'then multiplied by; -1 turns the sign, 1/arm makes a rotation'), &
+      key_type('force_zero', kind_real, '', command_hysteresis, no, '0', '', &
+      'reading at rest, subtracted from the column of force'), &
+      key_type('force_factor', kind_real, '', command_hysteresis, no, '1', '', &
+      'then multiplied by'), &
+      key_type('displacement_unit', kind_text, '', command_hysteresis, no, '', '', &
+      'label, after zero and factor; that of the file, else mm or rad'), &
+      key_type('force_unit', kind_text, '', command_hysteresis, no, '', '', &
+      'label, after zero and factor; that of the file, else N or N mm'), &
+      key_type('threshold', kind_real, '', command_hysteresis, no, '', '', &
+      'reversals up to this displacement are noise; 1/400 of the range unless above 0'), &
+      key_type('peaks', kind_choice, '', command_hysteresis, no, 'displacement', &
+      'displacement force', &
+      'what is largest at the peak of a half cycle'), &
+      key_type('amplitude_tolerance', kind_real, '', command_hysteresis, no, '0.05', '', &
+      'share by which an amplitude must exceed all before to be a new one'), &
+      key_type('elastic_fraction', kind_real, '', command_hysteresis, no, '0.4', '', &
+      'share of the peak force that the elastic stiffness goes through'), &
+      key_type('ultimate_fraction', kind_real, '', command_hysteresis, no, '0.8', '', &
+      'share of the peak force, past the peak, at the ultimate point'), &
       key_type('csv', kind_file, '', all_tables, no, '', '', &
       'write all columns with 17 figures; - is standard output'), &
       key_type('json', kind_file, '', all_tables, no, '', '', &
       'write properties, units and all columns; - is standard output'), &
-      key_type('plot', kind_file, '', all_runs, no, '', '', &
+      key_type('plot', kind_file, '', all_drawn, no, '', '', &
       'draw a picture, .svg, .png or .pdf (needs gnuplot)'), &
+      key_type('points', kind_file, '', command_tenon, no, '', '', &
+      'write every contact point at the steps of record as CSV; - is standard output'), &
+      key_type('report', kind_file, '', command_tenon, no, '', '', &
+      'write a page of case, table and pictures, .html (needs gnuplot)'), &
+      key_type('sweep', kind_sweep, '', command_tenon, no, '', '', &
+      'run all combinations; NAME=a,b,c or NAME=start:stop:count; may be repeated'), &
       key_type('print_case', kind_request, '', all_runs, no, '', '', &
       'print the effective input as a case file and stop'), &
       key_type('help', kind_request, '', everything, no, '', '', &
@@ -169,8 +295,8 @@ contains
       !> Sum of commands
       integer, intent(in) :: commands
       character(len=:), allocatable :: names
-      character(len=8), parameter :: each(*) = [character(len=8) :: &
-         'curve', 'press', 'shear', 'pairs', 'version', 'help', 'citation']
+      character(len=10), parameter :: each(*) = [character(len=10) :: &
+         'curve', 'press', 'shear', 'pairs', 'version', 'help', 'citation', 'hysteresis', 'tenon']
       integer :: i
 
       names = ''

@@ -3,7 +3,7 @@ module app_option
    use asperity, only: error_type, wp
    use asperity_error, only: fatal_error
    use app_keys, only: belongs, command_names, keys, kind_choice, kind_file, kind_list, &
-      kind_logical, kind_request, kind_text, n_keys, option_name
+      kind_logical, kind_request, kind_sweep, kind_text, n_keys, option_name
    use app_lists, only: read_range, split_words
    use app_settings, only: assign_values, assign_words, setting_type, settings_type
    use app_strings, only: nearest_name, starts_with, string_type
@@ -41,7 +41,7 @@ contains
       end if
       call find_option(command, option, key, negated, error)
       if (allocated(error)) return
-      if (options%of(key)%given) then
+      if (options%of(key)%given .and. keys(key)%kind /= kind_sweep) then
          call fatal_error(error, option//': is given twice')
          return
       end if

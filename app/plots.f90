@@ -2,10 +2,11 @@
 module app_plots
    use asperity, only: wp
    use asperity_text, only: to_text
-   use app_keys, only: command_curve, command_press
+   use app_keys, only: command_curve, command_hysteresis, command_press
    use app_presets, only: faces_text
    use app_report, only: report_type
    use app_strings, only: backslash, string_type
+   use app_tenon_plots, only: picture_sheet
    use app_text_buffer, only: text_buffer
    implicit none
    private
@@ -29,6 +30,11 @@ contains
       character(len=:), allocatable :: script
       type(text_buffer) :: b
 
+      if (allocated(report%pictures)) then
+         script = picture_sheet(report%picture_data, report%pictures, &
+            title(report, 'Tenon joint'))
+         return
+      end if
       call b%line('set grid back lt 1 lw 0.7 lc rgb "#d0d0d0"')
       call b%line('set key Left reverse spacing 1.2 samplen 2.5')
       call b%line('set style data lines')
@@ -37,6 +43,8 @@ contains
          call add_curve(b, report)
       case (command_press)
          call add_press(b, report)
+      case (command_hysteresis)
+         call b%add(report%picture_data)
       case default
          call add_shear(b, report)
       end select

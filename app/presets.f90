@@ -103,7 +103,7 @@ contains
       is_complete = .true.
       do key = 1, n_keys
          if (.not. (keys(key)%is_property .and. keys(key)%kind == kind_real)) cycle
-         if (keys(key)%name == 'initial_separation' .or. .not. belongs(key, command)) cycle
+         if (all(pair_keys /= keys(key)%name) .or. .not. belongs(key, command)) cycle
          is_complete = is_complete .and. settings%of(key)%has_value
       end do
    end function is_complete
@@ -138,7 +138,7 @@ contains
    end subroutine check_presets_used
 
    !> Give a key values unless it has some.
-   pure subroutine fill(settings, name, values, source, follows_sigma)
+   pure subroutine fill(settings, name, values, source, follows)
       !> Settings
       type(settings_type), intent(inout) :: settings
       !> Name of the key
@@ -148,12 +148,12 @@ contains
       !> Where they come from
       character(len=*), intent(in) :: source
       !> Whether they are made from sigma
-      logical, intent(in), optional :: follows_sigma
+      logical, intent(in), optional :: follows
 
       associate (setting => settings%of(find_key(name)))
          if (setting%has_value) return
          call assign_values(setting, values, source)
-         if (present(follows_sigma)) setting%follows_sigma = follows_sigma
+         if (present(follows)) setting%follows = follows
       end associate
    end subroutine fill
 

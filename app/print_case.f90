@@ -34,8 +34,8 @@ contains
       do key = 1, n_keys
          if (.not. belongs(key, command) .or. keys(key)%kind >= kind_file) cycle
          if (.not. settings%of(key)%has_value) cycle
-         if (settings%of(key)%follows_sigma) then
-            ! said, not fixed: it must follow the sigma of another pair as well
+         if (settings%of(key)%follows) then
+            ! said, not fixed: it must follow when the other key changes
             call buffer%line('  ! '//trim(keys(key)%name)//': '//settings%of(key)%source)
             cycle
          end if

@@ -6,11 +6,13 @@ module app_progress
    use app_system, only: is_terminal, standard_error, write_text
    implicit none
    private
-   public :: progress_type
+   public :: progress_type, show_steps, clear_steps
 
    real(wp), parameter :: patience = 1.0_wp
    !> A run of this many increments takes over a second
    integer, parameter :: many = 5000
+   !> Steps between two looks at the clock
+   integer, parameter :: look_every = 16
    character(len=*), parameter :: line_start = achar(13), clear_line = achar(27)//'[K'
 
    !> Progress of one command.
@@ -70,6 +72,31 @@ contains
       if (real(now - self%began, wp) < patience*real(rate, wp)) return
       call write_line(self, to_text(done)//' of '//to_text(amount)//' '//things)
    end subroutine show
+
+   !> Say how many steps are done, once the program has run for longer than a second. It keeps
+   !> nothing between calls, so that a replay can call it, which knows no progress.
+   subroutine show_steps(what, done, amount)
+      !> What is under way
+      character(len=*), intent(in) :: what
+      !> How many are done, of how many
+      integer, intent(in) :: done, amount
+      character(len=:), allocatable :: reason
+      real(wp) :: seconds
+
+      if (mod(done, look_every) /= 0) return
+      call cpu_time(seconds)
+      if (seconds < patience) return
+      if (is_terminal(standard_error)) call write_text(standard_error, line_start//'asperity '// &
+         what//', step '//to_text(done)//' of '//to_text(amount)//clear_line, reason)
+   end subroutine show_steps
+
+   !> Clear the line of `show_steps`.
+   subroutine clear_steps()
+      character(len=:), allocatable :: reason
+
+      if (is_terminal(standard_error)) call write_text(standard_error, line_start//clear_line, &
+         reason)
+   end subroutine clear_steps
 
    !> Clear the line.
    subroutine finish(self)

@@ -2,10 +2,31 @@
 module app_report
    use asperity, only: wp
    use app_settings, only: settings_type
+   use app_strings, only: string_type
    use app_table, only: table_type
    implicit none
    private
-   public :: report_type, turning_points
+   public :: report_type, named_table, picture_type, turning_points
+
+   !> A table beside the main one.
+   type :: named_table
+      !> Name in JSON, empty when it is not part of it
+      character(len=:), allocatable :: name
+      !> Heading on the terminal, empty when it is not shown
+      character(len=:), allocatable :: title
+      !> The table
+      type(table_type) :: table
+      !> How many of its columns the terminal shows, zero for all
+      integer :: columns_shown = 0
+   end type named_table
+
+   !> One picture of a sheet or page.
+   type :: picture_type
+      !> A sentence or two below it
+      character(len=:), allocatable :: caption
+      !> Commands of gnuplot, without terminal, one text a panel
+      type(string_type), allocatable :: panels(:)
+   end type picture_type
 
    !> Result of one command.
    type :: report_type
@@ -15,6 +36,17 @@ module app_report
       type(settings_type) :: settings
       !> All results
       type(table_type) :: table
+      !> Whether the terminal shows `table`
+      logical :: shows_table = .true.
+      !> Further tables, none when not allocated
+      type(named_table), allocatable :: more(:)
+      !> Every contact point, no columns when there is none
+      type(table_type) :: points
+      !> Pictures, and the data blocks that they draw; not allocated where `app_plots` draws columns
+      type(picture_type), allocatable :: pictures(:)
+      character(len=:), allocatable :: picture_data
+      !> What is to be said of the results, one line each, none when not allocated
+      type(string_type), allocatable :: remarks(:)
       !> One row per run, no columns when there is none
       type(table_type) :: summary
       !> Names of the columns of `table` that the terminal shows; all when not allocated

@@ -2,7 +2,7 @@
 module app_settings
    use asperity, only: error_type, wp
    use app_keys, only: find_key, key_type, keys, kind_choice, kind_file, kind_integer, &
-      kind_list, kind_logical, kind_real, kind_text, n_keys
+      kind_list, kind_logical, kind_real, kind_sweep, kind_text, n_keys
    use app_lists, only: longest_list, split_words
    use app_strings, only: escaped, lower_case, quoted
    use app_words, only: read_integer, read_logical, read_real, refuse, word_type
@@ -16,11 +16,11 @@ module app_settings
       logical :: given = .false.
       !> Has a value: given, or by default
       logical :: has_value = .false.
-      !> Not given, and made from sigma
-      logical :: follows_sigma = .false.
+      !> Not given, and made from another key
+      logical :: follows = .false.
       !> Where the value comes from, such as `case.nml:4`, `--sigma` or `default`
       character(len=:), allocatable :: source
-      !> Value of a text, a choice or a file
+      !> Value of a text, a choice or a file; sweeps, separated by blanks
       character(len=:), allocatable :: text
       !> Values of a list, value of a real number
       real(wp), allocatable :: values(:)
@@ -43,6 +43,8 @@ module app_settings
       procedure :: text_of
       !> Value of a logical or of a request
       procedure :: switch_of
+      !> Value of a whole number
+      procedure :: whole_of
       !> Unit of a key, empty for none
       procedure :: unit_of
    end type settings_type
@@ -61,7 +63,7 @@ contains
             setting%source = 'default'
             if (keys(key)%default == '') cycle
             call split_words(trim(keys(key)%default), 'default', words, error)
-            words%in_quotes = keys(key)%kind == kind_choice
+            words%in_quotes = any(keys(key)%kind == [kind_text, kind_choice])
             call assign_words(setting, keys(key), words, error)
             setting%given = .false.
          end associate
@@ -107,6 +109,13 @@ contains
          call read_integer(words(1), trim(key%name), setting%whole, error)
       case (kind_logical)
          call read_logical(words(1), trim(key%name), setting%switch, error)
+      case (kind_sweep)
+         ! One after the other, as it may be given again
+         if (allocated(setting%text)) then
+            setting%text = setting%text//' '//words(1)%text
+         else
+            setting%text = words(1)%text
+         end if
       case default
          setting%switch = .true.
       end select
@@ -202,6 +211,16 @@ contains
 
       switch_of = self%of(find_key(name))%switch
    end function switch_of
+
+   !> Value of a whole number.
+   pure integer function whole_of(self, name)
+      !> The settings
+      class(settings_type), intent(in) :: self
+      !> Name of the key
+      character(len=*), intent(in) :: name
+
+      whole_of = self%of(find_key(name))%whole
+   end function whole_of
 
    !> Unit of a key, empty for none. That of `peak` follows from `control`.
    pure function unit_of(self, key) result(unit)

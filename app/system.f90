@@ -9,7 +9,7 @@ module app_system
       c_signal, c_strerror, c_strlen, c_system, c_unlink, c_write
    implicit none
    private
-   public :: create_file, write_text, close_file, rename_file, remove_file, read_file
+   public :: append_text, create_file, write_text, close_file, rename_file, remove_file, read_file
    public :: is_terminal, may_write, resolved_path, run_shell, pipe_to_shell
    public :: held_interrupts, hold_interrupts, release_interrupts, die_quietly_of_closed_pipe
 
@@ -120,6 +120,29 @@ contains
       if (status /= 0 .and. .not. allocated(reason)) reason = last_reason()
       text = text(:length)
    end subroutine read_file
+
+   !> Append to a file, all of a text at once.
+   subroutine append_text(path, text, reason)
+      !> Path of the file
+      character(len=*), intent(in) :: path
+      !> The text
+      character(len=*), intent(in) :: text
+      !> Set on failure
+      character(len=:), allocatable, intent(out) :: reason
+      type(c_ptr) :: stream
+      integer(c_size_t) :: written
+      integer(c_int) :: status
+
+      stream = c_fopen(path//c_null_char, 'a'//c_null_char)
+      if (.not. c_associated(stream)) then
+         reason = last_reason()
+         return
+      end if
+      written = c_fwrite(text, 1_c_size_t, len(text, c_size_t), stream)
+      if (written /= len(text, c_size_t)) reason = last_reason()
+      status = c_fclose(stream)
+      if (status /= 0 .and. .not. allocated(reason)) reason = last_reason()
+   end subroutine append_text
 
    !> Whether a descriptor is a terminal.
    logical function is_terminal(file)

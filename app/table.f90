@@ -22,8 +22,10 @@ module app_table
       enumerator :: column_validity
       !> Texts
       enumerator :: column_texts
+      !> Whole numbers
+      enumerator :: column_counts
    end enum
-   public :: column_numbers, column_status, column_validity, column_texts
+   public :: column_numbers, column_status, column_validity, column_texts, column_counts
 
    !> One column.
    type :: column_type
@@ -35,7 +37,9 @@ module app_table
       integer :: kind = column_numbers
       !> Numbers
       real(wp), allocatable :: values(:)
-      !> Codes of status or validity
+      !> Decimals on the terminal, negative to choose them by the values
+      integer :: decimals = -1
+      !> Codes of status or validity, whole numbers
       integer, allocatable :: codes(:)
       !> Texts
       type(string_type), allocatable :: texts(:)
@@ -80,13 +84,15 @@ contains
    end function new_table
 
    !> Append a column of numbers.
-   pure subroutine add_numbers(self, name, unit, values)
+   pure subroutine add_numbers(self, name, unit, values, decimals)
       !> The table
       class(table_type), intent(inout) :: self
       !> Name and unit of the column
       character(len=*), intent(in) :: name, unit
       !> One value per row
       real(wp), intent(in) :: values(:)
+      !> Decimals on the terminal; chosen by the values when absent
+      integer, intent(in), optional :: decimals
 
       self%set = self%set + 1
       associate (column => self%columns(self%set))
@@ -94,10 +100,11 @@ contains
          column%unit = unit
          column%kind = column_numbers
          allocate (column%values, source=values)
+         if (present(decimals)) column%decimals = decimals
       end associate
    end subroutine add_numbers
 
-   !> Append a column of codes, `column_status` or `column_validity`.
+   !> Append a column of codes, `column_status` or `column_validity`, or of `column_counts`.
    pure subroutine add_codes(self, name, kind, codes)
       !> The table
       class(table_type), intent(inout) :: self
@@ -187,6 +194,8 @@ contains
          text = status_text(self%codes(row))
       case (column_validity)
          text = validity_text(self%codes(row))
+      case (column_counts)
+         text = to_text(self%codes(row))
       case default
          text = self%texts(row)%text
       end select

@@ -3,8 +3,8 @@ module app_terminal
    use asperity, only: error_type, find_pair, pair_preset, validity_remark, wp
    use asperity_text, only: to_text
    use asperity_version, only: version
-   use app_keys, only: belongs, command_names, keys, kind_file, kind_integer, &
-      kind_list, kind_logical, kind_real, n_keys
+   use app_keys, only: belongs, command_names, command_pairs, keys, kind_file, &
+      kind_integer, kind_list, kind_logical, kind_real, n_keys
    use app_report, only: report_type
    use app_settings, only: settings_type
    use app_strings, only: newline
@@ -13,12 +13,14 @@ module app_terminal
    use app_text_buffer, only: text_buffer
    implicit none
    private
-   public :: terminal_text, warning_text
+   public :: terminal_text, warning_text, input_text
 
    !> Evenly spaced rows that are shown: of one run, and of all
    integer, parameter :: fewest_rows = 6, most_rows = 21, all_rows = 33
    !> Column at which the source of a value starts
    integer, parameter :: source_column = 50
+   !> Most columns of a further table that are shown
+   integer, parameter :: most_columns = 20
    !> Most values of a list that are shown
    integer, parameter :: most_values = 6
 
@@ -30,12 +32,10 @@ contains
       type(report_type), intent(in) :: report
       character(len=:), allocatable :: text
       type(text_buffer) :: buffer
-      integer, allocatable :: rows(:)
-      integer :: runs
 
       call buffer%line('asperity '//version//' '//command_names(report%command))
       call buffer%line()
-      if (report%table%find('validity') > 0) then
+      if (report%command /= command_pairs) then
          call add_inputs(buffer, report)
          call buffer%line()
       end if
@@ -43,6 +43,49 @@ contains
          call add_table(buffer, report%summary)
          call buffer%line()
       end if
+      if (allocated(report%more)) call add_more(buffer, report)
+      if (report%shows_table) call add_main_table(buffer, report)
+      if (report%table%find('validity') > 0) then
+         call buffer%add(remark_lines(report))
+      else
+         call buffer%add(own_remarks(report, ''))
+      end if
+      if (report%table%find('note') > 0) call buffer%add(note_lines(report%table))
+      text = buffer%text()
+   end function terminal_text
+
+   !> The further tables that have a title.
+   pure subroutine add_more(buffer, report)
+      type(text_buffer), intent(inout) :: buffer
+      type(report_type), intent(in) :: report
+      character(len=32) :: names(most_columns)
+      integer :: i, j
+
+      do i = 1, size(report%more)
+         if (report%more(i)%title == '') cycle
+         call buffer%line(report%more(i)%title)
+         associate (table => report%more(i)%table, &
+               shown => min(report%more(i)%columns_shown, most_columns))
+            if (shown == 0) then
+               call add_table(buffer, table)
+            else
+               do j = 1, shown
+                  names(j) = table%columns(j)%name
+               end do
+               call add_table(buffer, table, columns=names(:shown))
+            end if
+         end associate
+         call buffer%line()
+      end do
+   end subroutine add_more
+
+   !> The main table, or its most telling rows.
+   pure subroutine add_main_table(buffer, report)
+      type(text_buffer), intent(inout) :: buffer
+      type(report_type), intent(in) :: report
+      integer, allocatable :: rows(:)
+      integer :: runs
+
       runs = size(report%first_rows) - 1
       allocate (rows, source=report%selected_rows(max(fewest_rows, min(most_rows, all_rows/runs))))
       call add_table(buffer, report%table, rows, report%shown_columns)
@@ -52,10 +95,7 @@ contains
       if (allocated(report%shown_columns)) &
          call buffer%line('More columns with --csv FILE or --json FILE')
       call buffer%line()
-      if (report%table%find('validity') > 0) call buffer%add(remark_lines(report))
-      if (report%table%find('note') > 0) call buffer%add(note_lines(report%table))
-      text = buffer%text()
-   end function terminal_text
+   end subroutine add_main_table
 
    !> What the validity flags of the results mean, one line each, with the number of rows.
    pure function remark_lines(report) result(text)
@@ -65,7 +105,7 @@ contains
 
       flags = report%validity()
       if (flags == 0) then
-         text = 'Validity: no limit of the law is passed.'//newline
+         text = 'Validity: no limit of the law is passed.'//newline//own_remarks(report, '')
          return
       end if
       text = 'Validity: results that pass a limit of the law are marked:'//newline
@@ -76,7 +116,22 @@ contains
             to_text(count(btest(report%table%columns(column)%codes, bit)))//' of '// &
             to_text(report%table%rows)//' rows)'//newline
       end do
+      text = text//own_remarks(report, '')
    end function remark_lines
+
+   !> What else is to be said of the results, each line after some words.
+   pure function own_remarks(report, before) result(text)
+      type(report_type), intent(in) :: report
+      character(len=*), intent(in) :: before
+      character(len=:), allocatable :: text
+      integer :: i
+
+      text = ''
+      if (.not. allocated(report%remarks)) return
+      do i = 1, size(report%remarks)
+         text = text//before//report%remarks(i)%text//newline
+      end do
+   end function own_remarks
 
    !> The notes of a table with names and notes.
    pure function note_lines(table) result(text)
@@ -104,6 +159,7 @@ contains
          if (btest(flags, bit)) text = text//'asperity: warning: '// &
             validity_remark(ibset(0, bit))//newline
       end do
+      text = text//own_remarks(report, 'asperity: warning: ')
    end function warning_text
 
    !> Properties and settings: name, value, unit, where it comes from.
@@ -132,7 +188,9 @@ contains
 
    !> Value of a setting, long lists cut.
    pure function input_text(settings, key) result(text)
+      !> Settings in effect
       type(settings_type), intent(in) :: settings
+      !> Place of the key in the table
       integer, intent(in) :: key
       character(len=:), allocatable :: text
       integer :: i

@@ -2,11 +2,12 @@
 module app_text_table
    use asperity, only: wp
    use app_strings, only: string_type
-   use app_table, only: column_numbers, column_type, column_validity, no_value, table_type
+   use app_table, only: column_counts, column_numbers, column_type, column_validity, no_value, &
+      table_type
    use app_text_buffer, only: text_buffer
    implicit none
    private
-   public :: add_table, validity_mark
+   public :: add_table, printed_type, printed_columns, validity_mark
 
    !> Significant figures of the largest number of a column
    integer, parameter :: figures = 5
@@ -14,9 +15,13 @@ module app_text_table
 
    !> A column as it is printed: heading lines, unit, cells, all of one width.
    type :: printed_type
+      !> Lines of the heading, and one cell per row
       type(string_type), allocatable :: heading(:), cells(:)
+      !> Unit, `-` for none
       character(len=:), allocatable :: unit
+      !> Characters of the widest
       integer :: width = 0
+      !> Aligned to the left
       logical :: left = .false.
    end type printed_type
 
@@ -62,6 +67,19 @@ contains
       end do
    end subroutine add_table
 
+   !> All columns of a table as they are printed.
+   pure subroutine printed_columns(table, printed)
+      !> The table
+      type(table_type), intent(in) :: table
+      !> Its columns, as many as are set
+      type(printed_type), intent(out) :: printed(:)
+      integer :: i, row
+
+      do i = 1, table%set
+         call print_column(table%columns(i), [(row, row=1, table%rows)], printed(i))
+      end do
+   end subroutine printed_columns
+
    !> Letter of a validity flag in tables.
    pure character(len=1) function validity_mark(bit)
       !> Its bit, from zero
@@ -80,8 +98,9 @@ contains
 
       call split_name(column%name, printed%heading)
       printed%unit = column%unit
-      printed%left = column%kind /= column_numbers
+      printed%left = column%kind /= column_numbers .and. column%kind /= column_counts
       if (column%kind == column_numbers) form = number_format(column%name, column%values(rows))
+      if (column%decimals >= 0) write (form, '(a, i0, a)') '(f32.', column%decimals, ')'
       allocate (printed%cells(size(rows)))
       do i = 1, size(rows)
          if (column%kind == column_numbers) then

@@ -73,6 +73,9 @@ round_trip 'curve without a pair' curve --eta 206 --modulus 297 --radius 0.1477 
    --hardness 24.53 --yield-factor 0.4 --sigma 0.0593
 round_trip 'unphysical' curve --eta 1e-9 --accept-unphysical
 round_trip 'press' press --control overclosure --peak 0.123 --increments 9 --step-time 3
+round_trip 'tenon' tenon --amplitudes 1,4 --face-points 20 --side-points 4 --clearance 0.3 \
+   --clearance-above 0.1 --shoulders --axial-rule free --friction-coefficient 0.3 \
+   --gap first_touch --displacement-increment 2 --history "$here/joint_history.csv"
 round_trip 'shear' shear --friction-rule dissipative --slip-integration backward_euler \
    --normal-stress 0.03,0.07 --displacement 1,-1,0.3 --displacement-increment 0.07 \
    --no-shrinking-overlap --shear-compliance 1.23456789e-5 --rate 3 --diameter 50
@@ -96,7 +99,7 @@ read_alike() {
    local file command
    for file in "$@"; do
       : >effective
-      for command in curve press shear; do
+      for command in curve press shear tenon; do
          "$program" $command "$file" --print-case >printed.nml 2>/dev/null </dev/null || continue
          ./read_case printed.nml >>effective || return
       done
@@ -116,9 +119,9 @@ elif ! "$compiler" "$here/read_case.f90" -o read_case >check.log 2>&1; then
    check "compile read_case.f90 with $compiler" false
 else
    accepted=0
-   check 'READ reads every example alike' read_alike "$root"/examples/cases/*.nml
+   check 'READ reads every example alike' read_alike "$root"/examples/*/*.nml
    check 'READ reads these cases alike' read_alike case.nml dos.nml
-   check 'all of them were accepted' test "$accepted" -ge 7
+   check 'all of them were accepted' test "$accepted" -ge 13
    accepted=0
    for seed in $(seq 300); do
       awk -v seed="$seed" -f "$here/random_case.awk" >"random-$seed.nml"

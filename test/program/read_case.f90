@@ -15,11 +15,28 @@ program read_case
    integer :: increments
    logical :: accept_unphysical, shrinking_overlap
    character(len=80) :: pair, surface, friction_rule, slip_integration, control
+   ! Keys of the tenon joint
+   real(wp) :: side_friction, side_critical_slip, length, height, width, clearance, clearance_above
+   real(wp) :: clearance_below, extension, arm, side_pressure, axial_stiffness, axial_force
+   real(wp) :: shoulder_height, shoulder_gap, column_load, bearing_modulus, bearing_depth
+   real(wp) :: bearing_strength, hardening, column_modulus, column_depth, column_strength
+   real(wp) :: column_hardening
+   real(wp), dimension(longest_list) :: amplitudes, cycles, record
+   integer :: face_points, side_points, shoulder_points
+   logical :: shoulders
+   character(len=80) :: side_pair, gap, arm_datum, axial_rule, history, through
+   character(len=80) :: displacement_column
    namelist /asperity/ pair, surface, eta, modulus, radius, hardness, yield_factor, sigma, &
       friction_coefficient, critical_slip, initial_separation, friction_rule, &
       slip_integration, accept_unphysical, separation, control, peak, increments, step_time, &
       diameter, normal_stress, rate, displacement, displacement_increment, shrinking_overlap, &
-      shear_compliance
+      shear_compliance, &
+      side_pair, side_friction, side_critical_slip, length, height, width, clearance, &
+      clearance_above, clearance_below, gap, extension, arm, arm_datum, side_pressure, &
+      axial_rule, axial_stiffness, axial_force, shoulders, shoulder_height, shoulder_gap, &
+      column_load, bearing_modulus, bearing_depth, bearing_strength, hardening, column_modulus, &
+      column_depth, column_strength, column_hardening, face_points, side_points, &
+      shoulder_points, amplitudes, cycles, history, record, through, displacement_column
 
    character(len=1000) :: path, message
    integer :: unit, status, pass
@@ -30,6 +47,7 @@ program read_case
       call unset_all()
       accept_unphysical = pass == 1
       shrinking_overlap = pass == 1
+      shoulders = pass == 1
       open (newunit=unit, file=trim(path), status='old', action='read')
       read (unit, nml=asperity, iostat=status, iomsg=message)
       close (unit)
@@ -40,6 +58,7 @@ program read_case
       if (pass == 1) call print_all()
       call print_logical('accept_unphysical', accept_unphysical, pass)
       call print_logical('shrinking_overlap', shrinking_overlap, pass)
+      call print_logical('shoulders', shoulders, pass)
    end do
 
 contains
@@ -69,6 +88,43 @@ contains
       friction_rule = ''
       slip_integration = ''
       control = ''
+      side_friction = unset
+      side_critical_slip = unset
+      length = unset
+      height = unset
+      width = unset
+      clearance = unset
+      clearance_above = unset
+      clearance_below = unset
+      extension = unset
+      arm = unset
+      side_pressure = unset
+      axial_stiffness = unset
+      axial_force = unset
+      shoulder_height = unset
+      shoulder_gap = unset
+      column_load = unset
+      bearing_modulus = unset
+      bearing_depth = unset
+      bearing_strength = unset
+      hardening = unset
+      column_modulus = unset
+      column_depth = unset
+      column_strength = unset
+      column_hardening = unset
+      amplitudes = unset
+      cycles = unset
+      record = unset
+      face_points = unset_integer
+      side_points = unset_integer
+      shoulder_points = unset_integer
+      side_pair = ''
+      gap = ''
+      arm_datum = ''
+      axial_rule = ''
+      history = ''
+      through = ''
+      displacement_column = ''
    end subroutine unset_all
 
    subroutine print_all()
@@ -88,7 +144,7 @@ contains
       call print_reals('separation', separation)
       call print_text('control', control)
       call print_reals('peak', [peak])
-      if (increments /= unset_integer) print '(a, i0)', 'increments ', increments
+      call print_integer('increments', increments)
       call print_reals('step_time', [step_time])
       call print_reals('diameter', [diameter])
       call print_reals('normal_stress', normal_stress)
@@ -96,6 +152,43 @@ contains
       call print_reals('displacement', displacement)
       call print_reals('displacement_increment', [displacement_increment])
       call print_reals('shear_compliance', [shear_compliance])
+      call print_text('side_pair', side_pair)
+      call print_reals('side_friction', [side_friction])
+      call print_reals('side_critical_slip', [side_critical_slip])
+      call print_reals('length', [length])
+      call print_reals('height', [height])
+      call print_reals('width', [width])
+      call print_reals('clearance', [clearance])
+      call print_reals('clearance_above', [clearance_above])
+      call print_reals('clearance_below', [clearance_below])
+      call print_text('gap', gap)
+      call print_reals('extension', [extension])
+      call print_reals('arm', [arm])
+      call print_text('arm_datum', arm_datum)
+      call print_reals('side_pressure', [side_pressure])
+      call print_text('axial_rule', axial_rule)
+      call print_reals('axial_stiffness', [axial_stiffness])
+      call print_reals('axial_force', [axial_force])
+      call print_reals('shoulder_height', [shoulder_height])
+      call print_reals('shoulder_gap', [shoulder_gap])
+      call print_reals('column_load', [column_load])
+      call print_reals('bearing_modulus', [bearing_modulus])
+      call print_reals('bearing_depth', [bearing_depth])
+      call print_reals('bearing_strength', [bearing_strength])
+      call print_reals('hardening', [hardening])
+      call print_reals('column_modulus', [column_modulus])
+      call print_reals('column_depth', [column_depth])
+      call print_reals('column_strength', [column_strength])
+      call print_reals('column_hardening', [column_hardening])
+      call print_integer('face_points', face_points)
+      call print_integer('side_points', side_points)
+      call print_integer('shoulder_points', shoulder_points)
+      call print_reals('amplitudes', amplitudes)
+      call print_reals('cycles', cycles)
+      call print_text('history', history)
+      call print_reals('record', record)
+      call print_text('through', through)
+      call print_text('displacement_column', displacement_column)
    end subroutine print_all
 
    subroutine print_text(name, value)
@@ -103,6 +196,13 @@ contains
 
       if (value /= '') print '(3a)', name, ' ', trim(value)
    end subroutine print_text
+
+   subroutine print_integer(name, value)
+      character(len=*), intent(in) :: name
+      integer, intent(in) :: value
+
+      if (value /= unset_integer) print '(2a, i0)', name, ' ', value
+   end subroutine print_integer
 
    subroutine print_reals(name, values)
       character(len=*), intent(in) :: name

@@ -1,0 +1,156 @@
+!> Settings in effect: options over the case file over presets over defaults, and the place of
+!> each in messages.
+module app_effective
+   use asperity, only: error_type
+   use asperity_contact_properties, only: default_initial_separation
+   use asperity_error, only: fatal_error
+   use app_case_file, only: read_case
+   use app_cli, only: command_line_type
+   use app_keys, only: command_press, command_tenon, find_key, n_keys
+   use app_lists, only: linear_range
+   use app_presets, only: apply_presets, check_presets_used, drop_overridden, fill
+   use app_settings, only: default_settings, settings_type
+   use app_strings, only: starts_with
+   use asperity_kinds, only: wp
+   implicit none
+   private
+   public :: case_settings, settled, locate
+
+   !> Default of `separation`: from 4 sigma down to 0
+   integer, parameter :: default_points = 41
+   !> Defaults of `displacement_increment`, mm
+   real(wp), parameter :: box_increment = 0.02_wp, joint_increment = 0.8_wp
+
+   !> Default of `cycles`, for the default amplitudes
+   real(wp), parameter :: default_cycles(9) = [1.0_wp, 1.0_wp, 1.0_wp, 1.0_wp, 3.0_wp, 3.0_wp, &
+      3.0_wp, 3.0_wp, 3.0_wp]
+   !> How the source of a value begins that is that of another key
+   character(len=*), parameter :: as = 'as '
+
+contains
+
+   !> Defaults, and what a case file gives.
+   subroutine case_settings(path, settings, error)
+      !> Path of the case file, empty for none
+      character(len=*), intent(in) :: path
+      !> Its settings
+      type(settings_type), intent(out) :: settings
+      !> Set when the file cannot be read or is faulty
+      type(error_type), allocatable, intent(out) :: error
+
+      settings = default_settings()
+      if (path /= '') call read_case(path, settings, error)
+   end subroutine case_settings
+
+   !> Settings in effect: options over the settings of a case file, then all that follows from
+   !> them. Explicit values go before a surface, and that before a pair, each of the options before
+   !> all of the case file. `error` names the place.
+   pure subroutine settled(base, line, settings, error)
+      !> From `case_settings`
+      type(settings_type), intent(in) :: base
+      !> Command and options
+      type(command_line_type), intent(in) :: line
+      !> A value for every key of the command
+      type(settings_type), intent(out) :: settings
+      !> Set when a value is missing or refused
+      type(error_type), allocatable, intent(out) :: error
+      integer :: key
+
+      settings = base
+      call drop_overridden(settings, line%options)
+      do key = 1, n_keys
+         if (line%options%of(key)%given) settings%of(key) = line%options%of(key)
+      end do
+      call apply_presets(settings, line%command, error)
+      if (.not. allocated(error)) call check_presets_used(settings, line%options, &
+         line%command, error)
+      if (allocated(error)) then
+         call locate(error, settings)
+         return
+      end if
+      call fill_followers(settings, line%command)
+      if (line%command == command_press .and. settings%text_of('control') == 'overclosure' &
+            .and. .not. settings%given('peak')) then
+         call fatal_error(error, 'control = overclosure needs a peak, in mm')
+         call locate(error, settings)
+      end if
+   end subroutine settled
+
+   !> Values that follow from those of other keys, or from the command.
+   pure subroutine fill_followers(settings, command)
+      type(settings_type), intent(inout) :: settings
+      integer, intent(in) :: command
+      integer :: i
+
+      associate (sigma => settings%real_of('sigma'))
+         call fill(settings, 'initial_separation', [default_initial_separation*sigma], &
+            '4 sigma', follows=.true.)
+         call fill(settings, 'separation', linear_range(default_initial_separation*sigma, &
+            0.0_wp, default_points), '4 sigma to 0', follows=.true.)
+      end associate
+      call fill(settings, 'displacement_increment', &
+         [merge(joint_increment, box_increment, command == command_tenon)], 'default')
+      if (command /= command_tenon) return
+      if (settings%given('amplitudes')) then
+         associate (amplitudes => settings%of(find_key('amplitudes'))%values)
+            call fill(settings, 'cycles', [(1.0_wp, i=1, size(amplitudes))], '1 each', &
+               follows=.true.)
+         end associate
+      else
+         call fill(settings, 'cycles', default_cycles, 'default')
+      end if
+      call follow(settings, 'clearance_above', 'clearance')
+      call follow(settings, 'clearance_below', 'clearance')
+      call follow(settings, 'side_friction', 'friction_coefficient')
+      call follow(settings, 'side_critical_slip', 'critical_slip')
+   end subroutine fill_followers
+
+   !> Give a key the value of another unless it has one.
+   pure subroutine follow(settings, name, leader)
+      type(settings_type), intent(inout) :: settings
+      character(len=*), intent(in) :: name, leader
+
+      call fill(settings, name, settings%of(find_key(leader))%values, as//leader, &
+         follows=.true.)
+   end subroutine follow
+
+   !> Put the place of a value before a message that starts with its name, such as
+   !> `sigma = -1.0` or `eta*radius*sigma = 0.01`, if the user gave it.
+   pure subroutine locate(error, settings)
+      !> Its message is changed
+      type(error_type), intent(inout) :: error
+      !> Settings in effect
+      type(settings_type), intent(in) :: settings
+      integer :: first, last, key
+
+      first = 1
+      do
+         last = verify(error%message(first:), 'abcdefghijklmnopqrstuvwxyz_')
+         if (last < 2) return
+         last = first + last - 2
+         key = find_key(error%message(first:last))
+         if (key > 0) key = leader_of(key, settings)
+         if (key > 0) then
+            if (settings%of(key)%given .and. .not. starts_with(error%message, &
+               settings%of(key)%source)) then
+               error%message = settings%of(key)%source//': '//error%message
+               return
+            end if
+         end if
+         if (error%message(last + 1:last + 1) /= '*') return
+         first = last + 2
+      end do
+   end subroutine locate
+
+   !> The key that a key takes its value from, if it does.
+   pure integer function leader_of(key, settings) result(leader)
+      integer, intent(in) :: key
+      type(settings_type), intent(in) :: settings
+
+      leader = key
+      if (.not. allocated(settings%of(key)%source)) return
+      if (starts_with(settings%of(key)%source, as)) &
+         leader = find_key(settings%of(key)%source(len(as) + 1:))
+   end function leader_of
+
+end module app_effective

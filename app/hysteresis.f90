@@ -1,0 +1,221 @@
+!> `asperity hysteresis`: cycles, skeleton, stiffness, energy and damping of a record.
+module app_hysteresis
+   use asperity, only: error_type, wp
+   use asperity_error, only: fatal_error
+   use asperity_text, only: to_text
+   use hysteresis_analysis, only: analyse_hysteresis, check_hysteresis_settings, &
+      hysteresis_result, hysteresis_settings, negative_side, positive_side
+   use app_hysteresis_plot, only: hysteresis_script
+   use app_hysteresis_tables, only: cycle_table, record_labels, side_table, skeleton_table
+   use app_keys, only: find_key, n_keys
+   use app_record_file, only: read_record, record_column, record_format
+   use app_report, only: report_type
+   use app_settings, only: assign_values, default_settings, setting_type, settings_type
+   use app_strings, only: string_type
+   implicit none
+   private
+   public :: report_hysteresis, take_defaults
+
+   character(len=*), parameter :: side_names(2) = [character(len=8) :: 'positive', 'negative']
+
+contains
+
+   !> Give every key that was not given as an option its default.
+   pure subroutine take_defaults(settings)
+      !> Options on entry, settings in effect on return
+      type(settings_type), intent(inout) :: settings
+      type(settings_type) :: defaults
+      integer :: key
+
+      defaults = default_settings()
+      do key = 1, n_keys
+         if (.not. settings%of(key)%given) settings%of(key) = defaults%of(key)
+      end do
+   end subroutine take_defaults
+
+   !> Read the record and analyse it. `error` is set when either fails.
+   subroutine report_hysteresis(report, error)
+      !> Its settings on entry, its tables on return
+      type(report_type), intent(inout) :: report
+      !> Set on failure
+      type(error_type), allocatable, intent(out) :: error
+      type(record_column) :: columns(2)
+      type(hysteresis_settings) :: settings
+      type(hysteresis_result) :: result
+      type(record_labels) :: labels
+
+      call get_settings(report%settings, settings, error)
+      if (.not. allocated(error)) call get_record(report%settings, columns, error)
+      if (allocated(error)) return
+      call analyse_hysteresis(columns(1)%values, columns(2)%values, result, error, settings)
+      if (allocated(error)) then
+         error%message = report%settings%text_of('record_file')//': '//error%message
+         return
+      end if
+
+      call set_labels(report%settings, columns, labels)
+      if (.not. settings%threshold > 0.0_wp) call assign_values( &
+         report%settings%of(find_key('threshold')), [result%threshold], '1/400 of the range')
+      report%table = cycle_table(result, labels)
+      report%summary = side_table(result, labels)
+      allocate (report%more(1))
+      report%more(1)%name = 'skeleton'
+      report%more(1)%title = ''
+      report%more(1)%table = skeleton_table(result, labels)
+      report%shown_columns = [character(len=24) :: 'cycle', 'closed', 'positive_'//labels%x, &
+         'positive_'//labels%f, 'negative_'//labels%x, 'negative_'//labels%f, &
+         'secant_stiffness', 'stiffness_ratio', 'energy', 'cumulative_energy', 'damping', &
+         'pinching', 'fullness']
+      report%first_rows = [1, size(result%cycles) + 1]
+      allocate (report%important, source=result%cycles%in_skeleton(positive_side) .or. &
+         result%cycles%in_skeleton(negative_side))
+      call add_remarks(report, result)
+      call report%table%check_finite(error)
+      if (.not. allocated(error)) call report%summary%check_finite(error)
+      if (allocated(error)) return
+      report%picture_data = hysteresis_script(columns(1)%values, columns(2)%values, result, labels)
+   end subroutine report_hysteresis
+
+   !> How to read the record. `error` names the option.
+   pure subroutine get_settings(values, settings, error)
+      type(settings_type), intent(in) :: values
+      type(hysteresis_settings), intent(out) :: settings
+      type(error_type), allocatable, intent(out) :: error
+
+      if (values%given('threshold')) settings%threshold = values%real_of('threshold')
+      settings%amplitude_tolerance = values%real_of('amplitude_tolerance')
+      settings%elastic_fraction = values%real_of('elastic_fraction')
+      settings%ultimate_fraction = values%real_of('ultimate_fraction')
+      settings%peaks = values%text_of('peaks')
+      call check_hysteresis_settings(settings, error)
+      if (allocated(error)) return
+      call check_factor(values, 'displacement_factor', error)
+      if (.not. allocated(error)) call check_factor(values, 'force_factor', error)
+      if (allocated(error)) return
+      if (values%whole_of('skip_lines') < 0) call fatal_error(error, 'skip_lines = '// &
+         to_text(values%whole_of('skip_lines'))//' is not allowed: it must not be negative')
+   end subroutine get_settings
+
+   pure subroutine check_factor(values, name, error)
+      type(settings_type), intent(in) :: values
+      character(len=*), intent(in) :: name
+      type(error_type), allocatable, intent(out) :: error
+
+      if (.not. abs(values%real_of(name)) > 0.0_wp) call fatal_error(error, name// &
+         ' = 0.0 is not allowed: nothing would be left of the record')
+   end subroutine check_factor
+
+   !> Read both columns and bring them to zero and scale.
+   subroutine get_record(settings, columns, error)
+      type(settings_type), intent(in) :: settings
+      type(record_column), intent(out) :: columns(2)
+      type(error_type), allocatable, intent(out) :: error
+      type(record_format) :: form
+      integer :: i
+
+      if (settings%text_of('record_file') == '') then
+         call fatal_error(error, 'no record is given: asperity hysteresis FILE.csv')
+         return
+      end if
+      form%separator = settings%text_of('separator')
+      form%decimal = settings%text_of('decimal')
+      form%skip_lines = settings%whole_of('skip_lines')
+      columns(1)%name = 'displacement'
+      columns(2)%name = 'force'
+      do i = 1, 2
+         columns(i)%wanted = settings%text_of(columns(i)%name//'_column')
+      end do
+      call read_record(settings%text_of('record_file'), form, columns, error)
+      if (allocated(error)) return
+      if (columns(1)%place == columns(2)%place) then
+         call fatal_error(error, settings%text_of('record_file')// &
+            ': displacement and force are both column '//to_text(columns(1)%place))
+         return
+      end if
+      do i = 1, 2
+         associate (name => columns(i)%name)
+            columns(i)%values(:) = settings%real_of(name//'_factor') &
+               *(columns(i)%values - settings%real_of(name//'_zero'))
+         end associate
+      end do
+   end subroutine get_record
+
+   !> Names and units of what the record holds. Units of the file count unless others were given.
+   pure subroutine set_labels(settings, columns, labels)
+      type(settings_type), intent(inout) :: settings
+      type(record_column), intent(in) :: columns(2)
+      type(record_labels), intent(out) :: labels
+
+      labels%x = 'displacement'
+      labels%f = 'force'
+      if (settings%text_of('quantity') == 'moment') then
+         labels%x = 'rotation'
+         labels%f = 'moment'
+         call set_unit(settings%of(find_key('displacement_unit')), columns(1), 'rad')
+         call set_unit(settings%of(find_key('force_unit')), columns(2), 'N mm')
+      else
+         call set_unit(settings%of(find_key('displacement_unit')), columns(1), 'mm')
+         call set_unit(settings%of(find_key('force_unit')), columns(2), 'N')
+      end if
+      labels%x_unit = settings%text_of('displacement_unit')
+      labels%f_unit = settings%text_of('force_unit')
+      labels%title = settings%text_of('record_file')
+   end subroutine set_labels
+
+   !> The unit of a column.
+   pure subroutine set_unit(setting, column, default)
+      type(setting_type), intent(inout) :: setting
+      type(record_column), intent(in) :: column
+      character(len=*), intent(in) :: default
+
+      if (setting%given) return
+      setting%has_value = .true.
+      setting%text = default
+      if (column%unit == '') return
+      setting%text = column%unit
+      setting%source = 'column '//to_text(column%place)
+   end subroutine set_unit
+
+   !> What the tables do not say.
+   pure subroutine add_remarks(report, result)
+      type(report_type), intent(inout) :: report
+      type(hysteresis_result), intent(in) :: result
+      type(string_type) :: lines(5)
+      character(len=*), parameter :: not_closed = &
+         'Not closed, so energy is the work done and there is no damping: '
+      character(len=:), allocatable :: open
+      integer :: i, n
+
+      n = 0
+      open = ''
+      do i = 1, size(result%cycles)
+         if (.not. result%cycles(i)%closed) open = open//' '//to_text(i)
+      end do
+      if (open /= '') then
+         n = n + 1
+         lines(n)%text = not_closed//'cycle'//open
+         ! of many, the number is enough
+         if (count(.not. result%cycles%closed) > 12) lines(n)%text = not_closed// &
+            to_text(count(.not. result%cycles%closed))//' cycles'
+      end if
+      do i = positive_side, negative_side
+         associate (skeleton => result%skeleton(i))
+            if (size(skeleton%cycle) == 0) cycle
+            if (skeleton%cycle(1) == 0) then
+               n = n + 1
+               lines(n)%text = 'The record has one peak, so its way there is the skeleton.'
+            else if (size(skeleton%cycle) == 1) then
+               n = n + 1
+               lines(n)%text = 'The '//side_names(i)//' skeleton is a straight line, having '// &
+                  'one amplitude: its stiffness and yield point say little.'
+            end if
+            if (.not. skeleton%yield_assumed) cycle
+            n = n + 1
+            lines(n)%text = 'The '//side_names(i)//' skeleton is too hollow for a yield point '// &
+               'of equal energy: 0.85 of the peak is taken (ASTM E2126).'
+         end associate
+      end do
+      if (n > 0) allocate (report%remarks, source=lines(:n))
+   end subroutine add_remarks
+
+end module app_hysteresis

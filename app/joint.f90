@@ -1,0 +1,146 @@
+!> One tenon joint under hard contact or under the rough law: the replay and what follows from it.
+module app_joint
+   use asperity, only: error_type, wp
+   use asperity_error, only: fatal_error
+   use asperity_text, only: to_text
+   use hysteresis_analysis, only: analyse_hysteresis, hysteresis_result, hysteresis_settings
+   use replay_tenon, only: run_tenon, tenon_point, tenon_progress, tenon_step
+   use replay_tenon_settings, only: tenon_settings
+   use app_config, only: config_type
+   implicit none
+   private
+   public :: joint_type, run_joint, largest_cycle, steps_to_record
+
+   !> Contact models, in the order of tables
+   integer, parameter, public :: hard = 1, rough = 2
+   character(len=5), parameter, public :: model_names(2) = [character(len=5) :: 'hard', 'rough']
+   !> kN m in N mm, and kJ in N mm
+   real(wp), parameter, public :: kilo = 1.0e-6_wp
+
+   !> Reversals over the largest rotation that are rounding
+   real(wp), parameter :: exact = 1.0e-6_wp
+
+   !> Way back after a turn over the amplitude at which the contact is looked at
+   real(wp), parameter :: turned = 0.02_wp
+
+   !> Replay of one model.
+   type :: joint_type
+      !> `hard` or `rough`
+      integer :: model = hard
+      !> The joint at rest, then every step
+      type(tenon_step), allocatable :: steps(:)
+      !> Every contact point at the steps asked for
+      type(tenon_point), allocatable :: points(:)
+      !> Analysis of moment, kN m, against rotation, rad; samples are steps from 1
+      type(hysteresis_result) :: loops
+   end type joint_type
+
+contains
+
+   !> Replay one model and analyse it. `error` is set when a step cannot be solved.
+   subroutine run_joint(config, model, joint, error, record, shown)
+      !> Joint, programme and faces
+      type(config_type), intent(in) :: config
+      !> `hard` or `rough`
+      integer, intent(in) :: model
+      !> The replay
+      type(joint_type), intent(out) :: joint
+      !> Set on failure
+      type(error_type), allocatable, intent(out) :: error
+      !> Steps at which every point is kept
+      integer, intent(in), optional :: record(:)
+      !> Told after every step
+      procedure(tenon_progress), optional :: shown
+      type(tenon_settings) :: settings
+      type(hysteresis_settings) :: analysis
+
+      joint%model = model
+      settings = config%tenon
+      settings%contact = model_names(model)
+      ! UINTER has no hard contact
+      settings%through_uinter = settings%through_uinter .and. model == rough
+      if (present(record)) then
+         call run_tenon(settings, config%properties, config%sides, joint%steps, error, record, &
+            joint%points, shown)
+      else
+         call run_tenon(settings, config%properties, config%sides, joint%steps, error, &
+            progress=shown)
+      end if
+      if (allocated(error)) return
+      if (.not. any(abs(joint%steps%moment) > 0.0_wp)) then
+         call fatal_error(error, 'amplitudes up to '// &
+            to_text(maxval(abs(joint%steps%displacement)))//' mm move the joint within its '// &
+            'clearance: '//trim(model_names(model))//' contact carries no moment')
+         return
+      end if
+      ! A programme has no noise; a recorded history may
+      if (.not. allocated(settings%displacement)) &
+         analysis%threshold = exact*maxval(abs(joint%steps%rotation))
+      call analyse_hysteresis((joint%steps%rotation), kilo*joint%steps%moment, joint%loops, error, &
+         analysis)
+   end subroutine run_joint
+
+   !> The first cycle that goes furthest, zero when there is none.
+   pure integer function largest_cycle(loops)
+      !> Analysis of a record
+      type(hysteresis_result), intent(in) :: loops
+      real(wp) :: reach, furthest
+      integer :: i, sample
+
+      largest_cycle = 0
+      furthest = 0.0_wp
+      do i = 1, size(loops%cycles)
+         reach = 0.0_wp
+         do sample = 1, 2
+            if (loops%cycles(i)%peak(sample) > 0) &
+               reach = max(reach, abs(loops%cycles(i)%displacement(sample)))
+         end do
+         ! more than rounding
+         if (.not. reach > furthest*(1.0_wp + 1.0e-9_wp)) cycle
+         furthest = reach
+         largest_cycle = i
+      end do
+   end function largest_cycle
+
+   !> Steps that show the largest loop: its first peak, the return to zero, the other peak, and just
+   !> after that turn. Those that it lacks are left out.
+   pure function steps_to_record(displacement) result(steps)
+      !> Displacement of every step from step 0
+      real(wp), intent(in) :: displacement(0:)
+      integer, allocatable :: steps(:)
+      integer :: peak, zero, other, last
+      real(wp) :: sign_of_peak
+
+      peak = maxloc(abs(displacement), 1) - 1
+      sign_of_peak = sign(1.0_wp, displacement(peak))
+      zero = next_zero(displacement, peak, sign_of_peak)
+      ! the other peak is as far out as the next turn goes
+      other = zero
+      do while (other < ubound(displacement, 1))
+         if (sign_of_peak*displacement(other + 1) >= sign_of_peak*displacement(other)) exit
+         other = other + 1
+      end do
+      last = other
+      do while (last < ubound(displacement, 1))
+         if (abs(displacement(last) - displacement(other)) >= turned*abs(displacement(peak))) exit
+         last = last + 1
+      end do
+      steps = [peak]
+      if (zero > peak) steps = [steps, zero]
+      if (other > zero) steps = [steps, other]
+      if (last > other) steps = [steps, last]
+   end function steps_to_record
+
+   !> First step from one on at which a displacement of some sign is back at zero or past it.
+   pure integer function next_zero(displacement, from, its_sign)
+      real(wp), intent(in) :: displacement(0:)
+      integer, intent(in) :: from
+      real(wp), intent(in) :: its_sign
+
+      do next_zero = from, ubound(displacement, 1) - 1
+         if (its_sign*displacement(next_zero) <= 1.0e-9_wp*abs(displacement(from))) return
+      end do
+      next_zero = ubound(displacement, 1)
+   end function next_zero
+
+end module app_joint

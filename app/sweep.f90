@@ -1,0 +1,180 @@
+!> What `--sweep NAME=values` asks for: every combination of the values of some keys.
+module app_sweep
+   use asperity, only: error_type
+   use asperity_error, only: fatal_error
+   use asperity_text, only: to_text
+   use app_keys, only: belongs, find_key, keys, kind_choice, kind_file, kind_integer, kind_list, &
+      kind_real, kind_text, n_keys
+   use app_lists, only: read_range, split_words
+   use app_settings, only: assign_words, setting_type, settings_type
+   use app_strings, only: lower_case, nearest_name, quoted
+   use app_words, only: word_type
+   use asperity_kinds, only: wp
+   implicit none
+   private
+   public :: axis_type, new_axes, combinations, set_case
+
+   !> Most combinations
+   integer, parameter :: most_cases = 100000
+   character(len=*), parameter :: option = '--sweep'
+
+   !> A key and the values that it takes.
+   type :: axis_type
+      !> Place of the key in the table
+      integer :: key = 0
+      !> One setting per value
+      type(setting_type), allocatable :: values(:)
+   end type axis_type
+
+contains
+
+   !> Axes of all sweeps. `error` is set when one is faulty or there are too many combinations.
+   subroutine new_axes(axes, text, command, error)
+      !> One axis per sweep, in the order given
+      type(axis_type), allocatable, intent(out) :: axes(:)
+      !> The sweeps, separated by blanks
+      character(len=*), intent(in) :: text
+      !> Command that they are for
+      integer, intent(in) :: command
+      !> Set on failure
+      type(error_type), allocatable, intent(out) :: error
+      type(word_type), allocatable :: words(:)
+      integer :: i, first, last
+
+      first = 1
+      allocate (axes(count([(text(i:i) == ' ', i=1, len(text))]) + 1))
+      do i = 1, size(axes)
+         last = first + index(text(first:)//' ', ' ') - 2
+         call new_axis(axes(i), text(first:last), command, words, error)
+         if (allocated(error)) return
+         if (any(axes(:i - 1)%key == axes(i)%key)) then
+            call fatal_error(error, option//': '//trim(keys(axes(i)%key)%name)// &
+               ' is swept twice')
+            return
+         end if
+         first = last + 2
+      end do
+      if (product([(real(size(axes(i)%values), wp), i=1, size(axes))]) > most_cases) &
+         call fatal_error(error, option//': more than '//to_text(most_cases)//' combinations')
+   end subroutine new_axes
+
+   !> One axis from `name=values`.
+   subroutine new_axis(axis, text, command, words, error)
+      type(axis_type), intent(inout) :: axis
+      character(len=*), intent(in) :: text
+      integer, intent(in) :: command
+      type(word_type), allocatable, intent(inout) :: words(:)
+      type(error_type), allocatable, intent(out) :: error
+      integer :: equals, i
+
+      equals = index(text, '=')
+      if (equals == 0) then
+         call fatal_error(error, option//': '//quoted(text)//' is not NAME=values')
+         return
+      end if
+      call find_axis(axis%key, text(:equals - 1), command, error)
+      if (.not. allocated(error)) call read_values(words, text(equals + 1:), axis%key, error)
+      if (allocated(error)) return
+      allocate (axis%values(size(words)))
+      do i = 1, size(words)
+         words(i)%source = option//' '//trim(keys(axis%key)%name)//'='//words(i)%text
+         words(i)%in_quotes = any(keys(axis%key)%kind == [kind_text, kind_choice])
+         call assign_words(axis%values(i), keys(axis%key), words(i:i), error)
+         if (allocated(error)) return
+      end do
+   end subroutine new_axis
+
+   !> Key of a name, with `-` or `_`; `error` says why it cannot be swept.
+   subroutine find_axis(key, name, command, error)
+      integer, intent(out) :: key
+      character(len=*), intent(in) :: name
+      integer, intent(in) :: command
+      type(error_type), allocatable, intent(out) :: error
+      character(len=24) :: names(n_keys)
+      character(len=:), allocatable :: plain, nearest
+      integer :: i
+
+      plain = lower_case(name)
+      do i = 1, len(plain)
+         if (plain(i:i) == '-') plain(i:i) = '_'
+      end do
+      names = ''
+      do i = 1, n_keys
+         if (can_be_swept(i, command)) names(i) = keys(i)%name
+      end do
+      key = find_key(plain)
+      if (key > 0) then
+         if (names(key) /= '') return
+         call fatal_error(error, option//': '//plain//' cannot be swept')
+         return
+      end if
+      nearest = nearest_name(plain, names)
+      if (nearest /= '') nearest = '; did you mean '//nearest//'?'
+      call fatal_error(error, option//': unknown key '//quoted(name)//nearest)
+   end subroutine find_axis
+
+   !> Whether a key has one value, and belongs to a command.
+   pure logical function can_be_swept(key, command)
+      integer, intent(in) :: key, command
+
+      can_be_swept = belongs(key, command) .and. keys(key)%kind < kind_file &
+         .and. keys(key)%kind /= kind_list .and. keys(key)%name /= 'history'
+   end function can_be_swept
+
+   !> Values `a,b,c` or `start:stop:count` as words.
+   subroutine read_values(words, text, key, error)
+      type(word_type), allocatable, intent(inout) :: words(:)
+      character(len=*), intent(in) :: text
+      integer, intent(in) :: key
+      type(error_type), allocatable, intent(out) :: error
+      real(wp), allocatable :: values(:)
+      integer :: i
+
+      if (index(text, ':') == 0 .or. all(keys(key)%kind /= [kind_real, kind_integer])) then
+         call split_words(text, option, words, error)
+         return
+      end if
+      call read_range(text, trim(keys(key)%name), option, values, error)
+      if (allocated(error)) return
+      if (allocated(words)) deallocate (words)
+      allocate (words(size(values)))
+      do i = 1, size(values)
+         if (keys(key)%kind == kind_integer .and. .not. abs(values(i) - anint(values(i))) > 0.0_wp &
+               .and. abs(values(i)) < 1.0e9_wp) then
+            words(i)%text = to_text(nint(values(i)))
+         else
+            words(i)%text = to_text(values(i))
+         end if
+      end do
+   end subroutine read_values
+
+   !> How many combinations there are.
+   pure integer function combinations(axes)
+      !> The axes
+      type(axis_type), intent(in) :: axes(:)
+      integer :: i
+
+      combinations = product([(size(axes(i)%values), i=1, size(axes))])
+   end function combinations
+
+   !> Set the keys of one combination; the last axis varies fastest.
+   pure subroutine set_case(options, axes, which, chosen)
+      !> Options, whose swept keys are overwritten
+      type(settings_type), intent(inout) :: options
+      !> The axes
+      type(axis_type), intent(in) :: axes(:)
+      !> Combination, from 1
+      integer, intent(in) :: which
+      !> Place of the value taken on each axis
+      integer, intent(out) :: chosen(:)
+      integer :: i, rest
+
+      rest = which - 1
+      do i = size(axes), 1, -1
+         chosen(i) = 1 + modulo(rest, size(axes(i)%values))
+         rest = rest/size(axes(i)%values)
+         options%of(axes(i)%key) = axes(i)%values(chosen(i))
+      end do
+   end subroutine set_case
+
+end module app_sweep

@@ -1,0 +1,199 @@
+!> The partial file of a sweep, FILE.csv.partial: the input as comment lines, then a CSV file whose
+!> rows are complete and stand in the order in which they were done.
+module app_sweep_file
+   use asperity, only: error_type, file_error, validity_text
+   use asperity_error, only: fatal_error
+   use app_cli, only: command_line_type
+   use app_csv, only: csv_text
+   use app_output, only: open_target, output_file, write_files
+   use app_print_case, only: case_text
+   use app_settings, only: settings_type
+   use app_strings, only: newline, starts_with
+   use app_sweep, only: axis_type
+   use app_sweep_table, only: case_result, n_figures, sweep_table
+   use app_system, only: append_text, read_file, remove_file, resolved_path
+   use app_table, only: no_value
+   implicit none
+   private
+   public :: partial_type, open_partial, append_case, close_partial
+
+   character(len=*), parameter :: ending = '.partial'
+   !> Largest partial file, characters
+   integer, parameter :: largest = 512*1024*1024
+   !> All combinations of validity flags are below
+   integer, parameter :: all_flags = 64
+
+   !> The partial file; without a path, nothing is kept.
+   type :: partial_type
+      !> Its path
+      character(len=:), allocatable :: path
+   end type partial_type
+
+contains
+
+   !> Take what is done from a partial file of the same sweep, or begin one. `error` is set when it
+   !> is of another sweep or cannot be written.
+   subroutine open_partial(partial, line, settings, axes, results, error)
+      !> The file
+      type(partial_type), intent(out) :: partial
+      !> Command line
+      type(command_line_type), intent(in) :: line
+      !> Settings in effect but for the keys that are swept
+      type(settings_type), intent(in) :: settings
+      !> The axes
+      type(axis_type), intent(in) :: axes(:)
+      !> One result per combination; those in the file are set
+      type(case_result), intent(inout) :: results(:)
+      !> Set on failure
+      type(error_type), allocatable, intent(out) :: error
+      type(output_file) :: csv, files(1)
+      character(len=:), allocatable :: path, head, text, reason
+      integer :: i
+
+      partial%path = ''
+      ! Not by ASSOCIATE, after which gfortran frees such a function's result twice
+      path = line%options%text_of('csv')
+      if (path == '' .or. path == '-') return
+      call open_target(csv, '--csv', path, error)
+      if (allocated(error) .or. csv%is_device) return
+      call open_target(files(1), '--csv', path//ending, error)
+      if (allocated(error)) return
+      partial%path = path//ending
+      head = heading(line, settings)
+      if (resolved_path(partial%path) /= '') then
+         call read_file(partial%path, largest, text, reason)
+         if (allocated(reason)) then
+            call fatal_error(error, partial%path//': cannot be read: '//reason, file_error)
+         else if (.not. starts_with(text, head)) then
+            call fatal_error(error, partial%path//': is of another sweep; remove it, or name '// &
+               'another file with --csv')
+         else
+            call read_cases(text(len(head) + 1:), size(axes), results)
+         end if
+         if (allocated(error)) return
+      end if
+      files(1)%text = head//csv_text(sweep_table(axes, results, &
+         pack([(i, i=1, size(results))], results%done)))
+      call write_files(files, error)
+   end subroutine open_partial
+
+   !> What tells one sweep from another: all input, as comment lines.
+   function heading(line, settings) result(text)
+      type(command_line_type), intent(in) :: line
+      type(settings_type), intent(in) :: settings
+      character(len=:), allocatable :: text
+      character(len=:), allocatable :: input
+      integer :: first, length
+
+      input = '--sweep '//line%options%text_of('sweep')//newline// &
+         case_text(settings, line%command)
+      text = ''
+      first = 1
+      do while (first <= len(input))
+         length = index(input(first:), newline)
+         text = text//'# '//input(first:first + length - 1)
+         first = first + length
+      end do
+   end function heading
+
+   !> Take over complete rows.
+   subroutine read_cases(text, n_axes, results)
+      character(len=*), intent(in) :: text
+      integer, intent(in) :: n_axes
+      type(case_result), intent(inout) :: results(:)
+      integer :: first, length
+
+      ! the first line names the columns; a line without its end is not complete
+      first = 1 + index(text, newline)
+      do while (first <= len(text))
+         length = index(text(first:), newline) - 1
+         if (length < 0) return
+         call read_case(text(first:first + length - 1), n_axes, results)
+         first = first + length + 1
+      end do
+   end subroutine read_cases
+
+   !> Take over one row: number, keys, figures, validity, outcome.
+   subroutine read_case(row, n_axes, results)
+      character(len=*), intent(in) :: row
+      integer, intent(in) :: n_axes
+      type(case_result), intent(inout) :: results(:)
+      type(case_result) :: result
+      integer :: first, length, field, which, status, flags
+
+      first = 1
+      which = 0
+      do field = 1, 2 + n_axes + n_figures
+         length = index(row(first:), ',') - 1
+         if (length < 0) return
+         associate (cell => row(first:first + length - 1), figure => field - 1 - n_axes)
+            status = 0
+            if (field == 1) then
+               read (cell, *, iostat=status) which
+            else if (figure > n_figures) then
+               do flags = 0, all_flags - 1
+                  if (validity_text(flags) == cell) exit
+               end do
+               result%validity = flags
+               if (flags == all_flags) return
+            else if (figure > 0) then
+               result%figures(figure) = no_value
+               if (cell /= '') read (cell, *, iostat=status) result%figures(figure)
+            end if
+         end associate
+         if (status /= 0) return
+         first = first + length + 1
+      end do
+      if (which < 1 .or. which > size(results)) return
+      result%outcome = without_quotes(row(first:))
+      result%done = .true.
+      results(which) = result
+   end subroutine read_case
+
+   !> A text without the quotes that CSV puts around it.
+   pure function without_quotes(text) result(plain)
+      character(len=*), intent(in) :: text
+      character(len=:), allocatable :: plain
+      integer :: i
+
+      plain = text
+      if (.not. starts_with(text, '"')) return
+      plain = ''
+      i = 2
+      do while (i < len(text))
+         plain = plain//text(i:i)
+         if (text(i:i) == '"') i = i + 1
+         i = i + 1
+      end do
+   end function without_quotes
+
+   !> Keep one more combination.
+   subroutine append_case(partial, axes, results, which, error)
+      !> The file
+      type(partial_type), intent(in) :: partial
+      !> The axes
+      type(axis_type), intent(in) :: axes(:)
+      !> All results
+      type(case_result), intent(in) :: results(:)
+      !> The combination
+      integer, intent(in) :: which
+      !> Set when the file cannot be written
+      type(error_type), allocatable, intent(out) :: error
+      character(len=:), allocatable :: text, reason
+
+      if (partial%path == '') return
+      text = csv_text(sweep_table(axes, results, [which]))
+      call append_text(partial%path, text(index(text, newline) + 1:), reason)
+      if (allocated(reason)) call fatal_error(error, partial%path//': cannot be written: '// &
+         reason, file_error)
+   end subroutine append_case
+
+   !> Remove the file when the results are where they belong.
+   subroutine close_partial(partial)
+      !> The file
+      type(partial_type), intent(in) :: partial
+
+      if (partial%path /= '') call remove_file(partial%path)
+   end subroutine close_partial
+
+end module app_sweep_file

@@ -1,0 +1,177 @@
+!> Results of a sweep of the tenon joint: one row per combination.
+module app_sweep_table
+   use asperity, only: error_type, wp
+   use hysteresis_analysis, only: hysteresis_skeleton, negative_side
+   use app_joint, only: joint_type, kilo, model_names
+   use app_keys, only: keys, kind_integer, kind_logical, kind_real
+   use app_settings, only: setting_type, settings_type
+   use app_sweep, only: axis_type, set_case
+   use app_table, only: column_counts, column_validity, new_table, no_value, table_type
+   implicit none
+   private
+   public :: case_result, evaluate, shown_columns, sweep_table
+
+   !> Figures of one model, then ratios rough:hard
+   character(len=*), parameter :: names(7) = [character(len=18) :: 'yield_moment', &
+      'ultimate_moment', 'bending_stiffness', 'loop_energy', 'work_of_load', 'friction', &
+      'largest_pull_out']
+   character(len=*), parameter :: units(7) = [character(len=8) :: 'kN m', 'kN m', 'kN m/rad', &
+      'kJ', 'kJ', 'kJ', 'mm']
+   !> Which of them are also given as ratios
+   integer, parameter :: n_ratios = 4, n_names = size(names)
+   integer, parameter, public :: n_figures = 2*n_names + n_ratios
+   !> Outcome of a combination that was run
+   character(len=*), parameter, public :: well = 'done'
+   integer, parameter :: longest_outcome = 400
+
+   !> One combination.
+   type :: case_result
+      !> It was run
+      logical :: done = .false.
+      !> Figures of hard contact, of the rough law, and ratios
+      real(wp) :: figures(n_figures) = no_value
+      !> Validity flags
+      integer :: validity = 0
+      !> `done`, or why there are no figures
+      character(len=longest_outcome) :: outcome = ''
+   end type case_result
+
+contains
+
+   !> Figures of two replays, or why there are none.
+   subroutine evaluate(joints, error, result)
+      !> Both models
+      type(joint_type), intent(in) :: joints(:)
+      !> Why there are no replays
+      type(error_type), allocatable, intent(in) :: error
+      !> The result
+      type(case_result), intent(inout) :: result
+      integer :: i
+
+      result%done = .true.
+      result%figures = no_value
+      if (allocated(error)) then
+         result%outcome = error%message
+         return
+      end if
+      result%outcome = well
+      associate (f => result%figures)
+         do i = 1, 2
+            f((i - 1)*n_names + 1:i*n_names) = figures_of(joints(i))
+            result%validity = ior(result%validity, &
+               joints(i)%steps(ubound(joints(i)%steps, 1))%validity)
+         end do
+         do i = 1, n_ratios
+            if (all(f([i, n_names + i]) < no_value) .and. abs(f(i)) > 0.0_wp) &
+               f(2*n_names + i) = f(n_names + i)/f(i)
+         end do
+      end associate
+   end subroutine evaluate
+
+   !> Figures of one replay.
+   pure function figures_of(joint) result(figures)
+      type(joint_type), intent(in) :: joint
+      real(wp) :: figures(n_names)
+
+      associate (s => joint%loops%skeleton(negative_side), cycles => joint%loops%cycles, &
+            last => joint%steps(ubound(joint%steps, 1)))
+         figures = [s%yield_force, s%peak_force, no_value, no_value, kilo*last%work, &
+            kilo*last%friction, maxval(abs(joint%steps%pull_out))]
+         if (s%peak_force < no_value .and. abs(s%ultimate_displacement) > 0.0_wp) &
+            figures(3) = s%peak_force/s%ultimate_displacement
+         if (size(cycles) > 0) figures(4) = cycles(size(cycles))%cumulative_energy
+      end associate
+   end function figures_of
+
+   !> The table of some combinations.
+   function sweep_table(axes, results, which) result(table)
+      !> The axes
+      type(axis_type), intent(in) :: axes(:)
+      !> All results
+      type(case_result), intent(in) :: results(:)
+      !> Combinations to show
+      integer, intent(in) :: which(:)
+      type(table_type) :: table
+      integer :: i, j
+
+      table = new_table(columns=3 + size(axes) + n_figures, rows=size(which))
+      call table%add_codes('case', column_counts, which)
+      call add_axes(table, axes, which)
+      do i = 1, 2
+         do j = 1, n_names
+            call table%add_numbers(trim(names(j))//'_'//trim(model_names(i)), trim(units(j)), &
+               results(which)%figures((i - 1)*n_names + j))
+         end do
+      end do
+      do j = 1, n_ratios
+         call table%add_numbers(trim(names(j))//'_ratio', '-', &
+            results(which)%figures(2*n_names + j), decimals=4)
+      end do
+      call table%add_codes('validity', column_validity, results(which)%validity)
+      call table%add_texts('outcome', results(which)%outcome)
+   end function sweep_table
+
+   !> Columns of the keys that are swept.
+   subroutine add_axes(table, axes, which)
+      type(table_type), intent(inout) :: table
+      type(axis_type), intent(in) :: axes(:)
+      integer, intent(in) :: which(:)
+      type(settings_type) :: options
+      type(setting_type) :: value
+      integer :: chosen(size(axes), size(which)), whole(size(which)), kind, i, j
+      real(wp) :: numbers(size(which))
+      character(len=80) :: texts(size(which))
+
+      do j = 1, size(which)
+         call set_case(options, axes, which(j), chosen(:, j))
+      end do
+      do i = 1, size(axes)
+         kind = keys(axes(i)%key)%kind
+         do j = 1, size(which)
+            value = axes(i)%values(chosen(i, j))
+            select case (kind)
+            case (kind_real)
+               numbers(j) = value%values(1)
+            case (kind_integer)
+               whole(j) = value%whole
+            case (kind_logical)
+               texts(j) = merge('true ', 'false', value%switch)
+            case default
+               texts(j) = value%text
+            end select
+         end do
+         select case (kind)
+         case (kind_real)
+            call table%add_numbers(trim(keys(axes(i)%key)%name), &
+               unit_of(keys(axes(i)%key)%unit), numbers)
+         case (kind_integer)
+            call table%add_codes(trim(keys(axes(i)%key)%name), column_counts, whole)
+         case default
+            call table%add_texts(trim(keys(axes(i)%key)%name), texts)
+         end select
+      end do
+   end subroutine add_axes
+
+   !> A unit, `-` for none.
+   pure function unit_of(unit) result(text)
+      character(len=*), intent(in) :: unit
+      character(len=:), allocatable :: text
+
+      text = trim(unit)
+      if (text == '') text = '-'
+   end function unit_of
+
+   !> Columns that the terminal shows: the keys, and what compares the models.
+   subroutine shown_columns(axes, columns)
+      !> The axes
+      type(axis_type), intent(in) :: axes(:)
+      !> Names of the columns
+      character(len=24), allocatable, intent(out) :: columns(:)
+
+      columns = [character(len=24) :: 'case', keys(axes%key)%name, 'ultimate_moment_hard', &
+         'ultimate_moment_rough', 'loop_energy_hard', 'loop_energy_rough', &
+         'yield_moment_ratio', 'ultimate_moment_ratio', 'loop_energy_ratio', &
+         'largest_pull_out_rough', 'outcome']
+   end subroutine shown_columns
+
+end module app_sweep_table

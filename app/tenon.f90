@@ -1,0 +1,146 @@
+!> `asperity tenon`: the cyclic tenon joint under hard contact and under the rough law.
+module app_tenon
+   use asperity, only: error_type, wp
+   use asperity_error, only: fatal_error
+   use asperity_text, only: to_text
+   use replay_tenon_programme, only: tenon_programme
+   use app_config, only: config_type
+   use app_joint, only: hard, joint_type, rough, run_joint, steps_to_record
+   use app_progress, only: clear_steps, show_steps
+   use app_report, only: named_table, report_type, turning_points
+   use app_strings, only: string_type
+   use app_tenon_failure, only: keep_failed_step
+   use app_tenon_plots, only: joint_pictures
+   use app_tenon_tables, only: comparison_table, cycles_table, points_table, skeleton_table, &
+      steps_table, totals_table
+   implicit none
+   private
+   public :: report_tenon
+
+   character(len=12), parameter :: legends(2) = ['hard contact', 'rough law   ']
+   !> Pull-out over length from which the overlap rather than the contact governs the moment
+   real(wp), parameter :: far_out = 0.25_wp
+
+contains
+
+   !> Run both models. `error` is set when a setting is refused or a replay fails.
+   subroutine report_tenon(config, report, error)
+      !> Faces, joint and programme
+      type(config_type), intent(in) :: config
+      !> Its tables are set
+      type(report_type), intent(inout) :: report
+      !> Set on failure
+      type(error_type), allocatable, intent(out) :: error
+      type(joint_type) :: joints(2)
+      real(wp), allocatable :: path(:)
+      integer, allocatable :: cycle_of(:), record(:)
+
+      call tenon_programme(config%tenon, path, cycle_of)
+      if (allocated(config%record)) then
+         record = config%record
+         call check_record(record, ubound(path, 1), error)
+         if (allocated(error)) return
+      else
+         record = steps_to_record(path)
+      end if
+      call run_joint(config, hard, joints(hard), error, record, show_hard)
+      if (.not. allocated(error)) &
+         call run_joint(config, rough, joints(rough), error, record, show_rough)
+      call clear_steps()
+      if (allocated(error)) then
+         call keep_failure(path, joints, report, error)
+         return
+      end if
+
+      report%table = steps_table(joints)
+      call report%table%check_finite(error)
+      if (allocated(error)) return
+      report%summary = comparison_table(joints)
+      report%more = [ &
+         named_table('totals', 'Whole programme', &
+         totals_table(joints)), &
+         named_table('cycles', 'Cycles', cycles_table(joints), 12), &
+         named_table('skeleton', '', skeleton_table(joints))]
+      report%points = points_table(joints)
+      call joint_pictures(joints, report%picture_data, report%pictures)
+      report%remarks = remarks(config, joints)
+      report%shows_table = .false.
+      associate (n => size(joints(hard)%steps))
+         report%first_rows = [1, n + 1, report%table%rows + 1]
+         report%important = [turning_points((joints(hard)%steps%displacement)), &
+            turning_points((joints(rough)%steps%displacement))]
+      end associate
+   end subroutine report_tenon
+
+   !> Keep what replays the step that failed.
+   subroutine keep_failure(path, joints, report, error)
+      real(wp), intent(in) :: path(0:)
+      type(joint_type), intent(in) :: joints(:)
+      type(report_type), intent(in) :: report
+      type(error_type), intent(inout) :: error
+      integer :: failed
+
+      failed = 0
+      if (allocated(joints(hard)%steps)) failed = size(joints(hard)%steps)
+      if (allocated(joints(rough)%steps)) failed = size(joints(rough)%steps)
+      ! none failed when all are there, and a joint at rest needs no displacements
+      if (failed > 0 .and. failed <= ubound(path, 1)) &
+         call keep_failed_step(error, report%settings, path(1:failed))
+   end subroutine keep_failure
+
+   !> Refuse steps that the programme has not, and steps that are not in order.
+   pure subroutine check_record(record, steps, error)
+      integer, intent(in) :: record(:), steps
+      type(error_type), allocatable, intent(out) :: error
+      integer :: i
+
+      do i = 1, size(record)
+         if (record(i) > steps) then
+            call fatal_error(error, 'record = '//to_text(record(i))// &
+               ' is not allowed: the programme has '//to_text(steps)//' steps')
+            return
+         end if
+         if (all(record(:i - 1) < record(i))) cycle
+         call fatal_error(error, 'record = '//to_text(record(i))// &
+            ' is out of order: steps must rise')
+         return
+      end do
+   end subroutine check_record
+
+   !> What must be known beside the figures.
+   pure function remarks(config, joints) result(lines)
+      type(config_type), intent(in) :: config
+      type(joint_type), intent(in) :: joints(:)
+      type(string_type), allocatable :: lines(:)
+      type(string_type) :: line
+      real(wp) :: furthest
+      integer :: i
+
+      line%text = 'A prediction from chosen sizes, not a fit to the paper: compare ratios to '// &
+         'hard contact, not moments.'
+      lines = [line]
+      do i = 1, size(joints)
+         furthest = maxval(abs(joints(i)%steps%pull_out))
+         if (furthest <= far_out*config%tenon%length) cycle
+         line%text = trim(legends(i))//': the tenon moves '//to_text(furthest, 3)// &
+            ' mm along its axis, more than a quarter of its length: the overlap, not the '// &
+            'contact, then governs the moment'
+         lines = [lines, line]
+      end do
+   end function remarks
+
+   !> Progress of hard contact.
+   subroutine show_hard(done, amount)
+      integer, intent(in) :: done, amount
+
+      call show_steps('tenon: hard contact', done, amount)
+   end subroutine show_hard
+
+   !> Progress of the rough law.
+   subroutine show_rough(done, amount)
+      integer, intent(in) :: done, amount
+
+      call show_steps('tenon: rough law', done, amount)
+   end subroutine show_rough
+
+end module app_tenon

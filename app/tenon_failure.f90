@@ -1,0 +1,58 @@
+!> What is left behind when a step of the tenon joint cannot be solved: a case file and the
+!> displacements up to that step, with which it fails again.
+module app_tenon_failure
+   use asperity, only: computation_error, error_type, wp
+   use app_keys, only: command_tenon, find_key
+   use app_output, only: open_target, output_file, write_files
+   use app_print_case, only: case_text
+   use app_settings, only: forget, settings_type
+   use app_strings, only: newline
+   use app_table, only: full_figures
+   use app_text_buffer, only: text_buffer
+   implicit none
+   private
+   public :: keep_failed_step
+
+   character(len=*), parameter :: case_name = 'failed_step.nml', path_name = 'failed_step.csv'
+
+contains
+
+   !> Write the files into the current folder and say so in the message, if the error is one of
+   !> computation. When they cannot be written, the message stays as it is.
+   subroutine keep_failed_step(error, settings, path)
+      !> Why the step failed
+      type(error_type), intent(inout) :: error
+      !> Settings in effect
+      type(settings_type), intent(in) :: settings
+      !> Displacements up to the step that failed, mm
+      real(wp), intent(in) :: path(:)
+      type(error_type), allocatable :: late_error
+      type(output_file) :: files(2)
+      type(settings_type) :: own
+      type(text_buffer) :: b
+      integer :: i
+
+      if (error%category /= computation_error) return
+      own = settings
+      call forget(own%of(find_key('record')))
+      own%of(find_key('displacement_column'))%text = 'displacement'
+      associate (history => own%of(find_key('history')))
+         history%has_value = .true.
+         history%text = path_name
+      end associate
+      call b%line('displacement')
+      do i = 1, size(path)
+         call b%line(full_figures(path(i)))
+      end do
+      call open_target(files(1), 'failed step', path_name, late_error)
+      if (.not. allocated(late_error)) call open_target(files(2), 'failed step', case_name, &
+         late_error)
+      if (allocated(late_error)) return
+      files(1)%text = b%text()
+      files(2)%text = '! '//error%message//newline//case_text(own, command_tenon)
+      call write_files(files, late_error)
+      if (.not. allocated(late_error)) error%message = error%message//'; asperity tenon '// &
+         case_name//' replays it'
+   end subroutine keep_failed_step
+
+end module app_tenon_failure

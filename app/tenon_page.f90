@@ -1,0 +1,227 @@
+!> The page that `asperity tenon --report` writes: case, assumptions, tables and pictures in one
+!> file that needs no other and prints well.
+module app_tenon_page
+   use asperity, only: error_type, validity_remark
+   use asperity_text, only: to_text
+   use asperity_version, only: version
+   use app_cli, only: command_line_type
+   use app_effective, only: settled
+   use app_html, only: add_html_table, html_text, split_svg
+   use app_keys, only: belongs, command_tenon, keys, kind_file, n_keys
+   use app_presets, only: faces_text
+   use app_report, only: report_type
+   use app_tenon_words, only: assumptions, cautions, origin_of
+   use app_settings, only: default_settings, settings_type
+   use app_tenon_sketch, only: add_sketch
+   use app_terminal, only: input_text
+   use app_text_buffer, only: text_buffer
+   implicit none
+   private
+   public :: page_script, page_text
+
+contains
+
+   !> Script of all pictures of a page, one SVG document after the other.
+   pure function page_script(report) result(script)
+      !> The report
+      type(report_type), intent(in) :: report
+      character(len=:), allocatable :: script
+      type(text_buffer) :: b
+      integer :: i, j
+
+      call b%add(report%picture_data)
+      do i = 1, size(report%pictures)
+         associate (panels => report%pictures(i)%panels)
+            call b%line('set terminal svg size '//trim(merge('660,420', '960,720', &
+               size(panels) == 1))//" dynamic noenhanced font 'sans-serif,14' name 'p"// &
+               to_text(i)//"'")
+            if (size(panels) > 1) &
+               call b%line('set multiplot layout '//to_text((size(panels) + 1)/2)//',2')
+            do j = 1, size(panels)
+               call b%add(panels(j)%text)
+            end do
+            if (size(panels) > 1) call b%line('unset multiplot')
+         end associate
+      end do
+      script = b%text()
+   end function page_script
+
+   !> The page.
+   pure function page_text(report, pictures) result(text)
+      !> The report
+      type(report_type), intent(in) :: report
+      !> What gnuplot made of `page_script`
+      character(len=*), intent(in) :: pictures
+      character(len=:), allocatable :: text
+      type(text_buffer) :: b
+      integer :: i
+
+      call add_head(b)
+      call b%line('<h1>Tenon joint: hard contact against the rough law</h1>')
+      call b%line('<p class="sub">Faces: '//html_text(faces_text(report%settings))// &
+         '. asperity '//version//'.</p>')
+      call b%line('<h2>Result</h2>')
+      call add_html_table(b, report%summary, 'As Table 5 of the paper: negative loading; yield '// &
+         'moment by equal energy (EEEP), bending stiffness = ultimate moment over the '// &
+         'ultimate rotation; ratios are to hard contact of the same source')
+      call add_list(b, cautions)
+      do i = 1, size(report%more)
+         if (report%more(i)%title == 'Whole programme') &
+            call add_html_table(b, report%more(i)%table, 'Energies and pull-out over the whole '// &
+            'programme; initial stiffness of the negative side')
+      end do
+      call add_remarks(b, report)
+
+      call b%line('<h2>Pictures</h2>')
+      call b%line('<div class="pictures">')
+      do i = 1, size(report%pictures)
+         call b%add('<figure')
+         if (size(report%pictures(i)%panels) > 1) call b%add(' class="wide"')
+         call b%line('>'//split_svg(pictures, i))
+         call b%line('<figcaption>'//html_text(report%pictures(i)%caption)// &
+            '</figcaption></figure>')
+      end do
+      call b%line('</div>')
+
+      call b%line('<h2>Cycles</h2>')
+      do i = 1, size(report%more)
+         if (report%more(i)%title == 'Cycles') call add_html_table(b, report%more(i)%table, &
+            'Every cycle; rotation of its peak, moment on the negative side')
+      end do
+      call b%line('<h2>Case</h2>')
+      call b%line('<figure class="sketch">')
+      call add_sketch(b, report%settings)
+      call b%line('<figcaption>Sizes to scale but for the clearances and the beam. Force, '// &
+         'displacement and rotation are positive upwards, pull-out u out of the mortise.'// &
+         '</figcaption></figure>')
+      call add_case(b, report)
+      call b%line('<h2>Assumptions</h2>')
+      call add_list(b, assumptions)
+      call b%line('<p class="sub">The law, and the figures called the paper''s: Xie, Zhang, '// &
+         'Zhang, Guo, Wu, Normal contact performance of mortise and tenon joint, Journal of '// &
+         'Wood Science 67 (2021), DOI 10.1186/s10086-021-01963-x.</p>')
+      call b%line('</body></html>')
+      text = b%text()
+   end function page_text
+
+   !> Everything before the first heading.
+   pure subroutine add_head(b)
+      type(text_buffer), intent(inout) :: b
+
+      call b%line('<!DOCTYPE html>')
+      call b%line('<html lang="en"><head><meta charset="utf-8">')
+      call b%line('<meta name="viewport" content="width=device-width, initial-scale=1">')
+      call b%line('<title>asperity: tenon joint</title>')
+      call b%line('<style>')
+      call b%line('body { font: 15px/1.45 sans-serif; color: #1a1a1a; background: #fff; '// &
+         'max-width: 1060px; margin: 2em auto; padding: 0 1em }')
+      call b%line('h1 { font-size: 1.6em; margin: 0 } '// &
+         'h2 { font-size: 1.2em; margin: 1.6em 0 .5em; border-bottom: 1px solid #bbb }')
+      call b%line('.sub { color: #555 } .unit { color: #555; font-weight: normal }')
+      call b%line('table { border-collapse: collapse; margin: .8em 0 1.2em; font-size: .9em; '// &
+         'font-variant-numeric: tabular-nums }')
+      call b%line('caption { text-align: left; color: #555; padding-bottom: .3em }')
+      call b%line('th, td { padding: .15em .7em .15em 0; text-align: right; vertical-align: top }')
+      call b%line('th { border-bottom: 1px solid #555; vertical-align: bottom } '// &
+         'tbody tr:nth-child(even) { background: #f4f4f4 }')
+      call b%line('td.text, th:first-child { text-align: left }')
+      call b%line('.case th { text-align: left } '// &
+         '.case td:nth-child(-n+2) { white-space: nowrap } li { margin: .3em 0 }')
+      call b%line('.pictures { display: grid; grid-template-columns: 1fr 1fr; gap: 1em }')
+      call b%line('figure { margin: 0; break-inside: avoid } figure.wide { grid-column: 1 / 3 }')
+      call b%line('figure svg { width: 100%; height: auto } '// &
+         'figcaption { font-size: .9em; color: #333 }')
+      call b%line('.sketch svg { max-width: 800px }')
+      call b%line('@media (max-width: 700px) { .pictures { display: block } }')
+      call b%line('@page { margin: 15mm }')
+      call b%line('@media print { body { font-size: 9.5pt; max-width: none; margin: 0; '// &
+         'padding: 0 } h2 { break-after: avoid } tr, li { break-inside: avoid } '// &
+         'thead { display: table-header-group } }')
+      call b%line('</style></head><body>')
+   end subroutine add_head
+
+   !> A list of sentences.
+   pure subroutine add_list(b, items)
+      type(text_buffer), intent(inout) :: b
+      character(len=*), intent(in) :: items(:)
+      integer :: i
+
+      call b%line('<ul>')
+      do i = 1, size(items)
+         call b%line('<li>'//html_text(trim(items(i)))//'</li>')
+      end do
+      call b%line('</ul>')
+   end subroutine add_list
+
+   !> Limits of the law that are passed, and other warnings.
+   pure subroutine add_remarks(b, report)
+      type(text_buffer), intent(inout) :: b
+      type(report_type), intent(in) :: report
+      integer :: bit, i
+
+      call b%line('<ul>')
+      if (report%validity() == 0) call b%line('<li>No limit of the law is passed.</li>')
+      do bit = 0, bit_size(bit) - 2
+         if (btest(report%validity(), bit)) call b%line('<li>Past a limit of the law: '// &
+            html_text(validity_remark(ibset(0, bit)))//'</li>')
+      end do
+      if (allocated(report%remarks)) then
+         do i = 1, size(report%remarks)
+            call b%line('<li>'//html_text(report%remarks(i)%text)//'</li>')
+         end do
+      end if
+      call b%line('</ul>')
+   end subroutine add_remarks
+
+   !> Every key: value, unit, meaning, and where the value comes from.
+   pure subroutine add_case(b, report)
+      type(text_buffer), intent(inout) :: b
+      type(report_type), intent(in) :: report
+      character(len=:), allocatable :: origin
+      type(settings_type) :: usual
+      integer :: key
+
+      usual = usual_settings()
+      call b%line('<table class="case"><caption>Input; asperity tenon --print-case writes it '// &
+         'as a case file</caption>')
+      call b%line('<thead><tr><th>key</th><th>value</th><th>what it is</th><th>where the value '// &
+         'comes from</th></tr></thead><tbody>')
+      associate (s => report%settings)
+         do key = 1, n_keys
+            if (.not. belongs(key, report%command) .or. keys(key)%kind >= kind_file) cycle
+            if (.not. s%of(key)%has_value) cycle
+            origin = s%of(key)%source
+            ! Who writes a default into a case file has chosen it for the same reason
+            if (origin_of(trim(keys(key)%name)) /= '' .and. &
+                  input_text(s, key) == input_text(usual, key)) then
+               if (origin == 'default') origin = ''
+               if (origin /= '') origin = origin//'; '
+               origin = origin//origin_of(trim(keys(key)%name))
+            end if
+            call b%line('<tr>'//cell(trim(keys(key)%name))// &
+               cell(trim(input_text(s, key)//' '//s%unit_of(key)))// &
+               cell(trim(keys(key)%help))//cell(origin)//'</tr>')
+         end do
+      end associate
+      call b%line('</tbody></table>')
+   end subroutine add_case
+
+   !> Settings of a run without any input.
+   pure function usual_settings() result(settings)
+      type(settings_type) :: settings
+      type(command_line_type) :: line
+      type(error_type), allocatable :: error
+
+      line%command = command_tenon
+      call settled(default_settings(), line, settings, error)
+   end function usual_settings
+
+   !> A cell of text.
+   pure function cell(text) result(html)
+      character(len=*), intent(in) :: text
+      character(len=:), allocatable :: html
+
+      html = '<td class="text">'//html_text(text)//'</td>'
+   end function cell
+
+end module app_tenon_page

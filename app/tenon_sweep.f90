@@ -1,0 +1,142 @@
+!> `asperity tenon --sweep`: both models for every combination of the values of some keys. What is
+!> done is kept in FILE.partial beside the CSV file, line by line, so that a run that was stopped
+!> goes on where it was.
+module app_tenon_sweep
+   use asperity, only: error_type
+   use asperity_error, only: fatal_error
+   use asperity_text, only: to_text
+   use app_cli, only: command_line_type
+   use app_config, only: config_type, new_config
+   use app_effective, only: locate, settled
+   use app_joint, only: hard, joint_type, rough, run_joint
+   use app_progress, only: progress_type
+   use app_report, only: report_type
+   use app_settings, only: settings_type
+   use app_strings, only: string_type
+   use app_sweep, only: axis_type, combinations, new_axes, set_case
+   use app_sweep_file, only: append_case, open_partial, partial_type
+   use app_sweep_table, only: case_result, evaluate, shown_columns, sweep_table
+   use app_tenon_history, only: take_history
+   use replay_tenon_settings, only: tenon_settings
+   implicit none
+   private
+   public :: report_sweep, check_sweep
+
+   !> Outputs of a single run only
+   character(len=*), parameter :: single(*) = [character(len=6) :: 'plot', 'report', 'points']
+
+contains
+
+   !> Refuse outputs that a sweep has not.
+   subroutine check_sweep(line, error)
+      !> The command line
+      type(command_line_type), intent(in) :: line
+      !> Set when there is one
+      type(error_type), allocatable, intent(out) :: error
+      integer :: i
+
+      do i = 1, size(single)
+         if (.not. line%options%given(trim(single(i)))) cycle
+         call fatal_error(error, '--'//trim(single(i))//': is for one run, not for --sweep')
+         return
+      end do
+   end subroutine check_sweep
+
+   !> Run all combinations. A combination that fails says so in its row. `error` is set when the
+   !> sweep itself is faulty or its partial file cannot be used.
+   subroutine report_sweep(line, base, report, partial, error)
+      !> Command line
+      type(command_line_type), intent(in) :: line
+      !> Defaults and case file
+      type(settings_type), intent(in) :: base
+      !> Its table is set
+      type(report_type), intent(inout) :: report
+      !> To be closed when the results are delivered
+      type(partial_type), intent(out) :: partial
+      !> Set on failure
+      type(error_type), allocatable, intent(out) :: error
+      type(axis_type), allocatable :: axes(:)
+      type(case_result), allocatable :: results(:)
+      integer, allocatable :: todo(:)
+      type(tenon_settings) :: history
+      type(progress_type) :: progress
+      integer :: i, n, done
+
+      call new_axes(axes, line%options%text_of('sweep'), line%command, error)
+      if (allocated(error)) return
+      call take_history(history, report%settings, error)
+      if (allocated(error)) return
+      n = combinations(axes)
+      allocate (results(n))
+      call open_partial(partial, line, report%settings, axes, results, error)
+      if (allocated(error)) return
+      todo = pack([(i, i=1, n)], .not. results%done)
+      if (size(todo) < n) report%remarks = [string_type(to_text(n - size(todo))//' of '// &
+         to_text(n)//' cases were taken from '//partial%path)]
+
+      call progress%start('tenon --sweep')
+      done = n - size(todo)
+      !$omp parallel do schedule(dynamic) default(shared) private(i)
+      do i = 1, size(todo)
+         call run_case(line, base, axes, history, todo(i), results(todo(i)))
+         !$omp critical (asperity_sweep)
+         done = done + 1
+         if (.not. allocated(error)) call append_case(partial, axes, results, todo(i), error)
+         call progress%show(done, n, 'cases')
+         !$omp end critical (asperity_sweep)
+      end do
+      !$omp end parallel do
+      call progress%finish()
+      if (allocated(error)) return
+
+      report%table = sweep_table(axes, results, [(i, i=1, n)])
+      call report%table%check_finite(error)
+      call shown_columns(axes, report%shown_columns)
+      report%first_rows = [1, n + 1]
+      allocate (report%important(n), source=.true.)
+   end subroutine report_sweep
+
+   !> Run one combination. Texts have static parts in some compilers, so that threads take turns
+   !> with them.
+   subroutine run_case(line, base, axes, history, which, result)
+      type(command_line_type), intent(in) :: line
+      type(settings_type), intent(in) :: base
+      type(axis_type), intent(in) :: axes(:)
+      type(tenon_settings), intent(in) :: history
+      integer, intent(in) :: which
+      type(case_result), intent(inout) :: result
+      type(config_type) :: config
+      type(joint_type) :: joints(2)
+      type(error_type), allocatable :: error
+
+      !$omp critical (asperity_sweep)
+      call prepare_case(line, base, axes, which, config, error)
+      if (allocated(history%displacement)) config%tenon%displacement = history%displacement
+      !$omp end critical (asperity_sweep)
+      if (.not. allocated(error)) call run_joint(config, hard, joints(hard), error)
+      if (.not. allocated(error)) call run_joint(config, rough, joints(rough), error)
+      !$omp critical (asperity_sweep)
+      call evaluate(joints, error, result)
+      !$omp end critical (asperity_sweep)
+   end subroutine run_case
+
+   !> Settings of one combination.
+   subroutine prepare_case(line, base, axes, which, config, error)
+      type(command_line_type), intent(in) :: line
+      type(settings_type), intent(in) :: base
+      type(axis_type), intent(in) :: axes(:)
+      integer, intent(in) :: which
+      type(config_type), intent(out) :: config
+      type(error_type), allocatable, intent(out) :: error
+      type(command_line_type) :: own
+      type(settings_type) :: settings
+      integer :: chosen(size(axes))
+
+      own = line
+      call set_case(own%options, axes, which, chosen)
+      call settled(base, own, settings, error)
+      if (.not. allocated(error)) call new_config(config, settings, line%command, error)
+      if (allocated(error)) call locate(error, settings)
+   end subroutine prepare_case
+
+end module app_tenon_sweep

@@ -1,0 +1,250 @@
+# asperity tenon: the cyclic joint under both contact models. What the model itself must fulfil is
+# tested in the library; here it is what the command makes of it
+
+# Few points, as checked builds are slow; two amplitudes up to yield
+small=(--amplitudes 4,24 --face-points 40 --side-points 4 --displacement-increment 2)
+header=model,step,cycle,displacement,rotation,force,moment,pull_out,vertical,axial_force,work,\
+contact_work,axial_work,holding_work,stored,friction,plastic,elastic_slip,edge,normal_upper,\
+normal_lower,normal_side_1,normal_side_2,normal_upper_shoulder,normal_lower_shoulder,\
+friction_upper,friction_lower,friction_side_1,friction_side_2,friction_upper_shoulder,\
+friction_lower_shoulder,iterations,halvings,validity
+run tenon "${small[@]}" --csv t.csv --json t.json --points t_points.csv
+check 'tenon' is_quiet
+check 'tenon: columns' test "$(head -n 1 t.csv)" = "$header"
+# to 4, -4, 0, 24, -24, 0 mm in steps of 2 mm: 2 + 4 + 2 + 12 + 24 + 12 steps and rest, twice
+check 'tenon: rows' test "$(rows t.csv)" -eq 114
+check 'tenon: JSON holds the same figures' same_csv_and_json t.csv t.json
+check 'tenon: no NaN, no infinity' lacks t.json '[Nn]a[Nn]|[Ii]nf'
+check 'tenon: rotation over arm, moment' csv t.csv '
+   if (far(c["rotation"]*500, c["displacement"], 1e-12)) fail("rotation")
+   if (far(c["force"]*500, c["moment"], 1e-12)) fail("moment")'
+check 'tenon: both models take the same way' sh -c '
+   sed -n "s/^hard,//p" t.csv | cut -d, -f1-4 >hard; sed -n "s/^rough,//p" t.csv | cut -d, -f1-4 >rough
+   test "$(wc -l <hard)" -eq 57 && cmp hard rough'
+check 'tenon: friction of the faces adds up' csv t.csv '
+   sum = c["friction_upper"] + c["friction_lower"] + c["friction_side_1"] + c["friction_side_2"] \
+      + c["friction_upper_shoulder"] + c["friction_lower_shoulder"]
+   if (far(sum, c["friction"], 1e-10)) fail(sum " not " c["friction"])'
+check 'tenon: dissipation never falls' csv t.csv '
+   if (c["model"] == before["model"] && (c["friction"] < before["friction"] \
+      || c["plastic"] < before["plastic"])) fail("falls")'
+check 'tenon: the joint yields' csv t.csv \
+   'p = max(p, c["plastic"]); if (NR == 115 && !(p > 1000)) fail("no yield")'
+check 'tenon: faces only press' csv t.csv '
+   if (c["normal_upper"] < 0 || c["normal_lower"] < 0) fail("pull")'
+
+# Table 5 beside ours
+check 'tenon: published figures' \
+   sh -c 'grep -q "^  test, paper  *-19.56  1.221  *-22.14  *1.236  *181.06  *1.173" out \
+      && grep -q "^  hard contact, paper (OC-FEM)  *-16.02  *1.000  *-17.91 .* 154.39 " out \
+      && grep -q "^  rough law, paper (VC-FEM)  *-18.03  *1.125  *-19.84  *1.108  *163.82  *1.061" out'
+least=$(csv t.csv 'if (c["model"] == "hard" && c["moment"] < least) least = c["moment"]
+   if (NR == 115) printf "%.2f", least/1e6')
+check 'tenon: ultimate moment is the least of all' \
+   grep -q "^  hard contact, this model .* $least  *1.000 " out
+check 'tenon: it says that it is a prediction' has out 'A prediction from chosen sizes'
+member() { sed -n "/^\"$1\"/,/^}/p" t.json | sed -n "s/^\"$2\": \[\(.*\)\].*/\1/p"; }
+check 'tenon: ratios are to hard contact' awk -v a="$(member summary ultimate_moment)" \
+   -v b="$(member summary ultimate_to_hard)" 'BEGIN { split(a, m, ","); split(b, r, ",")
+      exit !(r[4] == 1 && (m[5]/m[4] - r[5])^2 < 1e-24 && (r[3] - 19.84/17.91)^2 < 1e-12) }'
+check 'tenon: energy of the cycles is the area of the loops' awk -F, -v w="$(member cycles energy_hard)" '
+   NR > 1 && $1 == "hard" { if (n++) e += 0.5*($7 + m)*($5 - t)/1e6; t = $5; m = $7 }
+   END { split(w, x, ","); d = x[1] + x[2] - e; exit d*d > 1e-20*e*e }' t.csv
+
+# Contact points, at the steps chosen and at those asked for
+check 'tenon: points of four steps' \
+   sh -c 'test "$(cut -d, -f1-3 t_points.csv | sed 1d | sort -u | wc -l)" -eq 8'
+check 'tenon: the peaks are among them' sh -c '
+   for x in 2.4 -2.4; do grep -q "^rough,[0-9]*,${x}0*E+001,upper,1," t_points.csv || exit 1; done'
+check 'tenon: open points carry nothing' csv t_points.csv '
+   # the rough law opens below 2.8e-7 MPa, closes above twice that
+   if (c["status"] == "open" ? c["pressure"] > 6e-7 : c["pressure"] < 2e-7) fail(c["status"] " " c["pressure"])'
+check 'tenon: friction is within mu p' csv t_points.csv '
+   t = sqrt(c["shear_1"]^2 + c["shear_2"]^2); if (t > 0.5*c["pressure"]*(1 + 1e-9)) fail(t)'
+run tenon "${small[@]}" --record 3,20 --points - --csv t2.csv
+check 'tenon: points of steps asked for' \
+   sh -c 'test "$(cut -d, -f2 out | sed 1d | sort -n -u | tr "\n" " ")" = "3 20 "'
+check 'tenon: which changes no result' cmp t.csv t2.csv
+
+# A recorded history, and the programme as one, are the same joint
+csv_column t.csv displacement | sed -n '2,57p' | sed '1i displacement\nmm' >way.csv
+run tenon "${small[@]}" --history way.csv --csv t3.csv
+check 'tenon: a history' test "$status" -eq 0
+check 'tenon: a history gives the same forces' \
+   sh -c 'cut -d, -f1,2,4-31 t.csv >a; cut -d, -f1,2,4-31 t3.csv >b; cmp a b'
+
+run tenon "${small[@]}" --through uinter --csv t4.csv
+check 'tenon: through UINTER' test "$status" -eq 0
+# The compiled law is within 1e-10; a joint amplifies that little
+check 'tenon: through UINTER it is the same joint' sh -c '
+   cut -d, -f1,7 t.csv >a; cut -d, -f7 t4.csv | paste -d, a - | awk -F, "NR > 1 {
+      d = \$2 - \$3; if (d*d > 1e4) { print; exit 1 } }"'
+
+# Warnings and failures
+run tenon --axial-rule free --side-pressure 0.05 --amplitudes 24 --cycles 10 --face-points 40 \
+   --displacement-increment 2
+check 'tenon: pull-out beyond a quarter is warned of' \
+   has out 'more than a quarter of its length'
+run tenon --axial-rule free --side-pressure 0 --amplitudes 24 --cycles 30 --face-points 40 \
+   --displacement-increment 2 --csv never.csv
+check 'tenon: pull-out beyond a half is an error of its step' is_refused 1 \
+   'step [0-9]+, displacement .* more than half its length.*asperity tenon failed_step.nml replays it'
+cp err first_err
+check 'tenon: no results then' absent never.csv
+run tenon failed_step.nml
+check 'tenon: the step that failed fails again' sh -c '
+   sed "s/; asperity tenon.*//" first_err >a; sed "s/; asperity tenon.*//" err >b; cmp a b'
+rm -f failed_step.*
+
+refuses 'tenon: no length' 2 '--length: length = 0.0 is not allowed' tenon --length 0
+refuses 'tenon: negative width' 2 '--width: width = -1.0 is not' tenon --width -1
+refuses 'tenon: negative clearance' 2 '--clearance: clearance_above = -1.0 mm is not' \
+   tenon --clearance -1
+refuses 'tenon: arm inside the column' 2 '--arm: arm = 100.0 mm .* inside the column' \
+   tenon --arm 100 --arm-datum column_axis
+refuses 'tenon: force on an open joint' 2 '--axial-force: axial_force = 9.0 N has no equilibrium' \
+   tenon --axial-rule force --axial-force 9 --side-pressure 0
+refuses 'tenon: force of another rule' 2 '--axial-force: axial_force needs axial_rule = force' \
+   tenon --axial-force 9
+refuses 'tenon: amplitude zero' 2 '--amplitudes: amplitudes = 0.0 is not' tenon --amplitudes 0,1
+refuses 'tenon: amplitudes out of order' 2 '--amplitudes: .* out of order' tenon --amplitudes 2,1
+refuses 'tenon: cycles of other amplitudes' 2 '--cycles: cycles has 1 entries' \
+   tenon --amplitudes 1,2 --cycles 3
+refuses 'tenon: half a cycle' 2 '--cycles: cycles = 1.5 is not allowed: whole' \
+   tenon --amplitudes 1 --cycles 1.5
+refuses 'tenon: no cycle' 2 '--cycles: cycles = 0 is not allowed' tenon --amplitudes 1 --cycles 0
+refuses 'tenon: no points' 2 '--face-points: face_points = 0.0 is not' tenon --face-points 0
+refuses 'tenon: unknown side pair' 2 "--side-pair: side_pair = 'foo' is unknown" \
+   tenon --side-pair foo
+refuses 'tenon: negative friction of the sides' 2 '--side-friction: side_friction = -1.0 is not' \
+   tenon --side-friction -1
+refuses 'tenon: no elastic slip of the sides' 2 '--side-critical-slip: side_critical_slip = 0.0' \
+   tenon --side-critical-slip 0
+refuses 'tenon: unknown rule' 2 "--axial-rule: .* is unknown; known: spring, fixed" \
+   tenon --axial-rule loose
+refuses 'tenon: step that is not there' 2 '--record: record = 999 is not allowed: the programme' \
+   tenon "${small[@]}" --record 9,999
+refuses 'tenon: steps out of order' 2 '--record: record = 3 is out of order' tenon --record 9,3
+refuses 'tenon: history is missing' 3 'no.csv: cannot be read: No such file' \
+   tenon --history no.csv
+sed '5s/.*/abc/' way.csv >bad.csv
+refuses 'tenon: history with text' 2 'bad.csv:5: .*abc.* is not a finite number' \
+   tenon --history bad.csv
+sed '5s/.*/700/' way.csv >bad.csv
+refuses 'tenon: history too far' 2 'bad.csv: displacement = 700.0 mm is not' tenon --history bad.csv
+refuses 'tenon: history without that column' 2 "way.csv:1: there is no column 'drift'" \
+   tenon --history way.csv --displacement-column drift
+
+# An interrupt leaves nothing; a programme of 1e5 steps takes minutes
+timeout -s INT 1 "$program" tenon --displacement-increment 0.016 --csv int.csv --points int_p.csv \
+   >out 2>err
+status=$?
+check 'tenon: interrupt ends the program' test "$status" -eq 124
+check 'tenon: interrupt leaves no file' sh -c '! ls int* failed_step* 2>/dev/null'
+
+# Sweeps
+sweep=(--sweep friction-coefficient=0.3:0.5:2 --sweep gap=mean_plane,first_touch)
+run tenon "${small[@]}" "${sweep[@]}" --csv sweep.csv
+check 'sweep' is_quiet
+check 'sweep: a row for each combination' test "$(rows sweep.csv)" -eq 4
+check 'sweep: columns' sh -c 'head -n 1 sweep.csv | grep -q "^case,friction_coefficient,gap,yield_moment_hard,"'
+check 'sweep: ratio' csv sweep.csv '
+   if (c["outcome"] != "done") fail(c["outcome"])
+   if (far(c["ultimate_moment_rough"]/c["ultimate_moment_hard"], c["ultimate_moment_ratio"], 1e-14)) fail("ratio")'
+check 'sweep: no partial file stays' absent sweep.csv.partial
+run tenon "${small[@]}" --friction-coefficient 0.5 --gap first_touch --json one.json
+check 'sweep: a row is the run of its own' awk -F, -v a="$(sed -n '/^"summary"/,/^}/p' one.json \
+   | sed -n 's/^"ultimate_moment": \[\(.*\)\].*/\1/p')" '
+   NR == 5 { split(a, m, ", "); exit !(m[4] == $5 && m[5] == $12) }' sweep.csv
+OMP_NUM_THREADS=1 run tenon "${small[@]}" "${sweep[@]}" --csv serial.csv
+check 'sweep: threads change nothing' cmp sweep.csv serial.csv
+# What a killed run leaves: the head, some rows in any order, and a piece of one
+run tenon "${small[@]}" "${sweep[@]}" --csv keep.csv
+"$program" tenon "${small[@]}" "${sweep[@]}" --csv again.csv >/dev/null 2>&1 &
+other=$!
+for i in $(seq 200); do
+   [ "$(grep -c '^[0-9]' again.csv.partial 2>/dev/null)" -ge 2 ] 2>/dev/null && break
+   sleep 0.02
+done
+kill -KILL "$other" 2>/dev/null
+wait "$other" 2>/dev/null
+if [ -e again.csv.partial ]; then
+   check 'sweep: a killed run leaves no result' absent again.csv
+   printf '3,5.0000' >>again.csv.partial
+   run tenon "${small[@]}" --sweep gap=mean_plane,first_touch --csv again.csv
+   check 'sweep: the partial file of another sweep' is_refused 2 \
+      'again.csv.partial: is of another sweep; remove it'
+   cp again.csv.partial kept.partial
+   run tenon "${small[@]}" "${sweep[@]}" --csv again.csv
+   check 'sweep: it goes on' grep -q '^[1-4] of 4 cases were taken from again.csv.partial' out
+   check 'sweep: to the same results' cmp sweep.csv again.csv
+   check 'sweep: and its partial file is gone' absent again.csv.partial
+else
+   skip 'sweep: restart' 'the run was over before it could be killed'
+fi
+run tenon "${small[@]}" --sweep clearance=0.2,-1,0.4 --csv some.csv
+check 'sweep: a case that fails says so in its row' sh -c '
+   test "$(wc -l <some.csv)" -eq 4 && sed -n 3p some.csv | grep -q "clearance_above = -1.0 mm is not" \
+      && sed -n 4p some.csv | grep -q ",done$"'
+refuses 'sweep: unknown key' 2 "--sweep: unknown key 'clearnce'; did you mean clearance" \
+   tenon --sweep clearnce=0,1
+refuses 'sweep: a list' 2 '--sweep: amplitudes cannot be swept' tenon --sweep amplitudes=1,2
+refuses 'sweep: no values' 2 '--sweep: the list is empty' tenon --sweep clearance=
+refuses 'sweep: no name' 2 "--sweep: 'clearance' is not NAME=values" tenon --sweep clearance
+refuses 'sweep: text for a number' 2 "--sweep clearance=a: clearance = 'a' is not a finite" \
+   tenon --sweep clearance=a
+refuses 'sweep: an unknown choice' 2 "--sweep gap=x: gap = 'x' is unknown" tenon --sweep gap=x
+refuses 'sweep: a fraction of a point' 2 '--sweep face_points=1.5: .* not a whole number' \
+   tenon --sweep face-points=1:2:3
+refuses 'sweep: twice the same' 2 '--sweep: clearance is swept twice' \
+   tenon --sweep clearance=0,1 --sweep clearance=2,3
+refuses 'sweep: too many' 2 '--sweep: more than 100000 combinations' \
+   tenon --sweep clearance=0:1:1000 --sweep length=200:300:1000
+refuses 'sweep: no picture' 2 '--plot: is for one run, not for --sweep' \
+   tenon --sweep clearance=0,1 --plot x.svg
+
+# The page and the sheet of pictures
+refuses 'report on standard output' 2 '--report: - must end in .html' tenon --report -
+refuses 'report of another kind' 2 '--report: x.pdf must end in .html' tenon --report x.pdf
+if command -v gnuplot >/dev/null; then
+   run tenon "${small[@]}" --report r.html --plot r.svg --csv r.csv
+   check 'report' is_quiet
+   check 'report: complete' sh -c 'tail -n 1 r.html | grep -q "^</body></html>$" && head -n 1 r.html | grep -q "^<!DOCTYPE html>"'
+   check 'report: all pictures' test "$(grep -c '</svg>' r.html)" -eq 10
+   check 'report: every picture draws' sh -c 'test "$(grep -c "title>" r.html)" -gt 30'
+   # names of namespaces are no addresses that anything loads
+   check 'report: needs nothing else' sh -c '
+      ! sed "s/xmlns[:a-z]*=\"[^\"]*\"//g" r.html | grep -E "https?://|src=|@import|url\([^#]|<script|<link"'
+   check 'report: no name twice' sh -c \
+      'test -z "$(grep -o " id=[\"'"'"'][^\"'"'"']*[\"'"'"']" r.html | sort | uniq -d)"'
+   check 'report: published and computed figures' sh -c 'grep -q ">-17.91<" r.html && grep -q "rough law, this model" r.html'
+   check 'report: what was chosen' has r.html 'chosen: '
+   check 'report: what cannot be compared' has r.html 'cannot be compared with Table 5'
+   if command -v python3 >/dev/null; then
+      check 'report: elements are closed' python3 -c '
+import html.parser, sys
+class Page(html.parser.HTMLParser):
+    open = []
+    def handle_starttag(self, tag, attributes):
+        if tag not in ("meta", "br"): self.open.append(tag)
+    def handle_endtag(self, tag):
+        if self.open.pop() != tag: sys.exit("not closed before " + tag)
+page = Page()
+page.feed(open("r.html", encoding="utf-8").read())
+sys.exit(str(page.open) if page.open else 0)'
+   fi
+   check 'sheet: SVG' sh -c "tail -n 3 r.svg | grep -q '^</svg>'"
+   run tenon "${small[@]}" --plot r.png
+   check 'sheet: PNG' sh -c 'head -c 4 r.png | grep -q PNG'
+   check 'report: no temporary file stays' sh -c '! ls *.part 2>/dev/null'
+   refuses 'report of a joint that touches nothing' 2 \
+      '--amplitudes: amplitudes up to 0.3 mm .* within its clearance: hard contact carries no' \
+      tenon --amplitudes 0.3 --side-pressure 0 --report gone.html
+   mkdir taken.csv
+   refuses 'report beside an output that fails' 3 '--csv: taken.csv cannot be written' \
+      tenon "${small[@]}" --report gone.html --csv taken.csv
+   check 'report: not written then' absent gone.html
+   rmdir taken.csv
+else
+   skip 'report' 'no gnuplot'
+fi
