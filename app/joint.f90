@@ -1,5 +1,6 @@
 !> One tenon joint under hard contact or under the rough law: the replay and what follows from it.
 module app_joint
+   use, intrinsic :: iso_fortran_env, only: int64
    use asperity, only: error_type, wp
    use asperity_error, only: fatal_error
    use asperity_text, only: to_text
@@ -33,6 +34,8 @@ module app_joint
       type(tenon_point), allocatable :: points(:)
       !> Analysis of moment, kN m, against rotation, rad; samples are steps from 1
       type(hysteresis_result) :: loops
+      !> Time of the replay, s
+      real(wp) :: seconds = 0.0_wp
    end type joint_type
 
 contains
@@ -53,7 +56,9 @@ contains
       procedure(tenon_progress), optional :: shown
       type(tenon_settings) :: settings
       type(hysteresis_settings) :: analysis
+      integer(int64) :: began, ended, rate
 
+      call system_clock(began, rate)
       joint%model = model
       settings = config%tenon
       settings%contact = model_names(model)
@@ -67,6 +72,8 @@ contains
             progress=shown)
       end if
       if (allocated(error)) return
+      call system_clock(ended)
+      joint%seconds = real(ended - began, wp)/real(rate, wp)
       if (.not. any(abs(joint%steps%moment) > 0.0_wp)) then
          call fatal_error(error, 'amplitudes up to '// &
             to_text(maxval(abs(joint%steps%displacement)))//' mm move the joint within its '// &

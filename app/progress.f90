@@ -3,10 +3,11 @@ module app_progress
    use, intrinsic :: iso_fortran_env, only: int64
    use asperity, only: wp
    use asperity_text, only: to_text
+   use app_strings, only: newline
    use app_system, only: is_terminal, standard_error, write_text
    implicit none
    private
-   public :: progress_type, show_steps, clear_steps
+   public :: progress_type, show_steps, clear_steps, tell_terminal
 
    real(wp), parameter :: patience = 1.0_wp
    !> A run of this many increments takes over a second
@@ -97,6 +98,16 @@ contains
       if (is_terminal(standard_error)) call write_text(standard_error, line_start//clear_line, &
          reason)
    end subroutine clear_steps
+
+   !> Tell a terminal what is no result, such as a time.
+   subroutine tell_terminal(what)
+      !> What to say
+      character(len=*), intent(in) :: what
+      character(len=:), allocatable :: reason
+
+      if (is_terminal(standard_error)) &
+         call write_text(standard_error, 'asperity '//what//newline, reason)
+   end subroutine tell_terminal
 
    !> Clear the line.
    subroutine finish(self)

@@ -6,7 +6,7 @@ module app_tenon
    use replay_tenon_programme, only: tenon_programme
    use app_config, only: config_type
    use app_joint, only: hard, joint_type, rough, run_joint, steps_to_record
-   use app_progress, only: clear_steps, show_steps
+   use app_progress, only: clear_steps, show_steps, tell_terminal
    use app_report, only: named_table, report_type, turning_points
    use app_strings, only: string_type
    use app_tenon_failure, only: keep_failed_step
@@ -51,6 +51,7 @@ contains
          call keep_failure(path, joints, report, error)
          return
       end if
+      call tell_times(config, joints)
 
       report%table = steps_table(joints)
       call report%table%check_finite(error)
@@ -71,6 +72,28 @@ contains
             turning_points((joints(rough)%steps%displacement))]
       end associate
    end subroutine report_tenon
+
+   !> Times of both replays, and of one point in one evaluation of the equilibrium.
+   subroutine tell_times(config, joints)
+      type(config_type), intent(in) :: config
+      type(joint_type), intent(in) :: joints(:)
+      character(len=:), allocatable :: text
+      real(wp) :: updates
+      integer :: points, i
+
+      associate (t => config%tenon)
+         points = 2*t%points
+         if (t%side_pressure > 0.0_wp) points = points + t%side_points**2
+         if (t%shoulders) points = points + 2*t%shoulder_points
+      end associate
+      text = 'tenon:'
+      do i = 1, size(joints)
+         updates = real(points, wp)*sum(joints(i)%steps%iterations)
+         text = text//' '//trim(legends(i))//' '//to_text(joints(i)%seconds, 2)//' s, '// &
+            to_text(1.0e9_wp*joints(i)%seconds/max(updates, 1.0_wp), 2)//' ns a point update;'
+      end do
+      call tell_terminal(text(:len(text) - 1))
+   end subroutine tell_times
 
    !> Keep what replays the step that failed.
    subroutine keep_failure(path, joints, report, error)
