@@ -141,12 +141,12 @@ contains
          if (turn <= size(result%turning_points)) then
             if (result%turning_points(turn) == i) then
                turn = turn + 1
-               call add_numbers(b, [displacement(i), force(i)])
+               call b%numbers([displacement(i), force(i)])
                cycle
             end if
          end if
          if (modulo(i - 1, step) == 0 .or. i == size(force)) &
-            call add_numbers(b, [displacement(i), force(i)])
+            call b%numbers([displacement(i), force(i)])
       end do
       call b%line('EOD')
    end subroutine add_record
@@ -160,18 +160,18 @@ contains
       call b%line('$skeleton << EOD')
       associate (n => result%skeleton(negative_side), p => result%skeleton(positive_side))
          do i = size(n%force), 1, -1
-            call add_numbers(b, [n%displacement(i), n%force(i)])
+            call b%numbers([n%displacement(i), n%force(i)])
          end do
-         call add_numbers(b, [0.0_wp, 0.0_wp])
+         call b%numbers([0.0_wp, 0.0_wp])
          do i = 1, size(p%force)
-            call add_numbers(b, [p%displacement(i), p%force(i)])
+            call b%numbers([p%displacement(i), p%force(i)])
          end do
       end associate
       call b%line('EOD')
       call b%line('$points << EOD')
       do i = positive_side, negative_side
          associate (s => result%skeleton(i))
-            call add_numbers(b, [s%yield_displacement, s%yield_force, s%ultimate_displacement, &
+            call b%numbers([s%yield_displacement, s%yield_force, s%ultimate_displacement, &
                s%ultimate_force])
          end associate
       end do
@@ -190,26 +190,11 @@ contains
          associate (c => result%cycles(i))
             there = c%peak > 0
             call b%add(to_text(i))
-            call add_numbers(b, [sum(abs(c%displacement), mask=there)/max(1, count(there)), &
+            call b%numbers([sum(abs(c%displacement), mask=there)/max(1, count(there)), &
                c%secant_stiffness, c%energy, c%cumulative_energy, c%damping, c%pinching])
          end associate
       end do
       call b%line('EOD')
    end subroutine add_cycles
-
-   !> A line of numbers, those not known as NaN.
-   pure subroutine add_numbers(b, values)
-      type(text_buffer), intent(inout) :: b
-      real(wp), intent(in) :: values(:)
-      character(len=17) :: number
-      integer :: i
-
-      do i = 1, size(values)
-         number = ' NaN'
-         if (values(i) < not_known) write (number, '(es17.8e3)') values(i)
-         call b%add(number)
-      end do
-      call b%line()
-   end subroutine add_numbers
 
 end module app_hysteresis_plot

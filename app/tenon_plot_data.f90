@@ -28,7 +28,7 @@ contains
       stride = 1 + ubound(joint%steps, 1)/most_points
       call start_block(b, joint, 'all')
       do i = 0, ubound(joint%steps, 1), stride
-         call add_row(b, [joint%steps(i)%rotation, kilo*joint%steps(i)%moment])
+         call b%numbers([joint%steps(i)%rotation, kilo*joint%steps(i)%moment])
       end do
       call b%line('EOD')
       call start_block(b, joint, 'loop')
@@ -36,7 +36,7 @@ contains
          ! sample 1 is step 0
          do i = cycle%first - 1, cycle%last - 1, stride
             associate (s => joint%steps(i))
-               call add_row(b, [s%rotation, kilo*s%moment, 1.0e-3_wp*s%face_normal(1), s%pull_out])
+               call b%numbers([s%rotation, kilo*s%moment, 1.0e-3_wp*s%face_normal(1), s%pull_out])
             end associate
          end do
       end associate
@@ -54,11 +54,11 @@ contains
       call start_block(b, joint, 'skeleton')
       associate (up => joint%loops%skeleton(1), down => joint%loops%skeleton(2))
          do i = size(down%force), 1, -1
-            call add_row(b, [down%displacement(i), down%force(i)])
+            call b%numbers([down%displacement(i), down%force(i)])
          end do
-         call add_row(b, [0.0_wp, 0.0_wp])
+         call b%numbers([0.0_wp, 0.0_wp])
          do i = 1, size(up%force)
-            call add_row(b, [up%displacement(i), up%force(i)])
+            call b%numbers([up%displacement(i), up%force(i)])
          end do
       end associate
       call b%line('EOD')
@@ -66,7 +66,7 @@ contains
       do i = 1, 2
          associate (skeleton => joint%loops%skeleton(i))
             if (skeleton%yield_force < not_known) &
-               call add_row(b, [skeleton%yield_displacement, skeleton%yield_force])
+               call b%numbers([skeleton%yield_displacement, skeleton%yield_force])
          end associate
       end do
       ! gnuplot refuses a block without any point
@@ -87,7 +87,7 @@ contains
       do i = 1, size(joint%loops%cycles)
          associate (cycle => joint%loops%cycles(i))
             if (all(cycle%peak == 0)) cycle
-            call add_row(b, [maxval(abs(cycle%displacement), mask=cycle%peak > 0), real(i, wp), &
+            call b%numbers([maxval(abs(cycle%displacement), mask=cycle%peak > 0), real(i, wp), &
                cycle%secant_stiffness, cycle%cumulative_energy, &
                kilo*joint%steps(cycle%last - 1)%friction])
          end associate
@@ -115,7 +115,7 @@ contains
                state = 1
                if (p%status == status_stick) state = 2
                if (p%status == status_slip) state = 3
-               call add_row(b, [p%x, merge(p%pressure, -p%pressure, p%face == 1), &
+               call b%numbers([p%x, merge(p%pressure, -p%pressure, p%face == 1), &
                   real(state, wp)])
             end associate
          end do
@@ -156,20 +156,5 @@ contains
 
       call b%line('$'//trim(model_names(joint%model))//'_'//what//' << EOD')
    end subroutine start_block
-
-   !> One row; what is not known is NaN.
-   subroutine add_row(b, values)
-      type(text_buffer), intent(inout) :: b
-      real(wp), intent(in) :: values(:)
-      character(len=17) :: number
-      integer :: i
-
-      do i = 1, size(values)
-         number = ' NaN'
-         if (values(i) < not_known) write (number, '(es17.8e3)') values(i)
-         call b%add(number)
-      end do
-      call b%line()
-   end subroutine add_row
 
 end module app_tenon_plot_data

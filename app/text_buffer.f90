@@ -1,6 +1,7 @@
 !> A text that grows: adding to it costs time in proportion to what is added.
 module app_text_buffer
    use, intrinsic :: iso_fortran_env, only: int64
+   use asperity, only: wp
    use app_strings, only: newline
    implicit none
    private
@@ -16,6 +17,8 @@ module app_text_buffer
       procedure :: add
       !> Append text and a line break
       procedure :: line
+      !> Append a line of numbers for gnuplot
+      procedure :: numbers
       !> The text so far
       procedure :: text => built_text
    end type text_buffer
@@ -56,6 +59,23 @@ contains
       if (present(text)) call self%add(text)
       call self%add(newline)
    end subroutine line
+
+   !> Append a line of numbers for gnuplot; huge(1.0_wp), which stands for none, becomes NaN.
+   pure subroutine numbers(self, values)
+      !> The buffer
+      class(text_buffer), intent(inout) :: self
+      !> The numbers
+      real(wp), intent(in) :: values(:)
+      character(len=17) :: number
+      integer :: i
+
+      do i = 1, size(values)
+         number = ' NaN'
+         if (values(i) < huge(1.0_wp)) write (number, '(es17.8e3)') values(i)
+         call self%add(number)
+      end do
+      call self%line()
+   end subroutine numbers
 
    !> The text so far.
    pure function built_text(self) result(text)

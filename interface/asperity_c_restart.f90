@@ -1,6 +1,5 @@
 !> C interface: the state of one point, for a restart. See asperity.h for what each function does.
 module asperity_c_restart
-   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use, intrinsic :: iso_c_binding, only: c_f_pointer, c_int, c_ptr
    use asperity, only: contact_state, contact_states, error_type, get_contact_state, &
       set_contact_state, status_slip, status_unset, wp
@@ -8,6 +7,7 @@ module asperity_c_restart
    use asperity_c_states, only: states_of
    use asperity_c_types, only: code_input, code_length, error_struct, state_struct
    use asperity_error, only: fatal_error
+   use asperity_finite, only: is_finite
    use asperity_text, only: to_text
    use asperity_validity, only: all_flags, valid
    implicit none
@@ -121,7 +121,7 @@ contains
       real(wp), intent(in) :: value, largest
 
       if (allocated(problem)) return
-      if (ieee_is_finite(value)) then
+      if (is_finite(value)) then
          if (abs(value) <= largest) return
       end if
       call fatal_error(problem, name//' = '//to_text(value)//' of the state is not allowed: '// &

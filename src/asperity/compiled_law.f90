@@ -178,13 +178,22 @@ contains
       !> `valid`, or flags (see `asperity_validity`)
       integer, intent(out), optional :: validity
       real(wp) :: found(2)
+      integer :: column
 
+      if (present(area_fraction) .or. present(contact_density) .or. present(energy) &
+            .or. present(validity)) then
+         column = column_at(separation*law%inverse_sigma)
+         if (column == outside) then
+            call fill(evaluate_normal_law(law%properties, separation), pressure, stiffness, &
+               area_fraction, contact_density, energy, validity)
+            return
+         end if
+         call evaluate_rest(law, separation*law%inverse_sigma, column, area_fraction, &
+            contact_density, energy, validity)
+      end if
       call evaluate_all(law, 1, [separation], found(1:1), found(2:2))
       pressure = found(1)
       stiffness = found(2)
-      if (present(area_fraction) .or. present(contact_density) .or. present(energy) &
-         .or. present(validity)) call evaluate_rest(law, separation, area_fraction, &
-         contact_density, energy, validity)
    end subroutine evaluate_point
 
    !> At many separations: pressures and stiffnesses only.
@@ -271,36 +280,43 @@ contains
       type(compiled_law), intent(in) :: law
       real(wp), intent(in) :: separation
       real(wp), intent(out) :: pressure, stiffness
-      type(normal_response) :: direct
 
-      ! what is not a number is not far out
-      if (.not. separation*law%inverse_sigma > vanishing_separation) &
-         direct = evaluate_normal_law(law%properties, separation)
-      pressure = direct%pressure
-      stiffness = direct%stiffness
+      pressure = 0.0_wp
+      stiffness = 0.0_wp
+      if (column_at(separation*law%inverse_sigma) == outside) &
+         call fill(evaluate_normal_law(law%properties, separation), pressure, stiffness)
    end subroutine evaluate_outside
 
-   !> What is not pressure or stiffness, at one separation.
-   pure subroutine evaluate_rest(law, separation, area_fraction, contact_density, energy, validity)
-      type(compiled_law), intent(in) :: law
-      real(wp), intent(in) :: separation
+   !> What is wanted of the direct evaluation.
+   pure subroutine fill(direct, pressure, stiffness, area_fraction, contact_density, energy, &
+         validity)
+      type(normal_response), intent(in) :: direct
+      real(wp), intent(out) :: pressure, stiffness
       real(wp), intent(out), optional :: area_fraction, contact_density, energy
       integer, intent(out), optional :: validity
-      type(normal_response) :: direct
-      real(wp) :: h, t, decay, moments(0:2)
-      integer :: column
 
-      h = separation*law%inverse_sigma
-      column = column_at(h)
-      if (column <= outside) then
-         direct%validity = law%properties%validity
-         if (column == outside) direct = evaluate_normal_law(law%properties, separation)
-         if (present(area_fraction)) area_fraction = direct%area_fraction
-         if (present(contact_density)) contact_density = direct%contact_density
-         if (present(energy)) energy = direct%energy
-         if (present(validity)) validity = direct%validity
-         return
-      end if
+      pressure = direct%pressure
+      stiffness = direct%stiffness
+      if (present(area_fraction)) area_fraction = direct%area_fraction
+      if (present(contact_density)) contact_density = direct%contact_density
+      if (present(energy)) energy = direct%energy
+      if (present(validity)) validity = direct%validity
+   end subroutine fill
+
+   !> What is not pressure or stiffness, at one d/sigma with a polynomial or beyond all.
+   pure subroutine evaluate_rest(law, h, column, area_fraction, contact_density, energy, validity)
+      type(compiled_law), intent(in) :: law
+      real(wp), intent(in) :: h
+      integer, intent(in) :: column
+      real(wp), intent(out), optional :: area_fraction, contact_density, energy
+      integer, intent(out), optional :: validity
+      real(wp) :: t, decay, moments(0:2)
+
+      if (present(area_fraction)) area_fraction = 0.0_wp
+      if (present(contact_density)) contact_density = 0.0_wp
+      if (present(energy)) energy = 0.0_wp
+      if (present(validity)) validity = law%properties%validity
+      if (column == beyond) return
       t = h - law%pressure(degree + 1, column)
       decay = 1.0_wp
       if (column > n_near) decay = exp(-0.5_wp*h*h)
