@@ -251,7 +251,7 @@ contains
          else if (i > 1) then
             if (amplitudes(i) < amplitudes(i - 1)) call fatal_error(error, 'amplitudes = '// &
                to_text(amplitudes(i))//' mm after '//to_text(amplitudes(i - 1))// &
-               ' mm is out of order: they must not fall; give displacement for another history')
+               ' mm is out of order: they must not fall; give a history instead')
          end if
       end do
       if (allocated(error)) return
