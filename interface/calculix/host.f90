@@ -1,0 +1,151 @@
+!> What UINTER wants to know and CalculiX does not pass to its springs: time, names, displacements
+!> at the start of the increment. Wrappers of the solver's routines hand it over, on one thread,
+!> before the springs are called on several; those only read it.
+module calculix_host
+   use, intrinsic :: iso_c_binding, only: c_char, c_f_pointer, c_int, c_ptr
+   use asperity_kinds, only: wp
+   use calculix_interactions, only: find_interaction, has_interactions
+   use calculix_slots, only: slot_pnewdt
+   implicit none
+   private
+   public :: before_results, after_results, host_type, host, know_pairs, pair_of, name_of
+
+   !> The solver's variables, which stay where they are during a step.
+   type :: host_type
+      !> Displacements at the start of the increment (0:, node), mm
+      real(wp), pointer :: start(:, :) => null()
+      !> Step time at the end of the increment, its length, and total time at the start of the step
+      real(wp), pointer :: time => null(), increment => null(), total => null()
+      integer, pointer :: step => null(), number => null()
+      !> Calls of `results` in this increment before this one
+      integer :: iteration = -1
+      !> The solver evaluates the start of a step: nothing moves
+      logical :: at_rest = .true.
+      !> Names of the interactions, 80 characters each
+      character(kind=c_char), pointer :: material_names(:) => null()
+      !> Names of a pair: own use, slave, master; 81 characters each
+      character(kind=c_char), pointer :: pair_names(:) => null()
+      !> The last slave node of the pairs before each pair, then that of all
+      integer, allocatable :: last_node(:)
+      !> Which pairs a UINTER serves
+      logical, allocatable :: serves(:)
+      !> Use the symmetric part of the stiffness, to compare with
+      logical :: symmetric = .false.
+   end type host_type
+
+   ! CalculiX' routines have no argument that could carry it
+   type(host_type), save, protected :: host
+   !> The increment that `iteration` counts in
+   real(wp), save :: counted(4) = -1.0_wp
+
+contains
+
+   !> Take over the solver's variables, and put every spring back to the start of the increment, so
+   !> that one that existed in an earlier iteration alone leaves nothing behind.
+   subroutine before_results(vini, mi, nk, time, dtime, ttime, istep, iinc, ielas, matname, &
+         tieset, ntie, nstate, ne0, xstateini, xstate) bind(c)
+      !> As in CalculiX
+      type(c_ptr), value :: vini, time, dtime, ttime, istep, iinc, matname, tieset
+      type(c_ptr), value :: xstateini, xstate
+      integer(c_int), intent(in) :: mi(*), nk, ielas, ntie, nstate, ne0
+      real(wp), pointer :: from(:, :), to(:, :)
+      integer :: pair, nodes, first, last
+      character(len=16) :: tangent
+
+      if (.not. has_interactions()) return
+      call c_f_pointer(vini, host%start, [mi(2) + 1, nk])
+      call c_f_pointer(time, host%time)
+      call c_f_pointer(dtime, host%increment)
+      call c_f_pointer(ttime, host%total)
+      call c_f_pointer(istep, host%step)
+      call c_f_pointer(iinc, host%number)
+      call c_f_pointer(matname, host%material_names, [huge(1)])
+      call c_f_pointer(tieset, host%pair_names, [3*81*ntie])
+      host%at_rest = ielas == 1
+      call get_environment_variable('ASPERITY_CALCULIX_TANGENT', tangent)
+      host%symmetric = tangent == 'symmetric'
+      host%iteration = host%iteration + 1
+      if (any(abs(counted - increment_now()) > 0.0_wp)) host%iteration = 0
+      counted = increment_now()
+
+      if (.not. allocated(host%serves)) return
+      nodes = host%last_node(ntie + 1)
+      call c_f_pointer(xstateini, from, [nstate*mi(1), ne0 + nodes])
+      call c_f_pointer(xstate, to, [nstate*mi(1), ne0 + nodes])
+      do pair = 1, ntie
+         if (.not. host%serves(pair)) cycle
+         first = ne0 + host%last_node(pair) + 1
+         last = ne0 + host%last_node(pair + 1)
+         to(:, first:last) = from(:, first:last)
+      end do
+   end subroutine before_results
+
+   !> Ask for a shorter increment when a UINTER did.
+   subroutine after_results(qa, mi, nstate, ne0, ntie, xstate) bind(c)
+      !> As in CalculiX; the third value is the factor of the increment, negative for none
+      real(wp), intent(inout) :: qa(4)
+      integer(c_int), intent(in) :: mi(*), nstate, ne0, ntie
+      type(c_ptr), value :: xstate
+      real(wp), pointer :: state(:, :)
+      integer :: pair, node
+
+      if (.not. has_interactions() .or. .not. allocated(host%serves)) return
+      call c_f_pointer(xstate, state, [nstate*mi(1), ne0 + host%last_node(ntie + 1)])
+      do pair = 1, ntie
+         if (.not. host%serves(pair)) cycle
+         do node = host%last_node(pair) + 1, host%last_node(pair + 1)
+            associate (factor => state(slot_pnewdt, ne0 + node))
+               if (.not. factor > 0.0_wp) cycle
+               if (qa(3) < 0.0_wp .or. factor < qa(3)) qa(3) = factor
+            end associate
+         end do
+      end do
+   end subroutine after_results
+
+   !> Which of the contact pairs a UINTER serves, and which slave nodes they have.
+   subroutine know_pairs(materials, last_node)
+      !> Material of every pair
+      integer, intent(in) :: materials(:)
+      !> The last slave node of the pairs before each pair, then that of all
+      integer, intent(in) :: last_node(:)
+      integer :: pair
+
+      host%last_node = last_node
+      if (allocated(host%serves)) deallocate (host%serves)
+      allocate (host%serves(size(materials)))
+      do pair = 1, size(materials)
+         host%serves(pair) = associated(find_interaction(materials(pair)))
+      end do
+   end subroutine know_pairs
+
+   !> What tells one increment, or its repetition after a cut, from others.
+   function increment_now() result(values)
+      real(wp) :: values(4)
+
+      values = [real(host%step, wp), real(host%number, wp), host%time, host%increment]
+   end function increment_now
+
+   !> Number of the contact pair of a slave node.
+   integer function pair_of(node)
+      !> Number of the node among those of all pairs
+      integer, intent(in) :: node
+
+      pair_of = count(host%last_node(:size(host%last_node) - 1) < node)
+   end function pair_of
+
+   !> One name of a list, blank padded.
+   pure function name_of(names, number, length) result(name)
+      !> The list
+      character(kind=c_char), intent(in) :: names(:)
+      !> Which, and how long each of them is
+      integer, intent(in) :: number, length
+      character(len=80) :: name
+      integer :: i
+
+      name = ''
+      do i = 1, min(length, len(name))
+         name(i:i) = names(length*(number - 1) + i)
+      end do
+   end function name_of
+
+end module calculix_host

@@ -1,0 +1,267 @@
+!> One contact spring: kinematics, the call of UINTER with every argument as ABAQUS fills it, forces
+!> and stiffness. Start-of-increment values in, end-of-increment values out; nothing is kept here.
+module calculix_springs
+   use asperity_kinds, only: wp
+   use calculix_faces, only: has_face, most_nodes
+   use calculix_host, only: host, name_of, pair_of
+   use calculix_interactions, only: interaction_type
+   use calculix_kinematics, only: find_motion, find_variation, most_freedoms, motion_type, &
+      variation_type
+   use calculix_slots, only: own_slots, slot_energy, slot_pnewdt, slot_slip, slot_status, &
+      slot_stress, slot_time, slot_user_status
+   implicit none
+   private
+   public :: spring_type, response_type, fill_spring, evaluate_spring, spring_force, spring_stiffness
+
+   !> What one spring is given.
+   type :: spring_type
+      !> Its interaction
+      type(interaction_type), pointer :: interaction => null()
+      !> Number of nodes: those of the face, then the slave node
+      integer :: nodes = 0
+      !> The slave node in the deck, and among those of all pairs
+      integer :: node = 0, counter = 0
+      !> Positions at the end and at the start of the increment (3, node)
+      real(wp) :: positions(3, most_nodes + 1) = 0.0_wp
+      real(wp) :: start_positions(3, most_nodes + 1) = 0.0_wp
+      !> Tributary area of the slave node
+      real(wp) :: area = 0.0_wp
+   end type spring_type
+
+   !> What comes out.
+   type :: response_type
+      !> Kinematics
+      type(motion_type) :: motion
+      !> Pressure and the two shear stresses, MPa
+      real(wp) :: stress(3) = 0.0_wp
+      !> Their derivatives by overclosure and slip
+      real(wp) :: stiffness(3, 3) = 0.0_wp
+      !> Stored energy per area at the end; dissipated energies of the increment
+      real(wp) :: energy = 0.0_wp, dissipation = 0.0_wp
+   end type response_type
+
+   !> ABAQUS' position of a point that has no opposite surface
+   real(wp), parameter :: no_surface = -1.0e36_wp
+   !> ABAQUS passes a large value
+   real(wp), parameter :: no_request = 1.0e36_wp
+
+   interface
+      subroutine uinter( &
+         stress, ddsddr, dviscous, dstructural, flux, ddfddt, ddsddt, ddfddr, statev, sed, sfd, &
+         spd, svd, scd, pnewdt, rdisp, drdisp, temp, dtemp, predef, dpred, time, dtime, freqr, &
+         ciname, slname, msname, props, coords, alocaldir, drot, area, chrlngth, node, ndir, &
+         nstatv, npred, nprops, mcrd, kstep, kinc, kit, linper, lopenclose, lstate, lsdi, lprint)
+         use asperity_kinds, only: wp
+         implicit none
+         integer, intent(in) :: node, ndir, nstatv, npred, nprops, mcrd, kstep, kinc, kit
+         integer, intent(in) :: linper, lprint
+         real(wp), intent(inout) :: stress(ndir), ddsddr(ndir, ndir), dviscous(ndir, ndir)
+         real(wp), intent(inout) :: dstructural(ndir, ndir), flux(2), ddfddt(2, 2)
+         real(wp), intent(inout) :: ddsddt(ndir, 2), ddfddr(2, ndir), statev(nstatv)
+         real(wp), intent(inout) :: sed, sfd, spd, svd, scd, pnewdt
+         real(wp), intent(in) :: rdisp(ndir), drdisp(ndir), temp(2), dtemp(2)
+         real(wp), intent(in) :: predef(2, npred), dpred(2, npred), time(2), dtime, freqr
+         character(len=80), intent(in) :: ciname, slname, msname
+         real(wp), intent(in) :: props(nprops), coords(mcrd), alocaldir(3, 3), drot(2, 2)
+         real(wp), intent(in) :: area, chrlngth
+         integer, intent(inout) :: lopenclose, lstate, lsdi
+      end subroutine uinter
+   end interface
+
+contains
+
+   !> Gather a spring from what the solver passes. Ends the job where UINTER cannot serve.
+   subroutine fill_spring(spring, interaction, initial, displacements, numbers, area, method)
+      !> The spring
+      type(spring_type), intent(out) :: spring
+      !> Its interaction
+      type(interaction_type), pointer, intent(in) :: interaction
+      !> Initial positions (3, node) and displacements (0:, node), slave node last
+      real(wp), intent(in) :: initial(:, :), displacements(:, :)
+      !> Numbers of the nodes, then the slave node's among those of all pairs
+      integer, intent(in) :: numbers(:)
+      !> Tributary area
+      real(wp), intent(in) :: area
+      !> Kind of the analysis, 1 is static, 4 dynamic
+      integer, intent(in) :: method
+      integer :: i, n
+
+      n = size(initial, 2)
+      if (method /= 1 .and. method /= 4) call refuse('a step that is neither static nor dynamic')
+      if (.not. has_face(n - 1)) call refuse('a master face with other than 3, 4, 6 or 8 nodes')
+      if (.not. area > 0.0_wp) call refuse('a slave node without a face of its own')
+      spring%interaction => interaction
+      spring%nodes = n
+      spring%node = numbers(n)
+      spring%counter = numbers(n + 1)
+      spring%area = area
+      spring%positions(:, :n) = initial + displacements(2:4, :)
+      do i = 1, n
+         spring%start_positions(:, i) = initial(:, i) + host%start(2:4, numbers(i))
+      end do
+   end subroutine fill_spring
+
+   !> End the job.
+   subroutine refuse(what)
+      character(len=*), intent(in) :: what
+
+      write (*, '(3a)') ' *ERROR: UINTER does not serve ', what, ' in CalculiX'
+      stop 201
+   end subroutine refuse
+
+   !> Kinematics and UINTER.
+   subroutine evaluate_spring(spring, start, state, response)
+      !> The spring
+      type(spring_type), intent(in) :: spring
+      !> What it kept at the start of the increment
+      real(wp), intent(in) :: start(:)
+      !> What it keeps at the end
+      real(wp), intent(out) :: state(:)
+      !> Stresses, stiffness and energies
+      type(response_type), intent(out) :: response
+      !> Share of an increment by which times may differ and still be the same
+      real(wp), parameter :: same_time = 1.0e-6_wp
+      real(wp) :: rdisp(3), drdisp(3), began
+      logical :: existed
+
+      associate (positions => spring%positions(:, :spring%nodes))
+         if (host%at_rest) then
+            response%motion = find_motion(positions, positions)
+            began = host%total
+         else
+            response%motion = find_motion(positions, spring%start_positions(:, :spring%nodes))
+            began = host%total + host%time - host%increment
+         end if
+      end associate
+      state = start
+      existed = abs(start(slot_time) - began) <= same_time*host%increment
+      ! The increments without a spring, in which ABAQUS would have called as well
+      if (.not. existed) call call_uinter(spring, state, [no_surface, 0.0_wp, 0.0_wp], &
+         [0.0_wp, 0.0_wp, 0.0_wp], response)
+
+      associate (motion => response%motion, slip => state(slot_slip:slot_slip + 1))
+         slip = matmul(motion%rotation, slip) + motion%slip
+         rdisp = [motion%overclosure, slip]
+         drdisp = [motion%overclosure - motion%start_overclosure, motion%slip]
+         if (.not. existed) drdisp(1) = motion%overclosure - no_surface
+      end associate
+      call call_uinter(spring, state, rdisp, drdisp, response)
+      state(slot_time) = host%total + host%time
+   end subroutine evaluate_spring
+
+   !> Call UINTER once. The state goes in as of the start of the increment.
+   subroutine call_uinter(spring, state, rdisp, drdisp, response)
+      type(spring_type), intent(in) :: spring
+      real(wp), intent(inout) :: state(:)
+      real(wp), intent(in) :: rdisp(3), drdisp(3)
+      type(response_type), intent(inout) :: response
+      real(wp) :: viscous(3, 3), structural(3, 3), flux(2), heat(2, 2), thermal(3, 2), mixed(2, 3)
+      real(wp) :: frictional, plastic, creep, damped, factor, none(2, 0)
+      integer :: opened, user_status, discontinuity, pair
+
+      viscous = 0.0_wp
+      structural = 0.0_wp
+      flux = 0.0_wp
+      heat = 0.0_wp
+      thermal = 0.0_wp
+      mixed = 0.0_wp
+      frictional = 0.0_wp
+      plastic = 0.0_wp
+      damped = 0.0_wp
+      creep = 0.0_wp
+      factor = no_request
+      opened = nint(state(slot_status)) - 1
+      user_status = nint(state(slot_user_status)) - 1
+      discontinuity = 0
+      pair = pair_of(spring%counter)
+      response%stress = state(slot_stress:slot_stress + 2)
+      response%stiffness = 0.0_wp
+      response%energy = state(slot_energy)
+      associate (motion => response%motion, interaction => spring%interaction)
+         call uinter(response%stress, response%stiffness, viscous, structural, flux, heat, &
+            thermal, mixed, state(own_slots + 1:own_slots + interaction%depvar), &
+            response%energy, frictional, plastic, damped, creep, factor, rdisp, drdisp, &
+            [0.0_wp, 0.0_wp], [0.0_wp, 0.0_wp], none, none, [host%time, host%total + host%time], &
+            host%increment, 0.0_wp, &
+            name_of(host%material_names, interaction%material, 80), surface_name(pair, 2), &
+            surface_name(pair, 3), interaction%props, spring%positions(:, spring%nodes), motion%axes, &
+            motion%rotation, spring%area, sqrt(spring%area), spring%node, 3, &
+            interaction%depvar, 0, size(interaction%props), 3, host%step, host%number, &
+            host%iteration, 0, opened, user_status, discontinuity, 0)
+      end associate
+      response%dissipation = frictional + plastic + damped + creep
+      state(slot_stress:slot_stress + 2) = response%stress
+      state(slot_energy) = response%energy
+      state(slot_status) = opened + 1
+      state(slot_user_status) = user_status + 1
+      state(slot_pnewdt) = 0.0_wp
+      if (factor < 1.0_wp) state(slot_pnewdt) = max(factor, tiny(factor))
+   end subroutine call_uinter
+
+   !> Name of the slave (2) or the master surface (3) of a pair, without the letter of its kind that
+   !> the solver appends.
+   function surface_name(pair, which) result(name)
+      integer, intent(in) :: pair, which
+      character(len=80) :: name
+      integer :: last
+
+      name = name_of(host%pair_names, 3*(pair - 1) + which, 81)
+      last = len_trim(name)
+      if (last > 0) name(last:last) = ' '
+   end function surface_name
+
+   !> Internal forces (3, node): what the slave node is pressed and sheared with, and the face's
+   !> share by its shape functions.
+   pure function spring_force(response, area) result(force)
+      !> Response of the spring
+      type(response_type), intent(in) :: response
+      !> Area
+      real(wp), intent(in) :: area
+      real(wp) :: force(3, response%motion%nodes + 1)
+      real(wp) :: traction(3)
+      integer :: k
+
+      associate (m => response%motion%nodes, axes => response%motion%axes)
+         traction = area*(matmul(axes(:, 2:), response%stress(2:)) - response%stress(1)*axes(:, 1))
+         force(:, m + 1) = traction
+         do k = 1, m
+            force(:, k) = -response%motion%point%n(k)*traction
+         end do
+      end associate
+   end function spring_force
+
+   !> Derivatives of the forces by the displacements, 3 rows and columns a node, not symmetric.
+   pure function spring_stiffness(response, area) result(stiffness)
+      !> Response of the spring
+      type(response_type), intent(in) :: response
+      !> Area
+      real(wp), intent(in) :: area
+      real(wp) :: stiffness(3*(response%motion%nodes + 1), 3*(response%motion%nodes + 1))
+      type(variation_type) :: variation
+      real(wp) :: traction(3), change(3, most_freedoms), shares(3), signed(3)
+      integer :: k, c, m, freedoms
+
+      m = response%motion%nodes
+      freedoms = 3*(m + 1)
+      variation = find_variation(response%motion)
+      associate (axes => response%motion%axes, stress => response%stress)
+         signed = [-stress(1), stress(2), stress(3)]
+         traction = area*matmul(axes, signed)
+         do c = 1, freedoms
+            shares = matmul(response%stiffness, variation%motion(:, c))
+            shares(1) = -shares(1)
+            change(:, c) = area*(matmul(axes, shares) + matmul(variation%axes(:, :, c), signed))
+         end do
+      end associate
+      associate (point => response%motion%point)
+         do c = 1, freedoms
+            stiffness(3*m + 1:, c) = change(:, c)
+            do k = 1, m
+               stiffness(3*k - 2:3*k, c) = -point%n(k)*change(:, c) &
+                  - dot_product(point%dn(k, :), variation%xi(:, c))*traction
+            end do
+         end do
+      end associate
+   end function spring_stiffness
+
+end module calculix_springs
