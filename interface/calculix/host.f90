@@ -3,12 +3,14 @@
 !> before the springs are called on several; those only read it.
 module calculix_host
    use, intrinsic :: iso_c_binding, only: c_char, c_f_pointer, c_int, c_ptr
+   use, intrinsic :: iso_fortran_env, only: int64
    use asperity_kinds, only: wp
    use calculix_interactions, only: find_interaction, has_interactions
    use calculix_slots, only: slot_pnewdt
    implicit none
    private
-   public :: before_results, after_results, host_type, host, know_pairs, pair_of, name_of
+   public :: before_results, after_results, report_time, count_call, host_type, host, know_pairs, &
+      pair_of, name_of
 
    !> The solver's variables, which stay where they are during a step.
    type :: host_type
@@ -34,9 +36,11 @@ module calculix_host
    end type host_type
 
    ! CalculiX' routines have no argument that could carry it
-   type(host_type), save, protected :: host
+   type(host_type), protected :: host
    !> The increment that `iteration` counts in
-   real(wp), save :: counted(4) = -1.0_wp
+   real(wp) :: counted(4) = -1.0_wp
+   !> Calls of UINTER, and the clock's ticks that they took
+   integer(int64) :: calls = 0_int64, ticks = 0_int64
 
 contains
 
@@ -101,6 +105,28 @@ contains
          end do
       end do
    end subroutine after_results
+
+   !> Count a call of UINTER; called on several threads.
+   subroutine count_call(began)
+      !> The clock when it began
+      integer(int64), intent(in) :: began
+      integer(int64) :: ended
+
+      call system_clock(ended)
+      !$omp atomic
+      calls = calls + 1_int64
+      !$omp atomic
+      ticks = ticks + (ended - began)
+   end subroutine count_call
+
+   !> Say at the end of the job how long UINTER took.
+   subroutine report_time() bind(c)
+      integer(int64) :: rate
+
+      call system_clock(count_rate=rate)
+      if (calls > 0_int64) write (*, '(a, i0, a, f0.3, a)') ' asperity: ', calls, &
+         ' calls of UINTER took ', real(ticks, wp)/real(rate, wp), ' s'
+   end subroutine report_time
 
    !> Which of the contact pairs a UINTER serves, and which slave nodes they have.
    subroutine know_pairs(materials, last_node)

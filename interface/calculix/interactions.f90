@@ -20,7 +20,7 @@ module calculix_interactions
    end type interaction_type
 
    ! CalculiX' routines have no argument that could carry it
-   type(interaction_type), allocatable, target, save :: interactions(:)
+   type(interaction_type), allocatable, target :: interactions(:)
 
 contains
 

@@ -14,7 +14,7 @@ module calculix_masters
 
    ! CalculiX' routines have no argument that could carry it
    !> Nodes of the last face of every slave node, zero for none
-   integer, allocatable, save :: last_faces(:, :)
+   integer, allocatable :: last_faces(:, :)
 
 contains
 

@@ -34,12 +34,16 @@ END {
    gsub(/ /, ", ", before)
    gsub(/ /, ", ", after)
    print "#include <stdio.h>"
+   print "#include <stdlib.h>"
    print "#include \"CalculiX.h\""
    print "void before_results();"
    print "void after_results();"
+   print "void report_time();"
+   print "static int registered = 0;"
    print "void ccx_results(" declared ");"
    print "void results(" declared ")"
    print "{"
+   print "   if (!registered) registered = !atexit(report_time);"
    print "   before_results(" before ");"
    print "   ccx_results(" names ");"
    print "   after_results(" after ");"

@@ -9,7 +9,8 @@ subroutine springforc_n2f(xl, konl, vl, imat, elcon, nelcon, elas, fnl, ncmat_, 
    nelem, smscale, mscalmethod)
    use asperity_kinds, only: wp
    use calculix_interactions, only: find_interaction, interaction_type
-   use calculix_springs, only: evaluate_spring, fill_spring, response_type, spring_force, spring_type
+   use calculix_springs, only: evaluate_spring, fill_spring, response_type, spring_force, &
+      spring_type
    implicit none
    character(len=8) :: lakonl
    integer :: konl(*), imat, nelcon(2, *), ncmat_, ntmat_, nope, kode, npmat_, nener, mi(*)
@@ -86,9 +87,10 @@ subroutine springstiff_n2f(xl, elas, konl, voldl, s, imat, elcon, nelcon, ncmat_
    interaction => null()
    if (lakonl(7:7) == 'C') interaction => find_interaction(imat)
    if (.not. associated(interaction)) then
-      call ccx_springstiff_n2f(xl, elas, konl, voldl, s, imat, elcon, nelcon, ncmat_, ntmat_, nope, &
-         lakonl, t1l, kode, elconloc, plicon, nplicon, npmat_, iperturb, springarea, nmethod, mi, &
-         ne0, nstate_, xstateini, xstate, reltime, nasym, ielorien, orab, norien, nelem)
+      call ccx_springstiff_n2f(xl, elas, konl, voldl, s, imat, elcon, nelcon, ncmat_, ntmat_, &
+         nope, lakonl, t1l, kode, elconloc, plicon, nplicon, npmat_, iperturb, springarea, &
+         nmethod, mi, ne0, nstate_, xstateini, xstate, reltime, nasym, ielorien, orab, norien, &
+         nelem)
       return
    end if
    call fill_spring(spring, interaction, xl(:, :nope), voldl(:, :nope), konl(:nope + 1), &
@@ -139,7 +141,8 @@ subroutine surfacebehaviors(inpc, textpart, elcon, nelcon, imat, ntmat_, ncmat_,
       end do
    end do
    if (.not. allocated(problem)) then
-      if (found < size(interaction%props)) problem = 'there are fewer properties than PROPERTIES says'
+      if (found < size(interaction%props)) &
+         problem = 'there are fewer properties than PROPERTIES says'
    end if
    if (allocated(problem)) then
       write (*, '(2a)') ' *ERROR reading *SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=UINTER: ', problem

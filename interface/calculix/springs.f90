@@ -1,9 +1,10 @@
 !> One contact spring: kinematics, the call of UINTER with every argument as ABAQUS fills it, forces
 !> and stiffness. Start-of-increment values in, end-of-increment values out; nothing is kept here.
 module calculix_springs
+   use, intrinsic :: iso_fortran_env, only: int64
    use asperity_kinds, only: wp
    use calculix_faces, only: has_face, most_nodes
-   use calculix_host, only: host, name_of, pair_of
+   use calculix_host, only: count_call, host, name_of, pair_of
    use calculix_interactions, only: interaction_type
    use calculix_kinematics, only: find_motion, find_variation, most_freedoms, motion_type, &
       variation_type
@@ -11,7 +12,8 @@ module calculix_springs
       slot_stress, slot_time, slot_user_status
    implicit none
    private
-   public :: spring_type, response_type, fill_spring, evaluate_spring, spring_force, spring_stiffness
+   public :: spring_type, response_type, fill_spring, evaluate_spring, spring_force, &
+      spring_stiffness
 
    !> What one spring is given.
    type :: spring_type
@@ -158,6 +160,7 @@ contains
       real(wp) :: viscous(3, 3), structural(3, 3), flux(2), heat(2, 2), thermal(3, 2), mixed(2, 3)
       real(wp) :: frictional, plastic, creep, damped, factor, none(2, 0)
       integer :: opened, user_status, discontinuity, pair
+      integer(int64) :: began
 
       viscous = 0.0_wp
       structural = 0.0_wp
@@ -177,6 +180,7 @@ contains
       response%stress = state(slot_stress:slot_stress + 2)
       response%stiffness = 0.0_wp
       response%energy = state(slot_energy)
+      call system_clock(began)
       associate (motion => response%motion, interaction => spring%interaction)
          call uinter(response%stress, response%stiffness, viscous, structural, flux, heat, &
             thermal, mixed, state(own_slots + 1:own_slots + interaction%depvar), &
@@ -184,11 +188,12 @@ contains
             [0.0_wp, 0.0_wp], [0.0_wp, 0.0_wp], none, none, [host%time, host%total + host%time], &
             host%increment, 0.0_wp, &
             name_of(host%material_names, interaction%material, 80), surface_name(pair, 2), &
-            surface_name(pair, 3), interaction%props, spring%positions(:, spring%nodes), motion%axes, &
-            motion%rotation, spring%area, sqrt(spring%area), spring%node, 3, &
+            surface_name(pair, 3), interaction%props, spring%positions(:, spring%nodes), &
+            motion%axes, motion%rotation, spring%area, sqrt(spring%area), spring%node, 3, &
             interaction%depvar, 0, size(interaction%props), 3, host%step, host%number, &
             host%iteration, 0, opened, user_status, discontinuity, 0)
       end associate
+      call count_call(began)
       response%dissipation = frictional + plastic + damped + creep
       state(slot_stress:slot_stress + 2) = response%stress
       state(slot_energy) = response%energy

@@ -1,0 +1,1 @@
+../../interface/asperity_c_arrays.f90

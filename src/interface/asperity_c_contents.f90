@@ -1,0 +1,1 @@
+../../interface/asperity_c_contents.f90

@@ -1,0 +1,1 @@
+../../interface/asperity_c_restart.f90

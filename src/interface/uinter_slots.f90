@@ -1,0 +1,1 @@
+../../interface/uinter_slots.f90

@@ -1,0 +1,1 @@
+../../interface/vuinter.f90

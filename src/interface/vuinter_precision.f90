@@ -1,0 +1,1 @@
+../../interface/vuinter_precision.f90

@@ -1,0 +1,1 @@
+../../interface/vuinter_props.f90

@@ -1,0 +1,1 @@
+../../interface/vuinter_signature.f90
