@@ -43,6 +43,24 @@ if(PFUNIT_FOUND)
 endif()
 add_test(NAME single_tests COMMAND asperity_single_tests WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
 
+# What the CalculiX interface computes itself, without CalculiX
+set(calculix_sources test/calculix/main.f90 test/calculix/test_springs.f90
+   test/calculix/test_keyword.f90 test/random_inputs.f90 test/abaqus_stubs.f90)
+foreach(name faces kinematics interactions slots host springs keyword)
+   list(APPEND calculix_sources interface/calculix/${name}.f90)
+endforeach()
+if(NOT PFUNIT_FOUND)
+   list(APPEND calculix_sources test/funit.f90 test/funit_assert.f90)
+endif()
+add_executable(asperity_calculix_tests ${calculix_sources})
+asperity_compile_options(asperity_calculix_tests)
+target_link_libraries(asperity_calculix_tests PRIVATE asperity)
+if(PFUNIT_FOUND)
+   target_link_libraries(asperity_calculix_tests PRIVATE PFUNIT::funit)
+endif()
+add_test(NAME calculix_tests COMMAND asperity_calculix_tests
+   WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
+
 if(ASPERITY_BUILD_PROGRAM)
    add_test(NAME program_tests
       COMMAND bash ${PROJECT_SOURCE_DIR}/test/program/run_tests.sh $<TARGET_FILE:asperity_program>

@@ -2,7 +2,7 @@
 !> at the start of the increment. Wrappers of the solver's routines hand it over, on one thread,
 !> before the springs are called on several; those only read it.
 module calculix_host
-   use, intrinsic :: iso_c_binding, only: c_char, c_f_pointer, c_int, c_ptr
+   use, intrinsic :: iso_c_binding, only: c_char, c_double, c_f_pointer, c_int, c_ptr
    use, intrinsic :: iso_fortran_env, only: int64
    use asperity_kinds, only: wp
    use calculix_interactions, only: find_interaction, has_interactions
@@ -87,7 +87,7 @@ contains
    !> Ask for a shorter increment when a UINTER did.
    subroutine after_results(qa, mi, nstate, ne0, ntie, xstate) bind(c)
       !> As in CalculiX; the third value is the factor of the increment, negative for none
-      real(wp), intent(inout) :: qa(4)
+      real(c_double), intent(inout) :: qa(4)
       integer(c_int), intent(in) :: mi(*), nstate, ne0, ntie
       type(c_ptr), value :: xstate
       real(wp), pointer :: state(:, :)
