@@ -5,7 +5,11 @@ module calculix_interactions
    use asperity_kinds, only: wp
    implicit none
    private
-   public :: interaction_type, add_interaction, find_interaction, has_interactions, most_depvar
+   public :: interaction_type, add_interaction, find_interaction, has_interactions, most_depvar, &
+      interaction_count, nth_interaction
+
+   !> Stands in the solver's own constants of such an interaction, so that it is known after a restart
+   real(wp), parameter, public :: mark = 20210047.0_wp
 
    !> One of them.
    type :: interaction_type
@@ -47,6 +51,22 @@ contains
          if (interactions(i)%material == material) interaction => interactions(i)
       end do
    end function find_interaction
+
+   !> How many there are.
+   integer function interaction_count()
+
+      interaction_count = 0
+      if (allocated(interactions)) interaction_count = size(interactions)
+   end function interaction_count
+
+   !> One of them.
+   function nth_interaction(i) result(interaction)
+      !> Which
+      integer, intent(in) :: i
+      type(interaction_type) :: interaction
+
+      interaction = interactions(i)
+   end function nth_interaction
 
    !> Whether there are any.
    logical function has_interactions()

@@ -107,7 +107,7 @@ subroutine surfacebehaviors(inpc, textpart, elcon, nelcon, imat, ntmat_, ncmat_,
    ichangesurfacebehavior, ier)
    use asperity_kinds, only: wp
    use calculix_keyword, only: is_uinter, read_parameters, read_property
-   use calculix_interactions, only: add_interaction, interaction_type, most_depvar
+   use calculix_interactions, only: add_interaction, interaction_type, mark, most_depvar
    use calculix_slots, only: own_slots
    implicit none
    character(len=1) :: inpc(*)
@@ -153,7 +153,7 @@ subroutine surfacebehaviors(inpc, textpart, elcon, nelcon, imat, ntmat_, ncmat_,
    ! For the solver: an exponential law that reaches so far, with friction, which asks for the
    ! unsymmetric equation solver
    elcon(0:2, 1, imat) = [0.0_wp, log(100.0_wp)/interaction%search_distance, 1.0_wp]
-   elcon(3, 1, imat) = 1.5_wp
+   elcon(3:4, 1, imat) = [1.5_wp, mark]
    elcon(6:7, 1, imat) = 1.0_wp
    nelcon(:, imat) = [8, 1]
    interaction%material = imat
@@ -169,7 +169,9 @@ subroutine gencontelem_n2f(tieset, ntie, itietri, ne, ipkon, kon, lakon, cg, str
    xnoels, icutb, ne0, jobnamef, mortar, auw, jqw, iroww, nzsw, imastnode, nmastnode)
    use asperity_kinds, only: wp
    use calculix_host, only: know_pairs
+   use calculix_interactions, only: mark
    use calculix_masters, only: keep_faces
+   use calculix_restart, only: keep_interactions
    implicit none
    character(len=81) :: tieset(3, *), set(*)
    character(len=8) :: lakon(*)
@@ -181,17 +183,24 @@ subroutine gencontelem_n2f(tieset, ntie, itietri, ne, ipkon, kon, lakon, cg, str
    integer :: istartset(*), iendset(*), ialset(*), nasym, icutb, ne0, mortar, jqw(*), iroww(*)
    integer :: nzsw, imastnode(*), nmastnode(*)
    real(wp) :: cg(*), straight(*), co(3, *), vold(0:mi(2), *), xo(*), yo(*), zo(*), x(*), y(*)
-   real(wp) :: z(*), elcon(*), areaslav(*), springarea(*), tietol(4, *), reltime, xnoels(*), auw(*)
+   real(wp) :: z(*), elcon(0:ncmat_, ntmat_, *), areaslav(*), springarea(*), tietol(4, *)
+   real(wp) :: reltime, xnoels(*), auw(*)
    external :: ccx_gencontelem_n2f
-   integer :: first, i
+   integer :: first, i, materials(ntie)
+   logical :: marked(ntie)
 
+   materials = [(merge(int(tietol(2, i)), 0, tieset(1, i)(81:81) == 'C'), i=1, ntie)]
+   marked = .false.
+   do i = 1, ntie
+      if (materials(i) > 0) marked(i) = abs(elcon(4, 1, materials(i)) - mark) < 0.5_wp
+   end do
+   if (istep >= 1 .and. iit < 0) call keep_interactions(jobnamef(1), pack(materials, marked))
+   call know_pairs(materials, nslavnode(:ntie + 1))
    first = ne + 1
    call ccx_gencontelem_n2f(tieset, ntie, itietri, ne, ipkon, kon, lakon, cg, straight, ifree, &
       koncont, co, vold, xo, yo, zo, x, y, z, nx, ny, nz, ielmat, elcon, istep, iinc, iit, ncmat_, &
       ntmat_, nmethod, mi, imastop, nslavnode, islavnode, islavsurf, itiefac, areaslav, iponoels, &
       inoels, springarea, set, nset, istartset, iendset, ialset, tietol, reltime, filab, nasym, &
       xnoels, icutb, ne0, jobnamef, mortar, auw, jqw, iroww, nzsw, imastnode, nmastnode)
-   call know_pairs([(merge(int(tietol(2, i)), 0, tieset(1, i)(81:81) == 'C'), i=1, ntie)], &
-      nslavnode(:ntie + 1))
    call keep_faces(first, ne, ipkon, kon, lakon, nslavnode(ntie + 1), co, vold, mi)
 end subroutine gencontelem_n2f

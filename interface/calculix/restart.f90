@@ -1,0 +1,91 @@
+!> The interactions of a job in a file of their own, JOB.uinter: CalculiX' restart file has no place
+!> for them. It is written when a job begins, and read when one begins from a restart file.
+module calculix_restart
+   use asperity_kinds, only: wp
+   use calculix_interactions, only: add_interaction, find_interaction, interaction_count, &
+      interaction_type, nth_interaction
+   implicit none
+   private
+   public :: keep_interactions
+
+   character(len=*), parameter :: first_line = 'UINTER in CalculiX, interactions, 1'
+
+contains
+
+   !> Read the interactions if the solver has some from a restart file that are not known, else
+   !> write them. Ends the job where that cannot be done.
+   subroutine keep_interactions(job, needed)
+      !> Name of the job, without suffix
+      character(len=*), intent(in) :: job
+      !> Materials that a UINTER serves, by the solver's account
+      integer, intent(in) :: needed(:)
+      integer :: i
+      logical :: known
+
+      if (size(needed) == 0) return
+      known = .true.
+      do i = 1, size(needed)
+         known = known .and. associated(find_interaction(needed(i)))
+      end do
+      if (known) then
+         call write_interactions(trim(job)//'.uinter')
+         return
+      end if
+      call read_interactions(trim(job)//'.uinter')
+      do i = 1, size(needed)
+         if (.not. associated(find_interaction(needed(i)))) &
+            call refuse(trim(job)//'.uinter is not of the run that wrote the restart file')
+      end do
+   end subroutine keep_interactions
+
+   subroutine write_interactions(name)
+      character(len=*), intent(in) :: name
+      type(interaction_type) :: interaction
+      integer :: unit, status, i
+
+      open (newunit=unit, file=name, status='replace', action='write', iostat=status)
+      if (status /= 0) call refuse(name//' cannot be written')
+      write (unit, '(a)') first_line
+      write (unit, '(i0)') interaction_count()
+      do i = 1, interaction_count()
+         interaction = nth_interaction(i)
+         write (unit, '(3(i0, 1x), es25.17e3)') interaction%material, interaction%depvar, &
+            size(interaction%props), interaction%search_distance
+         write (unit, '(4es25.17e3)') interaction%props
+      end do
+      close (unit)
+   end subroutine write_interactions
+
+   subroutine read_interactions(name)
+      character(len=*), intent(in) :: name
+      type(interaction_type) :: interaction
+      character(len=len(first_line)) :: line
+      integer :: unit, status, i, n, length
+
+      open (newunit=unit, file=name, status='old', action='read', iostat=status)
+      if (status /= 0) call refuse('a restart needs '//name//', which the first run wrote')
+      read (unit, '(a)', iostat=status) line
+      if (status /= 0 .or. line /= first_line) call refuse(name//' is of another kind')
+      read (unit, *, iostat=status) n
+      do i = 1, n
+         if (status /= 0) exit
+         read (unit, *, iostat=status) interaction%material, interaction%depvar, length, &
+            interaction%search_distance
+         if (status /= 0) exit
+         if (allocated(interaction%props)) deallocate (interaction%props)
+         allocate (interaction%props(length))
+         read (unit, *, iostat=status) interaction%props
+         if (status == 0) call add_interaction(interaction)
+      end do
+      close (unit)
+      if (status /= 0) call refuse(name//' is damaged')
+   end subroutine read_interactions
+
+   subroutine refuse(what)
+      character(len=*), intent(in) :: what
+
+      write (*, '(2a)') ' *ERROR: ', what
+      stop 201
+   end subroutine refuse
+
+end module calculix_restart
