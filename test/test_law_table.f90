@@ -297,7 +297,8 @@ contains
          type(law_table) :: table
          type(error_type), allocatable :: error
 
-         call new_law_table(table, pair_properties(), largest, error, tolerance, most_rows, smallest)
+         call new_law_table(table, pair_properties(), largest, error, tolerance, most_rows, &
+            smallest)
          call assertTrue(allocated(error), message)
          if (allocated(error)) call assertEqual(1, index(error%message, message), error%message)
       end subroutine check

@@ -35,6 +35,9 @@ module deck_law_table
    !> Points between two rows at which a line is compared with the law while rows are placed, and
    !> when the table is done
    integer, parameter :: few = 16, many = 64
+   !> Rows closer than this, over the largest overclosure of the law's rows, would be changed by the
+   !> twelve figures that a deck has
+   real(wp), parameter :: closest_rows = 1.0e-6_wp
    !> Part of the tolerance that is kept for what lies between those points
    real(wp), parameter :: margin = 1.0e-3_wp
 
@@ -126,6 +129,8 @@ contains
       else if (table%error > wanted) then
          call fatal_error(error, 'no table within tolerance = '//to_text(wanted)// &
             ' of the law was found', computation_error)
+      else
+         call check_spacing(table, properties, error)
       end if
    end subroutine new_law_table
 
@@ -171,6 +176,20 @@ contains
          '; allow so many, a tolerance of about '//to_text(1.05_wp*enough, 2)// &
          ', or raise smallest_pressure')
    end subroutine refuse_rows
+
+   !> `error` is set when rows are too close to each other, for where they are.
+   pure subroutine check_spacing(table, properties, error)
+      type(law_table), intent(in) :: table
+      type(contact_properties), intent(in) :: properties
+      type(error_type), allocatable, intent(out) :: error
+
+      associate (x => table%overclosure(:size(table%overclosure) - 1))
+         if (minval(x(2:) - x(:size(x) - 1)) < closest_rows*maxval(abs(x))) &
+            call fatal_error(error, 'initial_separation = '// &
+            to_text(properties%initial_separation)//' mm is not allowed: so far from the rows '// &
+            'their overclosures would differ too little')
+      end associate
+   end subroutine check_spacing
 
    !> Place the rows and measure them.
    pure subroutine fill_rows(table, law, properties, ends, allowed, lowered)
