@@ -4,8 +4,8 @@ module app_cli
    use asperity_error, only: fatal_error
    use app_help, only: usage_text
    use app_keys, only: belongs, command_citation, command_curve, command_help, command_names, &
-      command_hysteresis, command_pairs, command_press, command_shear, command_tenon, &
-      command_version, find_key
+      command_hysteresis, command_pairs, command_press, command_shear, command_table, &
+      command_tenon, command_version, find_key
    use app_option, only: parse_option
    use app_settings, only: settings_type
    use app_strings, only: nearest_name, quoted, starts_with, string_type
@@ -26,11 +26,12 @@ module app_cli
    end type command_line_type
 
    character(len=*), parameter :: command_words(*) = [character(len=10) :: &
-      'curve', 'press', 'shear', 'tenon', 'hysteresis', 'pairs', 'version', 'help', &
-      '--version', '--help', '-h', '--citation']
+      'curve', 'press', 'shear', 'tenon', 'table', 'hysteresis', 'pairs', 'version', &
+      'help', '--version', '--help', '-h', '--citation']
    integer, parameter :: command_codes(*) = [command_curve, command_press, command_shear, &
-      command_tenon, command_hysteresis, command_pairs, command_version, command_help, &
-      command_version, command_help, command_help, command_citation]
+      command_tenon, command_table, command_hysteresis, command_pairs, &
+      command_version, command_help, command_version, command_help, command_help, &
+      command_citation]
 
 contains
 

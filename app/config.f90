@@ -9,7 +9,8 @@ module app_config
    use replay_shear_box, only: shear_settings
    use replay_tenon_settings, only: tenon_settings
    use app_effective, only: locate
-   use app_keys, only: command_curve, command_shear, command_tenon, find_key
+   use app_keys, only: command_curve, command_shear, command_table, command_tenon, &
+      find_key
    use app_settings, only: settings_type
    use app_tenon_config, only: new_side_properties, new_tenon_settings, whole_list
    implicit none
@@ -62,7 +63,7 @@ contains
          if (.not. allocated(error)) then
             friction_coefficient = 0.0_wp
             critical_slip = 1.0_wp
-            if (iand(command, command_shear + command_tenon) /= 0) then
+            if (iand(command, command_shear + command_tenon + command_table) /= 0) then
                friction_coefficient = s%real_of('friction_coefficient')
                critical_slip = s%real_of('critical_slip')
             end if

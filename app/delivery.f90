@@ -28,8 +28,8 @@ module app_delivery
    end type delivery_type
 
    !> Options that name a file; pictures first since they are most likely to fail
-   character(len=*), parameter :: options(5) = [character(len=6) :: 'plot', 'report', 'csv', &
-      'json', 'points']
+   character(len=*), parameter :: options(7) = [character(len=8) :: 'plot', 'report', 'csv', &
+      'json', 'points', 'abaqus', 'calculix']
    !> Largest page, characters
    integer, parameter :: largest_page = 64*1024*1024
    !> Path that stands for standard output
@@ -176,7 +176,16 @@ contains
       character(len=*), intent(in) :: option
       type(report_type), intent(in) :: report
       character(len=:), allocatable :: text
+      integer :: i
 
+      if (allocated(report%decks)) then
+         i = findloc([('--'//trim(report%decks(i)%option) == option, i=1, size(report%decks))], &
+            .true., 1)
+         if (i > 0) then
+            text = report%decks(i)%text
+            return
+         end if
+      end if
       if (option == '--csv') then
          text = csv_text(report%table)
       else if (option == '--points') then

@@ -9,7 +9,9 @@ module app_driver
    use app_help, only: citation_text, help_text, version_text
    use app_hysteresis, only: report_hysteresis, take_defaults
    use app_keys, only: command_citation, command_curve, command_help, command_hysteresis, &
-      command_pairs, command_press, command_shear, command_tenon, command_version
+      command_pairs, command_press, command_shear, command_table, command_tenon, &
+      command_version
+   use app_law_table, only: report_law_table
    use app_output, only: write_standard_output
    use app_pairs, only: report_pairs
    use app_press, only: report_press
@@ -89,6 +91,8 @@ contains
             call take_history(config%tenon, report%settings, error)
             if (.not. allocated(error)) call report_tenon(config, report, error)
          end if
+      case (command_table)
+         call report_law_table(config, report, error)
       case (command_hysteresis)
          call report_hysteresis(report, error)
       case default

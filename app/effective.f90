@@ -88,6 +88,7 @@ contains
          call fill(settings, 'separation', linear_range(default_initial_separation*sigma, &
             0.0_wp, default_points), '4 sigma to 0', follows=.true.)
       end associate
+      call follow(settings, 'stick_pressure', 'largest_pressure')
       call fill(settings, 'displacement_increment', &
          [merge(joint_increment, box_increment, command == command_tenon)], 'default')
       if (command /= command_tenon) return

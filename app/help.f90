@@ -2,8 +2,8 @@
 module app_help
    use asperity_version, only: version
    use app_keys, only: belongs, command_curve, command_hysteresis, command_pairs, command_press, &
-      command_shear, command_tenon, keys, kind_choice, kind_file, kind_integer, kind_list, &
-      kind_logical, kind_real, kind_sweep, kind_text, n_keys, option_name
+      command_shear, command_table, command_tenon, keys, kind_choice, kind_file, kind_integer, &
+      kind_list, kind_logical, kind_real, kind_sweep, kind_text, n_keys, option_name
    use app_strings, only: escaped, newline
    use app_text_buffer, only: text_buffer
    implicit none
@@ -20,7 +20,7 @@ contains
       character(len=:), allocatable :: text
 
       text = newline// &
-         'usage: asperity curve|press|shear|tenon [CASE.nml] [options]'//newline// &
+         'usage: asperity curve|press|shear|tenon|table [CASE.nml] [options]'//newline// &
          '       asperity hysteresis FILE.csv [options]'//newline// &
          '       asperity pairs|version|help [COMMAND]'//newline// &
          'help:  asperity help'
@@ -49,6 +49,11 @@ contains
             'Cyclic replay of a straight tenon joint: moment, stiffness and energy of hard'// &
             ' contact and'//newline//'of the rough law, beside the paper''s (Figs 19-35,'// &
             ' Table 5).', topic)
+      case (command_table)
+         text = command_help('asperity table [CASE.nml] [options]', &
+            'The law as rows of pressure and overclosure, for programs that interpolate between'// &
+            newline//'them: *SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=TABULAR of ABAQUS and'// &
+            ' CalculiX, with friction.', topic)
       case (command_hysteresis)
          text = command_help('asperity hysteresis FILE.csv [options]', &
             'Cycles, skeleton, yield and ultimate point, stiffness, energy and damping of a'// &
@@ -73,6 +78,7 @@ contains
          '  press      press and release, as ABAQUS calls UINTER'//newline// &
          '  shear      direct shear box, as ABAQUS calls UINTER'//newline// &
          '  tenon      cyclic tenon joint, hard contact against the rough law'//newline// &
+         '  table      the law as a table for ABAQUS and CalculiX decks'//newline// &
          '  hysteresis stiffness, energy and damping of a record of displacement and force'// &
          newline// &
          '  pairs      pairs of faces and surfaces of the paper'//newline// &

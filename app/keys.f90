@@ -11,8 +11,10 @@ module app_keys
    !> Commands, as bits of a sum
    integer, parameter, public :: command_curve = 1, command_press = 2, command_shear = 4, &
       command_pairs = 8, command_version = 16, command_help = 32, command_citation = 64, &
-      command_hysteresis = 128, command_tenon = 256
-   integer, parameter :: all_runs = command_curve + command_press + command_shear + command_tenon
+      command_hysteresis = 128, command_tenon = 256, command_table = 512
+   integer, parameter :: all_runs = command_curve + command_press + command_shear + &
+      command_tenon + command_table
+   integer, parameter :: with_friction = command_shear + command_tenon + command_table
    integer, parameter :: slides = command_shear + command_tenon
    integer, parameter :: records = command_hysteresis + command_tenon
    integer, parameter :: all_drawn = all_runs + command_hysteresis
@@ -83,9 +85,9 @@ module app_keys
       'mean contact pressure at first yield over hardness, 0.05 to 1'), &
       key_type('sigma', kind_real, 'mm', all_runs, yes, '', '', &
       'standard deviation of summit heights'), &
-      key_type('friction_coefficient', kind_real, '', slides, yes, '', '', &
+      key_type('friction_coefficient', kind_real, '', with_friction, yes, '', '', &
       'Coulomb friction coefficient mu'), &
-      key_type('critical_slip', kind_real, 'mm', slides, yes, '', '', &
+      key_type('critical_slip', kind_real, 'mm', with_friction, yes, '', '', &
       'largest elastic slip gcrit'), &
       key_type('initial_separation', kind_real, 'mm', all_runs, yes, '', '', &
       'separation d0 at zero overclosure; 4 sigma unless given'), &
@@ -128,6 +130,16 @@ module app_keys
       'the overlap of the discs shrinks with displacement'), &
       key_type('shear_compliance', kind_real, 'mm/N', command_shear, no, '0', '', &
       'shear compliance of the two specimens together'), &
+      key_type('largest_pressure', kind_real, 'MPa', command_table, no, '4.7', '', &
+      'pressure up to which the tolerance holds'), &
+      key_type('smallest_pressure', kind_real, 'MPa', command_table, no, '', '', &
+      'pressure from which it holds; unless given, 1e-9 2 pi eta R H sigma, as points open'), &
+      key_type('tolerance', kind_real, '', command_table, no, '0.01', '', &
+      'relative error of linear interpolation between rows'), &
+      key_type('rows', kind_integer, '', command_table, no, '200', '', &
+      'most rows; CalculiX takes 200'), &
+      key_type('stick_pressure', kind_real, 'MPa', command_table, no, '', '', &
+      'pressure of CalculiX'' stick slope mu p/gcrit; largest_pressure unless given'), &
       key_type('length', kind_real, 'mm', command_tenon, no, '300', '', &
       'length of the tenon in the mortise'), &
       key_type('height', kind_real, 'mm', command_tenon, no, '300', '', &
@@ -242,6 +254,10 @@ module app_keys
       'write properties, units and all columns; - is standard output'), &
       key_type('plot', kind_file, '', all_drawn, no, '', '', &
       'draw a picture, .svg, .png or .pdf (needs gnuplot)'), &
+      key_type('abaqus', kind_file, '', command_table, no, '', '', &
+      'write the interaction for an ABAQUS deck; - is standard output'), &
+      key_type('calculix', kind_file, '', command_table, no, '', '', &
+      'write the interaction for a CalculiX deck; - is standard output'), &
       key_type('points', kind_file, '', command_tenon, no, '', '', &
       'write every contact point at the steps of record as CSV; - is standard output'), &
       key_type('report', kind_file, '', command_tenon, no, '', '', &
@@ -296,7 +312,8 @@ contains
       integer, intent(in) :: commands
       character(len=:), allocatable :: names
       character(len=10), parameter :: each(*) = [character(len=10) :: &
-         'curve', 'press', 'shear', 'pairs', 'version', 'help', 'citation', 'hysteresis', 'tenon']
+         'curve', 'press', 'shear', 'pairs', 'version', 'help', 'citation', 'hysteresis', 'tenon', &
+         'table']
       integer :: i
 
       names = ''

@@ -6,7 +6,7 @@ module app_report
    use app_table, only: table_type
    implicit none
    private
-   public :: report_type, named_table, picture_type, turning_points
+   public :: report_type, deck_type, named_table, picture_type, turning_points
 
    !> A table beside the main one.
    type :: named_table
@@ -28,6 +28,14 @@ module app_report
       type(string_type), allocatable :: panels(:)
    end type picture_type
 
+   !> Input for another program.
+   type :: deck_type
+      !> Option that asks for it, without its dashes
+      character(len=8) :: option = ''
+      !> What to write
+      character(len=:), allocatable :: text
+   end type deck_type
+
    !> Result of one command.
    type :: report_type
       !> One of the commands of `app_keys`
@@ -45,6 +53,8 @@ module app_report
       !> Pictures, and the data blocks that they draw; not allocated where `app_plots` draws columns
       type(picture_type), allocatable :: pictures(:)
       character(len=:), allocatable :: picture_data
+      !> Input for other programs, none when not allocated
+      type(deck_type), allocatable :: decks(:)
       !> What is to be said of the results, one line each, none when not allocated
       type(string_type), allocatable :: remarks(:)
       !> One row per run, no columns when there is none

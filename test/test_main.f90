@@ -17,6 +17,7 @@ program test_main
    use test_hysteresis, only: suite_hysteresis
    use test_hysteresis_records, only: suite_hysteresis_records
    use test_hermite_polynomial, only: suite_hermite_polynomial
+   use test_law_table, only: suite_law_table
    use test_normal_inverse, only: suite_normal_inverse
    use test_normal_law, only: suite_normal_law
    use test_normal_law_reference, only: suite_normal_law_reference
@@ -68,6 +69,7 @@ program test_main
    call all_suites%addTest(suite_vuinter_agreement())
    call all_suites%addTest(suite_press())
    call all_suites%addTest(suite_shear_box())
+   call all_suites%addTest(suite_law_table())
    call all_suites%addTest(suite_hysteresis())
    call all_suites%addTest(suite_hysteresis_records())
    call all_suites%addTest(suite_tenon_forms())

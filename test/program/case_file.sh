@@ -76,13 +76,16 @@ round_trip 'press' press --control overclosure --peak 0.123 --increments 9 --ste
 round_trip 'tenon' tenon --amplitudes 1,4 --face-points 20 --side-points 4 --clearance 0.3 \
    --clearance-above 0.1 --shoulders --axial-rule free --friction-coefficient 0.3 \
    --gap first_touch --displacement-increment 2 --history "$here/joint_history.csv"
+round_trip 'table' table --tolerance 0.02 --rows 150 --largest-pressure 3 --smallest-pressure 1e-4 \
+   --initial-separation 0.3 --friction-coefficient 0.3
+round_trip 'table, stick pressure' table --stick-pressure 0.2
 round_trip 'shear' shear --friction-rule dissipative --slip-integration backward_euler \
    --normal-stress 0.03,0.07 --displacement 1,-1,0.3 --displacement-increment 0.07 \
    --no-shrinking-overlap --shear-compliance 1.23456789e-5 --rate 3 --diameter 50
 
 # Every example runs
 for file in "$root"/examples/cases/*.nml; do
-   for command in curve press shear; do
+   for command in curve press shear table; do
       run $command "$file" --csv example.csv
       check "example $(basename "$file") with $command" test "$status" -eq 0 -a -s example.csv
    done
@@ -99,7 +102,7 @@ read_alike() {
    local file command
    for file in "$@"; do
       : >effective
-      for command in curve press shear tenon; do
+      for command in curve press shear tenon table; do
          "$program" $command "$file" --print-case >printed.nml 2>/dev/null </dev/null || continue
          ./read_case printed.nml >>effective || return
       done

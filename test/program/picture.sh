@@ -6,7 +6,7 @@ refuses 'picture on standard output' 2 '--plot: - has no known ending' curve --p
 refuses 'picture in a folder that does not exist' 3 '--plot: no/x.svg cannot be written' \
    curve --plot no/x.svg
 if command -v gnuplot >/dev/null; then
-   for command in curve press shear; do
+   for command in curve press shear table; do
       run $command --plot $command.svg
       check "$command: SVG" sh -c "tail -n 3 $command.svg | grep -q '^</svg>'"
       check "$command: title in the SVG" has $command.svg 'transverse-tangential'

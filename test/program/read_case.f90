@@ -26,6 +26,9 @@ program read_case
    logical :: shoulders
    character(len=80) :: side_pair, gap, arm_datum, axial_rule, history, through
    character(len=80) :: displacement_column
+   ! Keys of the table
+   real(wp) :: largest_pressure, smallest_pressure, tolerance, stick_pressure
+   integer :: rows
    namelist /asperity/ pair, surface, eta, modulus, radius, hardness, yield_factor, sigma, &
       friction_coefficient, critical_slip, initial_separation, friction_rule, &
       slip_integration, accept_unphysical, separation, control, peak, increments, step_time, &
@@ -36,7 +39,8 @@ program read_case
       axial_rule, axial_stiffness, axial_force, shoulders, shoulder_height, shoulder_gap, &
       column_load, bearing_modulus, bearing_depth, bearing_strength, hardening, column_modulus, &
       column_depth, column_strength, column_hardening, face_points, side_points, &
-      shoulder_points, amplitudes, cycles, history, record, through, displacement_column
+      shoulder_points, amplitudes, cycles, history, record, through, displacement_column, &
+      largest_pressure, smallest_pressure, tolerance, rows, stick_pressure
 
    character(len=1000) :: path, message
    integer :: unit, status, pass
@@ -65,6 +69,11 @@ contains
 
    subroutine unset_all()
       eta = unset
+      largest_pressure = unset
+      smallest_pressure = unset
+      tolerance = unset
+      stick_pressure = unset
+      rows = unset_integer
       modulus = unset
       radius = unset
       hardness = unset
@@ -189,6 +198,11 @@ contains
       call print_reals('record', record)
       call print_text('through', through)
       call print_text('displacement_column', displacement_column)
+      call print_reals('largest_pressure', [largest_pressure])
+      call print_reals('smallest_pressure', [smallest_pressure])
+      call print_reals('tolerance', [tolerance])
+      call print_integer('rows', rows)
+      call print_reals('stick_pressure', [stick_pressure])
    end subroutine print_all
 
    subroutine print_text(name, value)
