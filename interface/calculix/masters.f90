@@ -10,7 +10,7 @@ module calculix_masters
    public :: keep_faces
 
    !> How far a node may be outside its face, in natural coordinates (a face is 2 long)
-   real(wp), parameter :: margin = 0.1_wp
+   real(wp), parameter, public :: margin = 0.1_wp
 
    ! CalculiX' routines have no argument that could carry it
    !> Nodes of the last face of every slave node, zero for none

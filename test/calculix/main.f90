@@ -2,6 +2,7 @@
 program test_calculix
    use funit, only: SerialContext, TestResult, TestRunner, TestSuite
    use test_keyword, only: suite_keyword
+   use test_masters, only: suite_masters
    use test_springs, only: suite_springs
    implicit none
    type(TestSuite) :: all_suites
@@ -12,6 +13,7 @@ program test_calculix
    all_suites = TestSuite('asperity in CalculiX')
    call all_suites%addTest(suite_springs())
    call all_suites%addTest(suite_keyword())
+   call all_suites%addTest(suite_masters())
    runner = TestRunner()
    outcome = runner%run(all_suites, SerialContext())
    failed = outcome%failureCount() + outcome%errorCount()

@@ -1,0 +1,113 @@
+!> The master face of a spring is left only by a margin.
+module test_masters
+   use asperity_kinds, only: wp
+   use calculix_host, only: know_pairs
+   use calculix_interactions, only: add_interaction, interaction_type
+   use calculix_masters, only: keep_faces, margin
+   use funit, only: assertEqual, TestMethod, TestSuite
+   implicit none
+   private
+   public :: suite_masters
+
+   !> Two quadrilaterals side by side, 10 long, nodes 1 to 6, a triangle behind them, 2 5 7, and a
+   !> slave node, 8
+   integer, parameter :: left(4) = [1, 2, 5, 4], right(4) = [2, 3, 6, 5], behind(3) = [4, 5, 7]
+   integer, parameter :: slave = 8
+
+contains
+
+   function suite_masters() result(suite)
+      type(TestSuite) :: suite
+
+      suite = TestSuite('master faces')
+      call suite%addTest(TestMethod('left only by the margin', test_margin))
+      call suite%addTest(TestMethod('forgotten when there is no spring', test_forgotten))
+      call suite%addTest(TestMethod('of another kind of face', test_kinds))
+      call suite%addTest(TestMethod('springs of others are not touched', test_others))
+   end function suite_masters
+
+   !> The face of the spring when the slave node is at x and the solver found that face; 0 for none.
+   function face_kept(x, found, material) result(face)
+      real(wp), intent(in) :: x
+      integer, intent(in) :: found(:)
+      integer, intent(in) :: material
+      integer :: face(4)
+      real(wp) :: co(3, 8), vold(0:3, 8)
+      integer :: kon(10), n
+      character(len=8) :: lakon(1)
+
+      co = 0.0_wp
+      co(1, :7) = [0.0_wp, 10.0_wp, 20.0_wp, 0.0_wp, 10.0_wp, 20.0_wp, 5.0_wp]
+      co(2, :7) = [0.0_wp, 0.0_wp, 0.0_wp, 10.0_wp, 10.0_wp, 10.0_wp, 20.0_wp]
+      vold = 0.0_wp
+      ! half of the way by displacement
+      co(:, slave) = [0.5_wp*x, 5.0_wp, -0.1_wp]
+      vold(1, slave) = 0.5_wp*x
+      n = size(found)
+      face = 0
+      call know_pairs([material], [0, 1])
+      if (n == 0) then
+         call keep_faces(1, 0, [0], kon, lakon, 1, co, vold, [1, 3])
+         return
+      end if
+      kon(:n) = found
+      kon(n + 1:n + 2) = [slave, 1]
+      lakon = 'ESPRNGC'//achar(iachar('0') + n)
+      call keep_faces(1, 1, [0], kon, lakon, 1, co, vold, [1, 3])
+      face(:n) = kon(:n)
+   end function face_kept
+
+   subroutine prepare()
+      type(interaction_type) :: interaction
+      integer :: none(4)
+
+      interaction%material = 1
+      interaction%search_distance = 3.0_wp
+      allocate (interaction%props(0))
+      call add_interaction(interaction)
+      none = face_kept(0.0_wp, [integer :: ], 1)
+   end subroutine prepare
+
+   subroutine test_margin()
+      real(wp) :: beyond
+
+      call prepare()
+      beyond = 5.0_wp*margin
+      call check(left, face_kept(9.0_wp, left, 1), 'inside')
+      call check(left, face_kept(10.0_wp + 0.9_wp*beyond, right, 1), 'outside by less')
+      call check(right, face_kept(10.0_wp + 1.1_wp*beyond, right, 1), 'outside by more')
+      call check(right, face_kept(10.0_wp - 0.9_wp*beyond, left, 1), 'and the same on the way back')
+      call check(left, face_kept(10.0_wp - 1.1_wp*beyond, left, 1), 'by more')
+   end subroutine test_margin
+
+   subroutine test_forgotten()
+      call prepare()
+      call check(left, face_kept(9.9_wp, left, 1), 'first')
+      call check([0, 0, 0, 0], face_kept(9.9_wp, [integer :: ], 1), 'none')
+      call check(right, face_kept(10.1_wp, right, 1), 'the solver''s')
+   end subroutine test_forgotten
+
+   subroutine test_kinds()
+      call prepare()
+      call check(left, face_kept(9.9_wp, left, 1), 'quadrilateral')
+      call check([behind, 0], face_kept(9.9_wp, behind, 1), 'then a triangle')
+      call check(left, face_kept(9.9_wp, left, 1), 'and back')
+   end subroutine test_kinds
+
+   subroutine test_others()
+      call prepare()
+      call check(left, face_kept(9.9_wp, left, 2), 'first')
+      call check(right, face_kept(10.1_wp, right, 2), 'as the solver found it')
+   end subroutine test_others
+
+   subroutine check(expected, found, what)
+      integer, intent(in) :: expected(:), found(:)
+      character(len=*), intent(in) :: what
+      integer :: i
+
+      do i = 1, size(expected)
+         call assertEqual(expected(i), found(i), what)
+      end do
+   end subroutine check
+
+end module test_masters
