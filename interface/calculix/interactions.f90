@@ -8,7 +8,7 @@ module calculix_interactions
    public :: interaction_type, add_interaction, find_interaction, has_interactions, most_depvar, &
       interaction_count, nth_interaction
 
-   !> Stands in the solver's own constants of such an interaction, so that it is known after a restart
+   !> Stands in the solver's own constants of such an interaction, known after a restart
    real(wp), parameter, public :: mark = 20210047.0_wp
 
    !> One of them.
