@@ -8,7 +8,7 @@ module app_law_table
    use app_config, only: config_type
    use app_law_table_plot, only: law_table_script
    use app_report, only: report_type, turning_points
-   use app_table, only: column_validity, new_table, no_value
+   use app_table, only: column_counts, column_validity, new_table, no_value
    implicit none
    private
    public :: report_law_table
@@ -95,7 +95,7 @@ contains
       report%important = turning_points((table%overclosure))
 
       report%summary = new_table(columns=5, rows=1)
-      call report%summary%add_numbers('rows_used', '-', [real(n, wp)], decimals=0)
+      call report%summary%add_codes('rows_used', column_counts, [n])
       call report%summary%add_numbers('from_pressure', 'MPa', [table%smallest_pressure])
       call report%summary%add_numbers('relative_error', '-', [table%error])
       call report%summary%add_numbers('error_below', 'MPa', [table%low_error])

@@ -57,7 +57,7 @@ contains
       call b%line("set ylabel 'pressure (MPa)'")
       call b%line('set key top left')
       call b%line('set logscale y')
-      call b%line("plot $law using 1:2 lw 2 "//blue//" title 'law', "//backslash)
+      call b%line('plot $law using 1:2 lw 2 '//blue//" title 'law', "//backslash)
       call b%line('$rows using 1:2 with points pt 7 ps 0.6 '//red//" title '"// &
          to_text(n + 1)//" rows, first and last not drawn'")
       call b%line('unset logscale y')
