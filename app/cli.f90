@@ -3,9 +3,9 @@ module app_cli
    use asperity, only: error_type
    use asperity_error, only: fatal_error
    use app_help, only: usage_text
-   use app_keys, only: belongs, command_citation, command_curve, command_help, command_names, &
-      command_hysteresis, command_pairs, command_press, command_shear, command_table, &
-      command_tenon, command_version, find_key
+   use app_keys, only: belongs, command_citation, command_curve, command_deck_shear, &
+      command_deck_tenon, command_help, command_hysteresis, command_names, command_pairs, &
+      command_press, command_shear, command_table, command_tenon, command_version, find_key
    use app_option, only: parse_option
    use app_settings, only: settings_type
    use app_strings, only: nearest_name, quoted, starts_with, string_type
@@ -26,12 +26,16 @@ module app_cli
    end type command_line_type
 
    character(len=*), parameter :: command_words(*) = [character(len=10) :: &
-      'curve', 'press', 'shear', 'tenon', 'table', 'hysteresis', 'pairs', 'version', &
-      'help', '--version', '--help', '-h', '--citation']
+      'curve', 'press', 'shear', 'tenon', 'table', 'deck shear', 'deck tenon', 'hysteresis', &
+      'pairs', 'version', 'help', '--version', '--help', '-h', '--citation']
    integer, parameter :: command_codes(*) = [command_curve, command_press, command_shear, &
-      command_tenon, command_table, command_hysteresis, command_pairs, &
+      command_tenon, command_table, command_deck_shear, command_deck_tenon, command_hysteresis, &
+      command_pairs, &
       command_version, command_help, command_version, command_help, command_help, &
       command_citation]
+
+   !> First word of the commands that have two
+   character(len=*), parameter :: deck = 'deck'
 
 contains
 
@@ -50,8 +54,10 @@ contains
          call fatal_error(error, 'no command is given'//usage_text())
          return
       end if
+      call join_words(arguments, 1)
       call find_command(arguments(1)%text, line%command, error)
       if (allocated(error)) return
+      if (line%command == command_help) call join_words(arguments, 2)
       do i = 2, size(arguments)
          if (arguments(i)%text /= '--help' .and. arguments(i)%text /= '-h') cycle
          line%topic = line%command
@@ -82,6 +88,17 @@ contains
       end do
    end subroutine get_arguments
 
+   !> Make one word of `deck` and the model that follows it.
+   pure subroutine join_words(arguments, place)
+      type(string_type), allocatable, intent(inout) :: arguments(:)
+      integer, intent(in) :: place
+
+      if (size(arguments) <= place) return
+      if (arguments(place)%text /= deck .or. starts_with(arguments(place + 1)%text, '-')) return
+      arguments(place)%text = deck//' '//arguments(place + 1)%text
+      arguments = [arguments(:place), arguments(place + 2:)]
+   end subroutine join_words
+
    !> Command of a word.
    pure subroutine find_command(word, command, error)
       character(len=*), intent(in) :: word
@@ -95,6 +112,10 @@ contains
          if (command_words(i) == word) command = command_codes(i)
       end do
       if (command /= 0) return
+      if (word == deck) then
+         call fatal_error(error, 'deck needs a model: deck shear or deck tenon')
+         return
+      end if
       nearest = nearest_name(word, command_words)
       if (nearest == '') then
          nearest = '; see asperity help'

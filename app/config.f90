@@ -9,8 +9,7 @@ module app_config
    use replay_shear_box, only: shear_settings
    use replay_tenon_settings, only: tenon_settings
    use app_effective, only: locate
-   use app_keys, only: command_curve, command_shear, command_table, command_tenon, &
-      find_key
+   use app_keys, only: command_curve, command_table, command_tenon, find_key, shears, tenons
    use app_settings, only: settings_type
    use app_tenon_config, only: new_side_properties, new_tenon_settings, whole_list
    implicit none
@@ -63,7 +62,7 @@ contains
          if (.not. allocated(error)) then
             friction_coefficient = 0.0_wp
             critical_slip = 1.0_wp
-            if (iand(command, command_shear + command_tenon + command_table) /= 0) then
+            if (iand(command, shears + tenons + command_table) /= 0) then
                friction_coefficient = s%real_of('friction_coefficient')
                critical_slip = s%real_of('critical_slip')
             end if
@@ -75,7 +74,7 @@ contains
                critical_slip, error, s%real_of('initial_separation'), friction_rule, &
                slip_integration, compiled=command == command_tenon)
          end if
-         if (.not. allocated(error) .and. command == command_tenon) then
+         if (.not. allocated(error) .and. iand(command, tenons) /= 0) then
             call new_side_properties(config%sides, s, friction_rule, slip_integration, error)
             if (.not. allocated(error)) call new_tenon_settings(config%tenon, s, error)
             if (.not. allocated(error) .and. s%given('record')) &

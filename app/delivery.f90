@@ -28,8 +28,8 @@ module app_delivery
    end type delivery_type
 
    !> Options that name a file; pictures first since they are most likely to fail
-   character(len=*), parameter :: options(7) = [character(len=8) :: 'plot', 'report', 'csv', &
-      'json', 'points', 'abaqus', 'calculix']
+   character(len=*), parameter :: options(8) = [character(len=8) :: 'plot', 'report', 'csv', &
+      'json', 'points', 'abaqus', 'calculix', 'inp']
    !> Largest page, characters
    integer, parameter :: largest_page = 64*1024*1024
    !> Path that stands for standard output

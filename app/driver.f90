@@ -4,13 +4,14 @@ module app_driver
    use app_cli, only: command_line_type
    use app_config, only: config_type, new_config
    use app_curve, only: report_curve
+   use app_deck, only: report_shear_deck, report_tenon_deck
    use app_delivery, only: deliver, delivery_type, prepare_delivery
    use app_effective, only: case_settings, locate, settled
    use app_help, only: citation_text, help_text, version_text
    use app_hysteresis, only: report_hysteresis, take_defaults
-   use app_keys, only: command_citation, command_curve, command_help, command_hysteresis, &
-      command_pairs, command_press, command_shear, command_table, command_tenon, &
-      command_version
+   use app_keys, only: command_citation, command_curve, command_deck_shear, command_deck_tenon, &
+      command_help, command_hysteresis, command_pairs, command_press, command_shear, &
+      command_table, command_tenon, command_version
    use app_law_table, only: report_law_table
    use app_output, only: write_standard_output
    use app_pairs, only: report_pairs
@@ -93,6 +94,11 @@ contains
          end if
       case (command_table)
          call report_law_table(config, report, error)
+      case (command_deck_shear)
+         call report_shear_deck(config, report, error)
+      case (command_deck_tenon)
+         call take_history(config%tenon, report%settings, error)
+         if (.not. allocated(error)) call report_tenon_deck(config, report, error)
       case (command_hysteresis)
          call report_hysteresis(report, error)
       case default

@@ -6,7 +6,8 @@ module app_effective
    use asperity_error, only: fatal_error
    use app_case_file, only: read_case
    use app_cli, only: command_line_type
-   use app_keys, only: command_press, command_tenon, find_key, n_keys
+   use app_keys, only: command_deck_shear, command_press, command_table, decks, find_key, n_keys, &
+      tenons
    use app_lists, only: linear_range
    use app_presets, only: apply_presets, check_presets_used, drop_overridden, fill
    use app_settings, only: default_settings, settings_type
@@ -19,7 +20,10 @@ module app_effective
    !> Default of `separation`: from 4 sigma down to 0
    integer, parameter :: default_points = 41
    !> Defaults of `displacement_increment`, mm
-   real(wp), parameter :: box_increment = 0.02_wp, joint_increment = 0.8_wp
+   real(wp), parameter :: box_increment = 0.02_wp, deck_increment = 0.05_wp, &
+      joint_increment = 0.8_wp
+   !> Defaults of `mesh_size`, mm, which are the paper's, and of `largest_pressure`, MPa
+   real(wp), parameter :: disc_mesh = 2.5_wp, joint_mesh = 30.0_wp, table_end = 4.7_wp
 
    !> Default of `cycles`, for the default amplitudes
    real(wp), parameter :: default_cycles(9) = [1.0_wp, 1.0_wp, 1.0_wp, 1.0_wp, 3.0_wp, 3.0_wp, &
@@ -88,10 +92,18 @@ contains
          call fill(settings, 'separation', linear_range(default_initial_separation*sigma, &
             0.0_wp, default_points), '4 sigma to 0', follows=.true.)
       end associate
-      call follow(settings, 'stick_pressure', 'largest_pressure')
-      call fill(settings, 'displacement_increment', &
-         [merge(joint_increment, box_increment, command == command_tenon)], 'default')
-      if (command /= command_tenon) return
+      if (command == command_table) then
+         call fill(settings, 'largest_pressure', [table_end], 'default')
+         call follow(settings, 'stick_pressure', 'largest_pressure')
+      else if (iand(command, decks) /= 0) then
+         call fill(settings, 'mesh_size', &
+            [merge(disc_mesh, joint_mesh, command == command_deck_shear)], 'default')
+         call follow(settings, 'largest_pressure', 'hardness')
+      end if
+      call fill(settings, 'displacement_increment', [merge(joint_increment, &
+         merge(deck_increment, box_increment, command == command_deck_shear), &
+         iand(command, tenons) /= 0)], 'default')
+      if (iand(command, tenons) == 0) return
       if (settings%given('amplitudes')) then
          associate (amplitudes => settings%of(find_key('amplitudes'))%values)
             call fill(settings, 'cycles', [(1.0_wp, i=1, size(amplitudes))], '1 each', &

@@ -1,9 +1,10 @@
 !> Help texts, made from the table of keys.
 module app_help
    use asperity_version, only: version
-   use app_keys, only: belongs, command_curve, command_hysteresis, command_pairs, command_press, &
-      command_shear, command_table, command_tenon, keys, kind_choice, kind_file, kind_integer, &
-      kind_list, kind_logical, kind_real, kind_sweep, kind_text, n_keys, option_name
+   use app_keys, only: belongs, command_curve, command_deck_shear, command_deck_tenon, &
+      command_hysteresis, command_pairs, command_press, command_shear, command_table, &
+      command_tenon, keys, kind_choice, kind_file, kind_integer, kind_list, kind_logical, &
+      kind_real, kind_sweep, kind_text, n_keys, option_name
    use app_strings, only: escaped, newline
    use app_text_buffer, only: text_buffer
    implicit none
@@ -21,6 +22,7 @@ contains
 
       text = newline// &
          'usage: asperity curve|press|shear|tenon|table [CASE.nml] [options]'//newline// &
+         '       asperity deck shear|tenon [CASE.nml] [options]'//newline// &
          '       asperity hysteresis FILE.csv [options]'//newline// &
          '       asperity pairs|version|help [COMMAND]'//newline// &
          'help:  asperity help'
@@ -54,6 +56,15 @@ contains
             'The law as rows of pressure and overclosure, for programs that interpolate between'// &
             newline//'them: *SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=TABULAR of ABAQUS and'// &
             ' CalculiX, with friction.', topic)
+      case (command_deck_shear)
+         text = command_help('asperity deck shear [CASE.nml] [options]', &
+            'Input deck of the direct shear test in three dimensions, for CalculiX or ABAQUS'// &
+            newline//'(Figs 15-18): two discs of wood with the rough law, a table of it, or'// &
+            ' hard contact.', topic)
+      case (command_deck_tenon)
+         text = command_help('asperity deck tenon [CASE.nml] [options]', &
+            'Input deck of the straight tenon joint in three dimensions, for CalculiX or ABAQUS'// &
+            newline//'(Figs 20-35): joint and programme of the case of asperity tenon.', topic)
       case (command_hysteresis)
          text = command_help('asperity hysteresis FILE.csv [options]', &
             'Cycles, skeleton, yield and ultimate point, stiffness, energy and damping of a'// &
@@ -79,6 +90,8 @@ contains
          '  shear      direct shear box, as ABAQUS calls UINTER'//newline// &
          '  tenon      cyclic tenon joint, hard contact against the rough law'//newline// &
          '  table      the law as a table for ABAQUS and CalculiX decks'//newline// &
+         '  deck shear input deck of the shear test for ABAQUS or CalculiX'//newline// &
+         '  deck tenon input deck of the tenon joint for ABAQUS or CalculiX'//newline// &
          '  hysteresis stiffness, energy and damping of a record of displacement and force'// &
          newline// &
          '  pairs      pairs of faces and surfaces of the paper'//newline// &

@@ -11,15 +11,22 @@ module app_keys
    !> Commands, as bits of a sum
    integer, parameter, public :: command_curve = 1, command_press = 2, command_shear = 4, &
       command_pairs = 8, command_version = 16, command_help = 32, command_citation = 64, &
-      command_hysteresis = 128, command_tenon = 256, command_table = 512
-   integer, parameter :: all_runs = command_curve + command_press + command_shear + &
+      command_hysteresis = 128, command_tenon = 256, command_table = 512, &
+      command_deck_shear = 1024, command_deck_tenon = 2048
+   !> Commands that share keys
+   integer, parameter, public :: shears = command_shear + command_deck_shear, &
+      tenons = command_tenon + command_deck_tenon, decks = command_deck_shear + command_deck_tenon
+   integer, parameter :: all_replays = command_curve + command_press + command_shear + &
       command_tenon + command_table
-   integer, parameter :: with_friction = command_shear + command_tenon + command_table
-   integer, parameter :: slides = command_shear + command_tenon
-   integer, parameter :: records = command_hysteresis + command_tenon
-   integer, parameter :: all_drawn = all_runs + command_hysteresis
+   integer, parameter :: all_runs = all_replays + decks
+   integer, parameter :: with_friction = shears + tenons + command_table
+   integer, parameter :: slides = shears + tenons
+   integer, parameter :: moves = shears + command_tenon
+   integer, parameter :: tabulates = command_table + decks
+   integer, parameter :: records = command_hysteresis + tenons
+   integer, parameter :: all_drawn = all_replays + command_hysteresis
    integer, parameter :: all_tables = all_drawn + command_pairs
-   integer, parameter :: everything = all_tables + command_version + command_help
+   integer, parameter :: everything = all_tables + decks + command_version + command_help
 
    !> Kinds of values
    enum, bind(c)
@@ -97,11 +104,11 @@ module app_keys
       key_type('slip_integration', kind_choice, '', slides, yes, 'exact', &
       'exact backward_euler', &
       'how the slip of an increment is integrated'), &
-      key_type('side_pair', kind_text, '', command_tenon, yes, 'tangential-tangential', '', &
+      key_type('side_pair', kind_text, '', tenons, yes, 'tangential-tangential', '', &
       'pair of faces of the two sides of the tenon'), &
-      key_type('side_friction', kind_real, '', command_tenon, yes, '', '', &
+      key_type('side_friction', kind_real, '', tenons, yes, '', '', &
       'Coulomb friction coefficient of the sides; friction_coefficient unless given'), &
-      key_type('side_critical_slip', kind_real, 'mm', command_tenon, yes, '', '', &
+      key_type('side_critical_slip', kind_real, 'mm', tenons, yes, '', '', &
       'largest elastic slip of the sides; critical_slip unless given'), &
       key_type('accept_unphysical', kind_logical, '', all_runs, yes, 'false', '', &
       'let eta*radius*sigma below 0.0249 pass; results are flagged'), &
@@ -116,83 +123,83 @@ module app_keys
       'increments of each ramp'), &
       key_type('step_time', kind_real, 's', command_press, no, '1', '', &
       'time of each ramp'), &
-      key_type('diameter', kind_real, 'mm', command_shear, no, '61.8', '', &
+      key_type('diameter', kind_real, 'mm', shears, no, '61.8', '', &
       'diameter of the two discs'), &
-      key_type('normal_stress', kind_list, 'MPa', command_shear, no, '0.05 0.1 0.2', '', &
+      key_type('normal_stress', kind_list, 'MPa', shears, no, '0.05 0.1 0.2', '', &
       'normal stresses on the full disc, one run each'), &
-      key_type('rate', kind_real, 'mm/min', command_shear, no, '1.2', '', &
+      key_type('rate', kind_real, 'mm/min', shears, no, '1.2', '', &
       'speed of the lower box'), &
-      key_type('displacement', kind_list, 'mm', command_shear, no, '3', '', &
+      key_type('displacement', kind_list, 'mm', shears, no, '3', '', &
       'turning points of the lower box, such as 3,-3,3'), &
-      key_type('displacement_increment', kind_real, 'mm', slides, no, '', '', &
-      'largest displacement in one increment; shear 0.02, tenon 0.8 unless given'), &
+      key_type('displacement_increment', kind_real, 'mm', moves, no, '', '', &
+      'largest displacement in one increment; shear 0.02, deck 0.05, tenon 0.8 unless given'), &
       key_type('shrinking_overlap', kind_logical, '', command_shear, no, 'true', '', &
       'the overlap of the discs shrinks with displacement'), &
       key_type('shear_compliance', kind_real, 'mm/N', command_shear, no, '0', '', &
       'shear compliance of the two specimens together'), &
-      key_type('largest_pressure', kind_real, 'MPa', command_table, no, '4.7', '', &
-      'pressure up to which the tolerance holds'), &
-      key_type('smallest_pressure', kind_real, 'MPa', command_table, no, '', '', &
+      key_type('largest_pressure', kind_real, 'MPa', tabulates, no, '', '', &
+      'pressure up to which the tolerance holds; table 4.7, deck the hardness unless given'), &
+      key_type('smallest_pressure', kind_real, 'MPa', tabulates, no, '', '', &
       'pressure from which it holds; unless given, 1e-9 2 pi eta R H sigma, as points open'), &
-      key_type('tolerance', kind_real, '', command_table, no, '0.01', '', &
+      key_type('tolerance', kind_real, '', tabulates, no, '0.01', '', &
       'relative error of linear interpolation between rows'), &
-      key_type('rows', kind_integer, '', command_table, no, '200', '', &
+      key_type('rows', kind_integer, '', tabulates, no, '200', '', &
       'most rows; CalculiX takes 200'), &
-      key_type('stick_pressure', kind_real, 'MPa', command_table, no, '', '', &
-      'pressure of CalculiX'' stick slope mu p/gcrit; largest_pressure unless given'), &
-      key_type('length', kind_real, 'mm', command_tenon, no, '300', '', &
+      key_type('stick_pressure', kind_real, 'MPa', tabulates, no, '', '', &
+      'pressure of CalculiX'' stick slope; largest_pressure, deck: as loaded, unless given'), &
+      key_type('length', kind_real, 'mm', tenons, no, '300', '', &
       'length of the tenon in the mortise'), &
-      key_type('height', kind_real, 'mm', command_tenon, no, '300', '', &
+      key_type('height', kind_real, 'mm', tenons, no, '300', '', &
       'height of the tenon'), &
-      key_type('width', kind_real, 'mm', command_tenon, no, '105', '', &
+      key_type('width', kind_real, 'mm', tenons, no, '105', '', &
       'width of the tenon'), &
-      key_type('clearance', kind_real, 'mm', command_tenon, no, '0.5', '', &
+      key_type('clearance', kind_real, 'mm', tenons, no, '0.5', '', &
       'gap above the tenon, and the same below it'), &
-      key_type('clearance_above', kind_real, 'mm', command_tenon, no, '', '', &
+      key_type('clearance_above', kind_real, 'mm', tenons, no, '', '', &
       'gap above the tenon; clearance unless given'), &
-      key_type('clearance_below', kind_real, 'mm', command_tenon, no, '', '', &
+      key_type('clearance_below', kind_real, 'mm', tenons, no, '', '', &
       'gap below the tenon; clearance unless given'), &
-      key_type('gap', kind_choice, '', command_tenon, no, 'mean_plane', 'mean_plane first_touch', &
+      key_type('gap', kind_choice, '', tenons, no, 'mean_plane', 'mean_plane first_touch', &
       'what the clearance is measured between'), &
       key_type('extension', kind_real, 'mm', command_tenon, no, '60', '', &
       'length of full material that runs on past the column face'), &
-      key_type('arm', kind_real, 'mm', command_tenon, no, '500', '', &
+      key_type('arm', kind_real, 'mm', tenons, no, '500', '', &
       'distance of the load point from arm_datum; the moment is force times arm'), &
-      key_type('arm_datum', kind_choice, '', command_tenon, no, 'column_face', &
+      key_type('arm_datum', kind_choice, '', tenons, no, 'column_face', &
       'column_face column_axis', &
       'where the arm is measured from'), &
-      key_type('side_pressure', kind_real, 'MPa', command_tenon, no, '0.2', '', &
+      key_type('side_pressure', kind_real, 'MPa', tenons, no, '0.2', '', &
       'pressure on each side face, 0 for none'), &
-      key_type('axial_rule', kind_choice, '', command_tenon, no, 'spring', &
+      key_type('axial_rule', kind_choice, '', tenons, no, 'spring', &
       'spring fixed free force', &
       'what resists pull-out'), &
-      key_type('axial_stiffness', kind_real, 'N/mm', command_tenon, no, '500', '', &
+      key_type('axial_stiffness', kind_real, 'N/mm', tenons, no, '500', '', &
       'stiffness of the axial spring'), &
       key_type('axial_force', kind_real, 'N', command_tenon, no, '0', '', &
       'axial force of axial_rule = force, positive pulls the tenon out'), &
-      key_type('shoulders', kind_logical, '', command_tenon, no, 'false', '', &
+      key_type('shoulders', kind_logical, '', tenons, no, 'false', '', &
       'shoulders above and below the tenon bear on the column face; no extension then'), &
       key_type('shoulder_height', kind_real, 'mm', command_tenon, no, '50', '', &
       'height of each shoulder'), &
       key_type('shoulder_gap', kind_real, 'mm', command_tenon, no, '0', '', &
       'gap between each shoulder and the column face'), &
-      key_type('column_load', kind_real, 'N', command_tenon, no, '0', '', &
-      'vertical load of the column, for information'), &
-      key_type('bearing_modulus', kind_real, 'MPa', command_tenon, no, '351', '', &
+      key_type('column_load', kind_real, 'N', tenons, no, '0', '', &
+      'vertical load of the column; the plane replay does not use it'), &
+      key_type('bearing_modulus', kind_real, 'MPa', tenons, no, '351', '', &
       'modulus of the wood perpendicular to the grain'), &
       key_type('bearing_depth', kind_real, 'mm', command_tenon, no, '150', '', &
       'depth of wood that the bearing compresses'), &
-      key_type('bearing_strength', kind_real, 'MPa', command_tenon, no, '4.7', '', &
+      key_type('bearing_strength', kind_real, 'MPa', tenons, no, '4.7', '', &
       'strength fc90 perpendicular to the grain'), &
-      key_type('hardening', kind_real, '', command_tenon, no, '0.02', '', &
+      key_type('hardening', kind_real, '', tenons, no, '0.02', '', &
       'stiffness after yield over bearing_modulus/bearing_depth'), &
-      key_type('column_modulus', kind_real, 'MPa', command_tenon, no, '3727', '', &
+      key_type('column_modulus', kind_real, 'MPa', tenons, no, '3727', '', &
       'modulus of the column parallel to the grain, 0 for rigid'), &
       key_type('column_depth', kind_real, 'mm', command_tenon, no, '150', '', &
       'depth of the column that the bearing compresses'), &
-      key_type('column_strength', kind_real, 'MPa', command_tenon, no, '50.1', '', &
+      key_type('column_strength', kind_real, 'MPa', tenons, no, '50.1', '', &
       'strength fc0 of the column parallel to the grain'), &
-      key_type('column_hardening', kind_real, '', command_tenon, no, '0.02', '', &
+      key_type('column_hardening', kind_real, '', tenons, no, '0.02', '', &
       'stiffness after yield over column_modulus/column_depth'), &
       key_type('face_points', kind_integer, '', command_tenon, no, '100', '', &
       'contact points along the upper, and along the lower face'), &
@@ -200,16 +207,46 @@ module app_keys
       'contact points along either direction of a side face'), &
       key_type('shoulder_points', kind_integer, '', command_tenon, no, '16', '', &
       'contact points over the height of each shoulder'), &
-      key_type('amplitudes', kind_list, 'mm', command_tenon, no, '0.5 1 2 4 8 16 24 32 48', '', &
+      key_type('amplitudes', kind_list, 'mm', tenons, no, '0.5 1 2 4 8 16 24 32 48', '', &
       'amplitudes at the load point, growing'), &
-      key_type('cycles', kind_list, '', command_tenon, no, '', '', &
+      key_type('cycles', kind_list, '', tenons, no, '', '', &
       'cycles at each amplitude; 1, and 3 from 8 mm on of the default amplitudes'), &
-      key_type('history', kind_text, '', command_tenon, no, '', '', &
+      key_type('history', kind_text, '', tenons, no, '', '', &
       'CSV file of recorded displacements, mm, in place of amplitudes'), &
       key_type('record', kind_list, '', command_tenon, no, '', '', &
       'steps whose points --points holds; four of the largest loop unless given'), &
       key_type('through', kind_choice, '', command_tenon, no, 'direct', 'direct uinter', &
       'what updates a contact point'), &
+      key_type('solver', kind_choice, '', decks, no, 'calculix', 'calculix abaqus', &
+      'what the deck is for'), &
+      key_type('contact', kind_choice, '', decks, no, 'uinter', 'uinter table hard', &
+      'UINTER, the law as a table, or hard contact'), &
+      key_type('mesh_size', kind_real, 'mm', decks, no, '', '', &
+      'edge of an element aimed at; shear 2.5, tenon 30 unless given'), &
+      key_type('element', kind_choice, '', decks, no, 'c3d8i', 'c3d8i c3d8 c3d8r', &
+      'element; the paper''s C3D8R deforms without resistance in CalculiX'), &
+      key_type('plasticity', kind_choice, '', decks, no, 'elastic', 'elastic plastic', &
+      'wood; plastic is Hill''s criterion in ABAQUS, Mises'' in CalculiX'), &
+      key_type('field', kind_choice, '', decks, no, 'contact', 'contact all', &
+      'results of all nodes in every increment: displacement and contact, or also stress'), &
+      key_type('penalty', kind_real, 'MPa/mm', decks, no, '100', '', &
+      'pressure over penetration of hard contact in CalculiX'), &
+      key_type('search_distance', kind_real, 'mm', decks, no, '3', '', &
+      'clearance below which CalculiX with UINTER has contact springs'), &
+      key_type('disc_height', kind_real, 'mm', command_deck_shear, no, '10', '', &
+      'height of each disc'), &
+      key_type('upper_grain', kind_choice, '', command_deck_shear, no, '', 'normal along', &
+      'grain of the upper disc; along its face for pair tangential-tangential, else normal'), &
+      key_type('column_height', kind_real, 'mm', command_deck_tenon, no, '1000', '', &
+      'height of the column'), &
+      key_type('column_width', kind_real, 'mm', command_deck_tenon, no, '300', '', &
+      'width of the column across the beam'), &
+      key_type('tail', kind_real, 'mm', command_deck_tenon, no, '0', '', &
+      'length of the beam behind the column'), &
+      key_type('side_interference', kind_real, 'mm', command_deck_tenon, no, '', '', &
+      'overlap at each side; made for side_pressure unless given'), &
+      key_type('stroke_increments', kind_integer, '', command_deck_tenon, no, '10', '', &
+      'fewest increments of a stroke; twice as many beyond 16 mm'), &
       key_type('record_file', kind_text, '', command_hysteresis, no, '', '', &
       'the record, as FILE.csv without an option'), &
       key_type('quantity', kind_choice, '', command_hysteresis, no, 'force', 'force moment', &
@@ -258,6 +295,8 @@ module app_keys
       'write the interaction for an ABAQUS deck; - is standard output'), &
       key_type('calculix', kind_file, '', command_table, no, '', '', &
       'write the interaction for a CalculiX deck; - is standard output'), &
+      key_type('inp', kind_file, '', decks, no, '', '', &
+      'write the deck; - is standard output'), &
       key_type('points', kind_file, '', command_tenon, no, '', '', &
       'write every contact point at the steps of record as CSV; - is standard output'), &
       key_type('report', kind_file, '', command_tenon, no, '', '', &
@@ -313,7 +352,7 @@ contains
       character(len=:), allocatable :: names
       character(len=10), parameter :: each(*) = [character(len=10) :: &
          'curve', 'press', 'shear', 'pairs', 'version', 'help', 'citation', 'hysteresis', 'tenon', &
-         'table']
+         'table', 'deck shear', 'deck tenon']
       integer :: i
 
       names = ''

@@ -1,0 +1,223 @@
+!> Meshes of eight-node hexahedra, and what is found on them by place: nodes and faces.
+!>
+!> Corners and faces are numbered as in C3D8 of ABAQUS and CalculiX.
+module deck_hex_mesh
+   use asperity, only: wp
+   implicit none
+   private
+   public :: hex_mesh, new_grid_mesh, nodes_in_box, faces_in_box, face_area, mesh_volume, &
+      least_jacobian, even_cuts, joined_cuts
+
+   !> Corners of the faces S1 to S6, in the order that makes the normal point outwards
+   integer, parameter, public :: face_corners(4, 6) = reshape([1, 4, 3, 2, 5, 6, 7, 8, &
+      1, 2, 6, 5, 2, 3, 7, 6, 3, 4, 8, 7, 4, 1, 5, 8], [4, 6])
+   !> Natural coordinates of the corners
+   integer, parameter :: corners(3, 8) = reshape([-1, -1, -1, 1, -1, -1, 1, 1, -1, -1, 1, -1, &
+      -1, -1, 1, 1, -1, 1, 1, 1, 1, -1, 1, 1], [3, 8])
+   !> How far a node may be beside a plane and still be on it, mm
+   real(wp), parameter :: tolerance = 1.0e-6_wp
+
+   !> Nodes and elements.
+   type :: hex_mesh
+      !> Coordinates of each node, mm
+      real(wp), allocatable :: nodes(:, :)
+      !> The eight nodes of each element
+      integer, allocatable :: elements(:, :)
+   end type hex_mesh
+
+contains
+
+   !> Elements between the planes of a grid, all or those of `keep`; only their nodes are made.
+   pure subroutine new_grid_mesh(mesh, x, y, z, keep)
+      !> Result
+      type(hex_mesh), intent(out) :: mesh
+      !> Planes of the grid, rising, mm
+      real(wp), intent(in) :: x(:), y(:), z(:)
+      !> Cells that are filled, one fewer than planes in each direction; all when absent
+      logical, intent(in), optional :: keep(:, :, :)
+      integer :: number(size(x), size(y), size(z)), i, j, k, n
+      logical :: filled(size(x) - 1, size(y) - 1, size(z) - 1)
+
+      filled = .true.
+      if (present(keep)) filled = keep
+      number = 0
+      do k = 1, size(z) - 1
+         do j = 1, size(y) - 1
+            do i = 1, size(x) - 1
+               if (filled(i, j, k)) number(i:i + 1, j:j + 1, k:k + 1) = 1
+            end do
+         end do
+      end do
+      allocate (mesh%nodes(3, count(number > 0)), mesh%elements(8, count(filled)))
+      n = 0
+      do k = 1, size(z)
+         do j = 1, size(y)
+            do i = 1, size(x)
+               if (number(i, j, k) == 0) cycle
+               n = n + 1
+               number(i, j, k) = n
+               mesh%nodes(:, n) = [x(i), y(j), z(k)]
+            end do
+         end do
+      end do
+      n = 0
+      do k = 1, size(z) - 1
+         do j = 1, size(y) - 1
+            do i = 1, size(x) - 1
+               if (.not. filled(i, j, k)) cycle
+               n = n + 1
+               mesh%elements(:, n) = [ &
+                  number(i, j, k), number(i + 1, j, k), &
+                  number(i + 1, j + 1, k), number(i, j + 1, k), &
+                  number(i, j, k + 1), number(i + 1, j, k + 1), &
+                  number(i + 1, j + 1, k + 1), number(i, j + 1, k + 1)]
+            end do
+         end do
+      end do
+   end subroutine new_grid_mesh
+
+   !> Planes that cut a length into equal cells of about a size, at least `least` of them.
+   pure subroutine even_cuts(from, to, size_wanted, least, cuts)
+      !> Ends of the length, mm
+      real(wp), intent(in) :: from, to
+      !> Size of a cell aimed at, mm
+      real(wp), intent(in) :: size_wanted
+      !> Fewest cells, of which the number is a multiple
+      integer, intent(in) :: least
+      !> Places of the planes, mm
+      real(wp), allocatable, intent(out) :: cuts(:)
+      integer :: n, i
+
+      n = least*max(1, nint((to - from)/(least*size_wanted)))
+      allocate (cuts(n + 1))
+      cuts = [(from + (to - from)*(real(i, wp)/n), i=0, n)]
+      cuts(n + 1) = to
+   end subroutine even_cuts
+
+   !> Planes of two neighbouring lengths as one list.
+   pure subroutine joined_cuts(first, second, cuts)
+      !> Planes of the first length, and of the second, which begins where the first ends
+      real(wp), intent(in) :: first(:), second(:)
+      !> All planes
+      real(wp), allocatable, intent(out) :: cuts(:)
+
+      allocate (cuts(size(first) + size(second) - 1))
+      cuts = [first, second(2:)]
+   end subroutine joined_cuts
+
+   !> Numbers of the nodes in a box, whose sides belong to it.
+   pure subroutine nodes_in_box(mesh, low, high, found)
+      !> The mesh
+      type(hex_mesh), intent(in) :: mesh
+      !> Corners of the box, mm
+      real(wp), intent(in) :: low(3), high(3)
+      !> The nodes
+      integer, allocatable, intent(out) :: found(:)
+      logical :: inside(size(mesh%nodes, 2))
+      integer :: i
+
+      do i = 1, size(inside)
+         inside(i) = all(mesh%nodes(:, i) > low - tolerance &
+            .and. mesh%nodes(:, i) < high + tolerance)
+      end do
+      allocate (found(count(inside)))
+      found = pack([(i, i=1, size(inside))], inside)
+   end subroutine nodes_in_box
+
+   !> Elements and faces all of whose nodes are in a box, which is flat when one face is wanted.
+   pure subroutine faces_in_box(mesh, low, high, found)
+      !> The mesh
+      type(hex_mesh), intent(in) :: mesh
+      !> Corners of the box, mm
+      real(wp), intent(in) :: low(3), high(3)
+      !> Element and number of each face
+      integer, allocatable, intent(out) :: found(:, :)
+      logical :: inside(size(mesh%nodes, 2)), chosen(6, size(mesh%elements, 2))
+      integer, allocatable :: nodes(:)
+      integer :: i, j, n
+
+      call nodes_in_box(mesh, low, high, nodes)
+      inside = .false.
+      inside(nodes) = .true.
+      do i = 1, size(mesh%elements, 2)
+         do j = 1, 6
+            chosen(j, i) = all(inside(mesh%elements(face_corners(:, j), i)))
+         end do
+      end do
+      allocate (found(2, count(chosen)))
+      n = 0
+      do i = 1, size(mesh%elements, 2)
+         do j = 1, 6
+            if (.not. chosen(j, i)) cycle
+            n = n + 1
+            found(:, n) = [i, j]
+         end do
+      end do
+   end subroutine faces_in_box
+
+   !> Outward normal of a face times its area, mm^2; of a warped face, of its middle.
+   pure function face_area(mesh, face) result(area)
+      !> The mesh
+      type(hex_mesh), intent(in) :: mesh
+      !> Element and number of the face
+      integer, intent(in) :: face(2)
+      real(wp) :: area(3)
+      real(wp) :: x(3, 4), a(3), b(3)
+
+      x = mesh%nodes(:, mesh%elements(face_corners(:, face(2)), face(1)))
+      a = x(:, 3) - x(:, 1)
+      b = x(:, 4) - x(:, 2)
+      area = 0.5_wp*[a(2)*b(3) - a(3)*b(2), a(3)*b(1) - a(1)*b(3), a(1)*b(2) - a(2)*b(1)]
+   end function face_area
+
+   !> Volume of all elements, mm^3, by two Gauss points in each direction, which is exact.
+   pure real(wp) function mesh_volume(mesh)
+      !> The mesh
+      type(hex_mesh), intent(in) :: mesh
+      integer :: i, j
+
+      mesh_volume = 0.0_wp
+      do i = 1, size(mesh%elements, 2)
+         do j = 1, 8
+            mesh_volume = mesh_volume &
+               + jacobian(mesh%nodes(:, mesh%elements(:, i)), corners(:, j)/sqrt(3.0_wp))
+         end do
+      end do
+   end function mesh_volume
+
+   !> Smallest Jacobian at a corner over the element's mean: 1 for a brick, above 0 for any element
+   !> that can be used.
+   pure real(wp) function least_jacobian(mesh)
+      !> The mesh
+      type(hex_mesh), intent(in) :: mesh
+      real(wp) :: at_corner(8)
+      integer :: i, j
+
+      least_jacobian = huge(1.0_wp)
+      do i = 1, size(mesh%elements, 2)
+         do j = 1, 8
+            at_corner(j) = jacobian(mesh%nodes(:, mesh%elements(:, i)), real(corners(:, j), wp))
+         end do
+         least_jacobian = min(least_jacobian, 8.0_wp*minval(at_corner)/abs(sum(at_corner)))
+      end do
+   end function least_jacobian
+
+   !> Jacobian of an element at a place in it.
+   pure real(wp) function jacobian(nodes, place)
+      real(wp), intent(in) :: nodes(3, 8), place(3)
+      real(wp) :: m(3, 3), s(3)
+      integer :: i
+
+      m = 0.0_wp
+      do i = 1, 8
+         s = 1.0_wp + corners(:, i)*place
+         m(:, 1) = m(:, 1) + 0.125_wp*corners(1, i)*s(2)*s(3)*nodes(:, i)
+         m(:, 2) = m(:, 2) + 0.125_wp*corners(2, i)*s(1)*s(3)*nodes(:, i)
+         m(:, 3) = m(:, 3) + 0.125_wp*corners(3, i)*s(1)*s(2)*nodes(:, i)
+      end do
+      jacobian = m(1, 1)*(m(2, 2)*m(3, 3) - m(3, 2)*m(2, 3)) &
+         - m(1, 2)*(m(2, 1)*m(3, 3) - m(3, 1)*m(2, 3)) &
+         + m(1, 3)*(m(2, 1)*m(3, 2) - m(3, 1)*m(2, 2))
+   end function jacobian
+
+end module deck_hex_mesh

@@ -1,0 +1,194 @@
+!> The text of the shear test's deck.
+module deck_shear_text
+   use asperity, only: wp
+   use asperity_text, only: to_text
+   use deck_choices, only: element_kind
+   use deck_head, only: write_head
+   use deck_hex_mesh, only: hex_mesh, nodes_in_box
+   use deck_interaction, only: write_interaction, write_pair
+   use deck_shear_deck, only: shear_deck
+   use deck_steps, only: close_step, open_step, step_type, write_boundary
+   use deck_wood, only: write_axes, write_wood
+   use deck_writer, only: writer_type
+   implicit none
+   private
+   public :: write_shear_deck
+
+   real(wp), parameter :: far = huge(1.0_wp)
+   character(len=*), parameter :: force_sets(2) = [character(len=6) :: 'BOTTOM', 'TOP']
+   character(len=*), parameter :: gauges(4) = [character(len=12) :: 'BOTTOM_GAUGE', 'CAP', &
+      'LOWER_MIDDLE', 'UPPER_MIDDLE']
+
+contains
+
+   !> The text of the deck.
+   pure subroutine write_shear_deck(model, text)
+      !> The model
+      type(shear_deck), intent(in) :: model
+      !> The deck
+      character(len=:), allocatable, intent(out) :: text
+      type(writer_type) :: deck
+
+      call write_words(deck, model)
+      call write_parts(deck, model)
+      call write_supports(deck, model)
+      call write_steps(deck, model)
+      text = deck%text()
+   end subroutine write_shear_deck
+
+   !> What the model is, and what of it is chosen.
+   pure subroutine write_words(deck, model)
+      type(writer_type), intent(inout) :: deck
+      type(shear_deck), intent(in) :: model
+
+      call write_head(deck, model%choice, 'Direct shear test of two discs of wood')
+      call deck%comment('Two discs, one upon the other; z points up, the lower one moves along x. '// &
+         'Diameter, height, normal stress, speed: the paper''s, or the case''s. Edges are about '// &
+         to_text(model%choice%mesh_size, 4)//' mm long; the rim is placed so that the area is '// &
+         'that of the circle.')
+      call deck%comment('Chosen, as the paper does not say it:')
+      call deck%comment('- The boxes: the upper face of the upper disc is held in x and y and '// &
+         'stays level, as under a cap that cannot tilt (*EQUATION); the lower face of the lower '// &
+         'disc moves as a whole. The sides are free.')
+      if (model%upper_on_end) then
+         call deck%comment('- The grain: of the upper disc along z, so that its cross section is '// &
+            'in contact; of the lower disc along x, tangential section in contact (R along z).')
+      else
+         call deck%comment('- The grain: of both discs along x, tangential sections in contact '// &
+            '(R along z).')
+      end if
+      call deck%comment('- The start: the meshes overlap by '//to_text(model%overclosure, 6)// &
+         ' mm, which is the overclosure at which contact carries the normal stress. A gap closed '// &
+         'by a load would have no stiffness at first, and no solver would find the end of it. '// &
+         'The first step is one increment, from which on CalculiX counts all of the overlap.')
+      call deck%comment('The upper face is the slave. Where its nodes pass the rim of the lower '// &
+         'disc they lose their contact: the overlap shrinks as in the test, by whole nodes.')
+   end subroutine write_words
+
+   !> Meshes, wood, surfaces, contact.
+   pure subroutine write_parts(deck, model)
+      type(writer_type), intent(inout) :: deck
+      type(shear_deck), intent(in) :: model
+      real(wp), parameter :: x(3) = [1.0_wp, 0.0_wp, 0.0_wp], z(3) = [0.0_wp, 0.0_wp, 1.0_wp]
+      character(len=:), allocatable :: kind
+      integer :: nodes, elements
+
+      kind = element_kind(model%choice)
+      nodes = size(model%lower%nodes, 2)
+      elements = size(model%lower%elements, 2)
+      call deck%heading('meshes')
+      call deck%nodes(model%lower, 0, 'LOWER_NODES')
+      call deck%elements(model%lower, 0, 0, kind, 'LOWER')
+      call deck%nodes(model%upper, nodes, 'UPPER_NODES')
+      call deck%elements(model%upper, elements, nodes, kind, 'UPPER')
+
+      call deck%heading('wood: Table 1 of the paper; 1 = L, 2 = R, 3 = T')
+      call write_axes(deck, 'LOWER_AXES', x, z)
+      if (model%upper_on_end) then
+         call write_axes(deck, 'UPPER_AXES', z, x)
+      else
+         call write_axes(deck, 'UPPER_AXES', x, z)
+      end if
+      call write_wood(deck, model%choice, model%wood, 'LOWER_WOOD', .false.)
+      call write_wood(deck, model%choice, model%wood, 'UPPER_WOOD', model%upper_on_end)
+      call deck%section('LOWER', 'LOWER_WOOD', 'LOWER_AXES')
+      call deck%section('UPPER', 'UPPER_WOOD', 'UPPER_AXES')
+
+      call deck%heading('contact')
+      call deck%surface('LOWER_FACE', model%lower, [-far, -far, 0.0_wp], [far, far, 0.0_wp], 0)
+      call deck%surface('UPPER_FACE', model%upper, [-far, -far, -model%overclosure], &
+         [far, far, -model%overclosure], elements)
+      call deck%surface('CAP_FACE', model%upper, [-far, -far, top_of(model%upper)], &
+         [far, far, far], elements)
+      call write_interaction(deck, model%choice, model%contact)
+      call write_pair(deck, model%contact, 'UPPER_FACE', 'LOWER_FACE')
+   end subroutine write_parts
+
+   !> Height of the upper face of a part, mm.
+   pure real(wp) function top_of(mesh)
+      type(hex_mesh), intent(in) :: mesh
+
+      top_of = maxval(mesh%nodes(3, :))
+   end function top_of
+
+   !> Sets of nodes, and what holds them.
+   pure subroutine write_supports(deck, model)
+      type(writer_type), intent(inout) :: deck
+      type(shear_deck), intent(in) :: model
+      integer, allocatable :: bottom(:), top(:)
+      integer :: nodes, cap
+
+      nodes = size(model%lower%nodes, 2)
+      call deck%heading('supports')
+      call nodes_at(model%lower, minval(model%lower%nodes(3, :)), bottom)
+      call nodes_at(model%upper, top_of(model%upper), top)
+      cap = middle_of(model%upper, top)
+      call deck%node_set('BOTTOM', bottom)
+      call deck%node_set('TOP', nodes + top)
+      call deck%node_set('BOTTOM_GAUGE', [middle_of(model%lower, bottom)])
+      call deck%node_set('CAP', [nodes + cap])
+      call nodes_at(model%lower, 0.0_wp, bottom)
+      call deck%node_set('LOWER_MIDDLE', [middle_of(model%lower, bottom)])
+      call nodes_at(model%upper, -model%overclosure, bottom)
+      call deck%node_set('UPPER_MIDDLE', [nodes + middle_of(model%upper, bottom)])
+      call deck%comment('The cap stays level: its nodes go down as CAP does.')
+      call deck%level(nodes + top, nodes + cap, 3)
+      call write_boundary(deck, 'BOTTOM', 1, 0.0_wp)
+      call write_boundary(deck, 'BOTTOM', 2, 0.0_wp)
+      call write_boundary(deck, 'BOTTOM', 3, 0.0_wp)
+      call write_boundary(deck, 'TOP', 1, 0.0_wp)
+      call write_boundary(deck, 'TOP', 2, 0.0_wp)
+   end subroutine write_supports
+
+   !> Nodes of a part at a height.
+   pure subroutine nodes_at(mesh, height, found)
+      type(hex_mesh), intent(in) :: mesh
+      real(wp), intent(in) :: height
+      integer, allocatable, intent(out) :: found(:)
+
+      call nodes_in_box(mesh, [-far, -far, height], [far, far, height], found)
+   end subroutine nodes_at
+
+   !> The node nearest to the axis.
+   pure integer function middle_of(mesh, among)
+      type(hex_mesh), intent(in) :: mesh
+      integer, intent(in) :: among(:)
+
+      middle_of = among(minloc(mesh%nodes(1, among)**2 + mesh%nodes(2, among)**2, 1))
+   end function middle_of
+
+   !> Press, then a step for each way of the lower box.
+   pure subroutine write_steps(deck, model)
+      type(writer_type), intent(inout) :: deck
+      type(shear_deck), intent(in) :: model
+      type(step_type) :: step
+      real(wp) :: from, way
+      integer :: i
+
+      call deck%heading('press')
+      step%name = 'PRESS'
+      step%direct = .true.
+      call open_step(deck, model%choice, step)
+      call deck%line('*DSLOAD')
+      call deck%line('CAP_FACE, P, '//to_text(model%settings%normal_stress))
+      call close_step(deck, model%choice, force_sets, gauges)
+      from = 0.0_wp
+      do i = 1, size(model%settings%displacement)
+         associate (to => model%settings%displacement(i), s => model%settings)
+            way = abs(to - from)
+            if (.not. way > 0.0_wp) cycle
+            call deck%heading('shear from '//to_text(from, 6)//' to '//to_text(to, 6)//' mm')
+            step%name = 'SHEAR_'//to_text(i)
+            step%direct = .false.
+            step%period = 60.0_wp*way/s%rate
+            step%largest = step%period/ceiling(way/s%displacement_increment*(1.0_wp - 1.0e-12_wp))
+            step%first = step%largest
+            call open_step(deck, model%choice, step)
+            call write_boundary(deck, 'BOTTOM', 1, to)
+            call close_step(deck, model%choice, force_sets, gauges)
+            from = to
+         end associate
+      end do
+   end subroutine write_steps
+
+end module deck_shear_text

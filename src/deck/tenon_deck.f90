@@ -1,0 +1,164 @@
+!> Deck of the straight tenon joint: sizes and programme as in `replay_tenon`, in three dimensions.
+module deck_tenon_deck
+   use asperity, only: contact_properties, error_type, wp
+   use asperity_error, only: fatal_error
+   use asperity_properties, only: check_range
+   use asperity_text, only: to_text
+   use deck_choices, only: check_deck_choice, deck_choice, for_calculix
+   use deck_hex_mesh, only: hex_mesh
+   use deck_interaction, only: interaction_type, new_interaction, overclosure_for
+   use deck_tenon_parts, only: check_tenon_sizes, new_beam, new_column, tenon_sizes
+   use deck_wood, only: check_wood, wood_type
+   use replay_tenon_programme, only: tenon_programme
+   use replay_tenon_settings, only: check_tenon_settings, tenon_face_arm, tenon_settings
+   implicit none
+   private
+   public :: tenon_deck, new_tenon_deck
+
+   !> The model, ready to be written.
+   type :: tenon_deck
+      !> Choices of the deck, the joint, and what a plane joint has not
+      type(deck_choice) :: choice
+      type(tenon_settings) :: settings
+      type(tenon_sizes) :: sizes
+      !> Fewest increments of a stroke; twice as many beyond 16 mm
+      integer :: increments = 10
+      !> Wood of both parts, contact of upper and lower face, and of the sides
+      type(wood_type) :: wood
+      type(interaction_type) :: faces, sides
+      !> Whether the sides touch
+      logical :: has_sides = .true.
+      !> Column and beam
+      type(hex_mesh) :: column, beam
+      !> Displacements of the load point between which the strokes lie, mm, from 0
+      real(wp), allocatable :: turns(:)
+   end type tenon_deck
+
+   !> Most increments asked for
+   integer, parameter :: most_increments = 10000
+
+contains
+
+   !> Prepare the model. `sizes` has column and tail set, and the side interference when it is given
+   !> (above zero). `error` is set when a value is refused.
+   pure subroutine new_tenon_deck(deck, choice, settings, sizes, increments, faces, sides, error)
+      !> Result
+      type(tenon_deck), intent(out) :: deck
+      !> Choices of the deck
+      type(deck_choice), intent(in) :: choice
+      !> Settings of the joint
+      type(tenon_settings), intent(in) :: settings
+      !> What a plane joint has not
+      type(tenon_sizes), intent(in) :: sizes
+      !> Fewest increments of a stroke
+      integer, intent(in) :: increments
+      !> Contact of upper and lower face, and of the sides
+      type(contact_properties), intent(in) :: faces, sides
+      !> Set when a value is refused
+      type(error_type), allocatable, intent(out) :: error
+
+      deck%choice = choice
+      deck%settings = settings
+      deck%sizes = sizes
+      deck%increments = increments
+      deck%has_sides = settings%side_pressure > 0.0_wp
+      call check_deck_choice(choice, error)
+      if (.not. allocated(error)) call check_tenon_settings(settings, error)
+      if (.not. allocated(error)) call check_joint(settings, error)
+      if (.not. allocated(error)) call check_range(error, 'stroke_increments', &
+         real(increments, wp), 1.0_wp, real(most_increments, wp), '')
+      if (allocated(error)) return
+
+      associate (s => settings, wood => deck%wood)
+         wood%modulus = [s%column_modulus, s%bearing_modulus, s%bearing_modulus]
+         wood%strength_along = s%column_strength
+         wood%strength_across = s%bearing_strength
+         wood%hardening_along = s%column_hardening
+         wood%hardening_across = s%hardening
+         call check_wood(wood, error)
+         if (.not. allocated(error)) &
+            call new_interaction(deck%faces, choice, 'FACES', faces, s%bearing_strength, error)
+         if (.not. allocated(error) .and. deck%has_sides) &
+            call new_interaction(deck%sides, choice, 'SIDES', sides, s%side_pressure, error)
+         if (.not. allocated(error)) call place_faces(deck, error)
+      end associate
+      if (.not. allocated(error)) call check_tenon_sizes(choice, settings, deck%sizes, error)
+      if (allocated(error)) return
+      call new_column(deck%column, choice, settings, deck%sizes)
+      call new_beam(deck%beam, choice, settings, deck%sizes)
+      call find_turns(deck)
+   end subroutine new_tenon_deck
+
+   !> Refuse what three dimensions do not have.
+   pure subroutine check_joint(settings, error)
+      type(tenon_settings), intent(in) :: settings
+      type(error_type), allocatable, intent(out) :: error
+
+      if (settings%shoulders) then
+         call fatal_error(error, 'shoulders = true is not in the deck: its beam has one section '// &
+            'throughout')
+      else if (settings%axial_rule /= 'spring' .and. settings%axial_rule /= 'fixed') then
+         call fatal_error(error, 'axial_rule = '//trim(settings%axial_rule)//' leaves the beam '// &
+            'without axial hold: in three dimensions it then loses all contact while it passes '// &
+            'zero; take spring or fixed')
+      else if (.not. settings%column_modulus > 0.0_wp) then
+         call fatal_error(error, 'column_modulus = 0 is a rigid column, which the deck has not: '// &
+            'give the modulus along the grain in MPa')
+      end if
+   end subroutine check_joint
+
+   !> Clearances of the meshes, and the interference at the sides.
+   pure subroutine place_faces(deck, error)
+      type(tenon_deck), intent(inout) :: deck
+      type(error_type), allocatable, intent(out) :: error
+      real(wp) :: first_touch, overclosure
+
+      associate (s => deck%settings, sizes => deck%sizes)
+         first_touch = 0.0_wp
+         if (s%gap == 'mean_plane' .and. deck%choice%contact /= 'hard') &
+            first_touch = deck%faces%properties%initial_separation
+         sizes%gap_above = s%clearance_above - first_touch
+         sizes%gap_below = s%clearance_below - first_touch
+         if (.not. deck%has_sides .or. sizes%side_interference > 0.0_wp) return
+         call overclosure_for(deck%sides, deck%choice, s%side_pressure, overclosure, error)
+         sizes%side_interference = overclosure + s%side_pressure*side_compliance(deck)
+      end associate
+   end subroutine place_faces
+
+   !> How far half the beam and the cheek of the column give way at the sides, on an average, mm/MPa:
+   !> the beam is squeezed, the cheek bends and shears as a beam clamped above and below the mortise.
+   pure real(wp) function side_compliance(deck)
+      !> The model, without its side interference
+      type(tenon_deck), intent(in) :: deck
+      real(wp) :: cheek
+      real(wp), parameter :: shear_area = 5.0_wp/6.0_wp
+
+      associate (s => deck%settings, w => deck%wood)
+         cheek = 0.5_wp*(deck%sizes%column_width - s%width)
+         side_compliance = 0.5_wp*s%width/w%modulus(2) &
+            + s%height**4/(60.0_wp*w%modulus(1)*cheek**3) &
+            + s%height**2/(12.0_wp*shear_area*w%shear(1)*cheek)
+      end associate
+   end function side_compliance
+
+   !> Where the load point turns.
+   pure subroutine find_turns(deck)
+      type(tenon_deck), intent(inout) :: deck
+      real(wp), allocatable :: path(:)
+      integer, allocatable :: cycle_of(:)
+      integer :: i, n
+
+      call tenon_programme(deck%settings, path, cycle_of)
+      n = ubound(path, 1)
+      deck%turns = [0.0_wp]
+      do i = 1, n
+         if (i < n) then
+            if ((path(i) - path(i - 1))*(path(i + 1) - path(i)) > 0.0_wp) cycle
+         end if
+         ! rest
+         if (.not. abs(path(i) - deck%turns(size(deck%turns))) > 0.0_wp) cycle
+         deck%turns = [deck%turns, path(i)]
+      end do
+   end subroutine find_turns
+
+end module deck_tenon_deck

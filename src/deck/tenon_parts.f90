@@ -1,0 +1,130 @@
+!> Column and beam of the tenon joint as meshes: one half, cut through the middle of the beam.
+!>
+!> x runs along the beam, 0 at the column face; z up, 0 at the middle of the beam; y across it, 0 in
+!> the plane of symmetry.
+module deck_tenon_parts
+   use asperity, only: error_type, wp
+   use asperity_error, only: fatal_error
+   use asperity_properties, only: check_positive, check_range
+   use asperity_text, only: to_text
+   use deck_choices, only: check_mesh_size, deck_choice
+   use deck_hex_mesh, only: even_cuts, hex_mesh, joined_cuts, new_grid_mesh
+   use replay_tenon_settings, only: tenon_face_arm, tenon_settings
+   implicit none
+   private
+   public :: tenon_sizes, check_tenon_sizes, new_column, new_beam, node_near
+
+   !> Sizes that the plane replay does not have.
+   type :: tenon_sizes
+      !> Height of the column, and its width across the beam, mm; chosen
+      real(wp) :: column_height = 1000.0_wp, column_width = 300.0_wp
+      !> Length of beam behind the column, mm
+      real(wp) :: tail = 0.0_wp
+      !> Clearance of the meshes above and below the beam, negative for an interference, mm
+      real(wp) :: gap_above = 0.0_wp, gap_below = 0.0_wp
+      !> Overclosure of the meshes at each side, mm
+      real(wp) :: side_interference = 0.0_wp
+   end type tenon_sizes
+
+contains
+
+   !> `error` is set when the parts cannot be, or the mesh is too coarse for them.
+   pure subroutine check_tenon_sizes(choice, settings, sizes, error)
+      !> Choices of the deck
+      type(deck_choice), intent(in) :: choice
+      !> Checked settings of the joint
+      type(tenon_settings), intent(in) :: settings
+      !> Further sizes
+      type(tenon_sizes), intent(in) :: sizes
+      !> Set when a size is refused
+      type(error_type), allocatable, intent(out) :: error
+
+      call check_positive(error, 'column_height', sizes%column_height, 'mm')
+      if (.not. allocated(error)) &
+         call check_positive(error, 'column_width', sizes%column_width, 'mm')
+      if (.not. allocated(error)) &
+         call check_range(error, 'tail', sizes%tail, 0.0_wp, 1.0e9_wp, ' mm')
+      if (allocated(error)) return
+      call check_mesh_size(error, choice, 'width', settings%width)
+      call check_mesh_size(error, choice, 'height', settings%height)
+      call check_mesh_size(error, choice, 'length', settings%length)
+      call check_mesh_size(error, choice, 'arm', tenon_face_arm(settings))
+      if (allocated(error)) return
+      associate (high => settings%height + 2.0_wp*max(sizes%gap_above, sizes%gap_below))
+         if (.not. sizes%column_height > high) call fatal_error(error, 'column_height = '// &
+            to_text(sizes%column_height)//' mm is too small for the mortise, '//to_text(high)// &
+            ' mm high')
+      end associate
+      if (.not. sizes%column_width > settings%width) call fatal_error(error, 'column_width = '// &
+         to_text(sizes%column_width)//' mm is too small for the mortise, '// &
+         to_text(settings%width)//' mm wide')
+   end subroutine check_tenon_sizes
+
+   !> The column with its mortise.
+   pure subroutine new_column(mesh, choice, settings, sizes)
+      !> Result
+      type(hex_mesh), intent(out) :: mesh
+      !> Choices of the deck
+      type(deck_choice), intent(in) :: choice
+      !> Checked settings of the joint
+      type(tenon_settings), intent(in) :: settings
+      !> Further sizes
+      type(tenon_sizes), intent(in) :: sizes
+      real(wp), allocatable :: x(:), y(:), z(:), inner(:), outer(:)
+      logical, allocatable :: keep(:, :, :)
+      integer :: in_mortise, above, below, hollow
+
+      associate (cell => choice%mesh_size, top => 0.5_wp*settings%height + sizes%gap_above, &
+            bottom => -0.5_wp*settings%height - sizes%gap_below, &
+            side => 0.5_wp*settings%width - sizes%side_interference)
+         call even_cuts(-settings%length, 0.0_wp, cell, 1, x)
+         call even_cuts(0.0_wp, side, cell, 1, inner)
+         call even_cuts(side, 0.5_wp*sizes%column_width, cell, 1, outer)
+         hollow = size(inner) - 1
+         call joined_cuts(inner, outer, y)
+         call even_cuts(-0.5_wp*sizes%column_height, bottom, cell, 1, inner)
+         call even_cuts(bottom, top, cell, 1, outer)
+         below = size(inner) - 1
+         in_mortise = size(outer) - 1
+         call joined_cuts(inner, outer, z)
+         inner = z
+         call even_cuts(top, 0.5_wp*sizes%column_height, cell, 1, outer)
+         above = size(outer) - 1
+         call joined_cuts(inner, outer, z)
+      end associate
+      allocate (keep(size(x) - 1, size(y) - 1, below + in_mortise + above), source=.true.)
+      keep(:, :hollow, below + 1:below + in_mortise) = .false.
+      call new_grid_mesh(mesh, x, y, z, keep)
+   end subroutine new_column
+
+   !> The beam, with nodes at mid-height.
+   pure subroutine new_beam(mesh, choice, settings, sizes)
+      !> Result
+      type(hex_mesh), intent(out) :: mesh
+      !> Choices of the deck
+      type(deck_choice), intent(in) :: choice
+      !> Checked settings of the joint
+      type(tenon_settings), intent(in) :: settings
+      !> Further sizes
+      type(tenon_sizes), intent(in) :: sizes
+      real(wp), allocatable :: x(:), y(:), z(:)
+
+      associate (cell => choice%mesh_size)
+         call even_cuts(-settings%length - sizes%tail, tenon_face_arm(settings), cell, 1, x)
+         call even_cuts(0.0_wp, 0.5_wp*settings%width, cell, 1, y)
+         call even_cuts(-0.5_wp*settings%height, 0.5_wp*settings%height, cell, 2, z)
+      end associate
+      call new_grid_mesh(mesh, x, y, z)
+   end subroutine new_beam
+
+   !> The node that is nearest to a place.
+   pure integer function node_near(mesh, place)
+      !> The part
+      type(hex_mesh), intent(in) :: mesh
+      !> The place, mm
+      real(wp), intent(in) :: place(3)
+
+      node_near = minloc(sum((mesh%nodes - spread(place, 2, size(mesh%nodes, 2)))**2, 1), 1)
+   end function node_near
+
+end module deck_tenon_parts
