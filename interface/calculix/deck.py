@@ -104,32 +104,11 @@ class Deck:
         return "\n".join(lines) + "\n"
 
     def resumed_text(self, finished):
-        """The deck that goes on after so many finished steps.
-
-        The restart file holds the model. What it cannot hold, the property lines of user
-        interactions, is repeated inside the step, where ccx takes it."""
+        """The deck that goes on after so many finished steps: the restart file holds the model."""
         lines = [f"*RESTART,READ,STEP={finished}"]
-        for number, step in enumerate(self.steps[finished:]):
-            lines += with_restart(step, self.user_interactions() if number == 0 else [])
+        for step in self.steps[finished:]:
+            lines += with_restart(step)
         return "\n".join(lines) + "\n"
-
-    def user_interactions(self):
-        """Lines that repeat the properties of every interaction of user type."""
-        lines, name, copying = [], "", False
-        for line in self.model:
-            word = keyword(line)
-            if word:
-                copying = False
-            if word == "*SURFACEINTERACTION":
-                name = parameters(line).get("NAME", "")
-            elif word == "*SURFACEBEHAVIOR":
-                kind = parameters(line).get("PRESSURE-OVERCLOSURE", "").upper()
-                copying = kind == "UINTER"
-                if copying:
-                    lines.append(f"*CHANGE SURFACE BEHAVIOR,INTERACTION={name}")
-            if copying and not line.startswith("**"):
-                lines.append(line)
-        return lines
 
 
 def split(lines):
@@ -153,8 +132,8 @@ def split(lines):
     return model, steps
 
 
-def with_restart(step, first=()):
-    """A step that writes the restart file when done, with lines put at its beginning."""
+def with_restart(step):
+    """A step that writes the restart file when done."""
     lines, waiting = [], False
     for line in step:
         if keyword(line) == "*RESTART":
@@ -163,5 +142,5 @@ def with_restart(step, first=()):
         if keyword(line) == "*STEP" or waiting:
             waiting = line.rstrip().endswith(",")
             if not waiting:
-                lines += ["*RESTART,WRITE,FREQUENCY=1,OVERLAY", *first]
+                lines.append("*RESTART,WRITE,FREQUENCY=1,OVERLAY")
     return lines

@@ -72,7 +72,7 @@ class Watcher:
         elif text.startswith("*WARNING"):
             self.warnings += 1
             self._in_error = False
-        elif self._in_error and text and not text.startswith("*INFO"):
+        elif self._in_error and text and not text.startswith(("*INFO", "STOP ")):
             self.errors[-1].append(text)
         else:
             self._in_error = False

@@ -1,0 +1,202 @@
+"""Pictures of contact faces and of the deformed mesh, by gnuplot."""
+
+import math
+import os
+import shutil
+import subprocess
+import textwrap
+
+STATES = {"open": (0, "#56b4e9"), "slip": (1, "#009e73"), "stick": (2, "#d55e00"),
+          "closed": (2, "#d55e00")}
+PRESSURE_PALETTE = ("defined (0 '#f2f2f2', 0.02 '#fff3b8', 0.25 '#fdbb63', 0.5 '#f4713b', "
+                    "0.75 '#c4302b', 1 '#6d0f26')")
+AXES = "xyz"
+
+
+class PictureError(Exception):
+    """Why there is no picture."""
+
+
+def draw(path, script, width, height):
+    """Have gnuplot draw a script into a file, whole or not at all."""
+    ending = os.path.splitext(path)[1].lower()
+    terminal = {".svg": f"svg size {width},{height} font 'sans-serif,13' background '#ffffff'",
+                ".png": f"pngcairo size {width},{height} font 'sans-serif,11'"}.get(ending)
+    if terminal is None:
+        raise PictureError(f"{path} has no known ending: .svg or .png")
+    if shutil.which("gnuplot") is None:
+        raise PictureError("gnuplot is not installed; on Debian: apt-get install gnuplot-nox")
+    part = path + ".part"
+    text = f"set terminal {terminal}\nset output '{quoted(part)}'\n{script}\nunset output\n"
+    done = subprocess.run(["gnuplot"], input=text, capture_output=True, text=True, check=False)
+    if done.returncode != 0 or not os.path.exists(part) or os.path.getsize(part) == 0:
+        if os.path.exists(part):
+            os.remove(part)
+        said = done.stderr.strip().splitlines()
+        raise PictureError(f"{path}: gnuplot failed: {said[-1] if said else 'no picture'}")
+    os.replace(part, path)
+
+
+def quoted(text):
+    """Inside single quotes of gnuplot."""
+    return text.replace("'", "''")
+
+
+def plane(nodes, faces):
+    """The two axes, and the third, that show a flat surface best."""
+    normal = [0.0]*3
+    for face in faces:
+        p = [nodes[n] for n in face]
+        a = [p[2][i] - p[0][i] for i in range(3)]
+        b = [p[3][i] - p[1][i] for i in range(3)]
+        for i in range(3):
+            normal[i] += a[(i + 1) % 3]*b[(i + 2) % 3] - a[(i + 2) % 3]*b[(i + 1) % 3]
+    third = max(range(3), key=lambda i: abs(normal[i]))
+    return [i for i in range(3) if i != third], third
+
+
+def quads(nodes, faces, axes, values, pieces):
+    """gnuplot's lines of faces in a plane. In one piece a face shades between its corners; in four,
+    each corner's quarter has the corner's colour."""
+    lines = []
+    for face in faces:
+        corners = [[nodes[n][i] for i in axes] for n in face]
+        if pieces == 1:
+            c = [f"{x:.6g} {y:.6g} {values[n]:.6g}" for (x, y), n in zip(corners, face)]
+            lines += [c[0], c[1], "", c[3], c[2], "", ""]
+            continue
+        middle = [sum(c[i] for c in corners)/4.0 for i in (0, 1)]
+        for k in range(4):
+            here, after, before = corners[k], corners[(k + 1) % 4], corners[k - 1]
+            p = [here, [(here[i] + after[i])/2.0 for i in (0, 1)], middle,
+                 [(here[i] + before[i])/2.0 for i in (0, 1)]]
+            c = [f"{x:.6g} {y:.6g} {values[face[k]]:.6g}" for x, y in p]
+            lines += [c[0], c[1], "", c[3], c[2], "", ""]
+    return "\n".join(lines)
+
+
+def faces_picture(path, mesh, points, title, quantity):
+    """Contact faces, a row for each increment and a column for each slave surface.
+
+    points: {(step, increment): [Point]}; quantity is 'pressure' or 'state'."""
+    surfaces = mesh.slave_faces()
+    sizes = []
+    for _, faces in surfaces:
+        axes, _ = plane(mesh.nodes, faces)
+        used = {n for face in faces for n in face}
+        sizes.append([max(mesh.nodes[n][i] for n in used) - min(mesh.nodes[n][i] for n in used)
+                      for i in axes])
+    tall = max(h for _, h in sizes)
+    widths = [max(w/tall, 0.45) for w, _ in sizes]
+    panel = max(170, min(330, int(1250/sum(widths))))
+    left, right, head, foot = 20, 130, 50, 20
+    gap_x, gap_y = 75, 62
+    width = int(left + right + sum(w*panel + gap_x for w in widths))
+    height = head + foot + len(points)*(panel + gap_y)
+    most = max((p.pressure for rows in points.values() for p in rows), default=0.0)
+    script = [data(mesh, surfaces, points, quantity),
+              f"set multiplot title '{quoted(title)}' offset 0,-0.3",
+              "set pm3d map corners2color " + ("c1" if quantity == "state" else "mean"),
+              "set size ratio -1; unset key; set tics out nomirror scale 0.5; set border lw 0.5",
+              "set xtics autofreq font ',9' offset 0,0.4; set ytics autofreq font ',9' offset 0.6,0"]
+    if quantity == "state":
+        script += [f"set palette maxcolors 3 defined (0 '{STATES['open'][1]}', "
+                   f"1 '{STATES['slip'][1]}', 2 '{STATES['stick'][1]}')",
+                   "set cbrange [-0.5:2.5]; set cbtics ('open' 0, 'slip' 1, "
+                   f"'{'stick' if has_friction(points) else 'closed'}' 2) scale 0"]
+    else:
+        script += [f"set palette {PRESSURE_PALETTE}", f"set cbrange [0:{most or 1.0:.6g}]",
+                   "set cbtics autofreq; set pm3d interpolate 6,6",
+                   "set cblabel 'contact pressure, MPa' offset 1,0"]
+    x0 = left
+    for column, (pair, faces) in enumerate(surfaces):
+        axes, _ = plane(mesh.nodes, faces)
+        wide = widths[column]*panel
+        for row, key in enumerate(points):
+            y0 = head + row*(panel + gap_y) + 22
+            script.append(
+                f"set lmargin at screen {(x0 + 52)/width:.5f}; "
+                f"set rmargin at screen {(x0 + 52 + wide)/width:.5f}; "
+                f"set tmargin at screen {1.0 - y0/height:.5f}; "
+                f"set bmargin at screen {1.0 - (y0 + panel)/height:.5f}")
+            last = column == len(surfaces) - 1 and row == 0
+            script.append("set colorbox user origin screen "
+                          f"{(width - right + 18)/width:.5f},{(height - y0 - panel)/height:.5f} "
+                          f"size screen {16/width:.5f},{panel/height:.5f}"
+                          if last else "unset colorbox")
+            caption = f"{pair.slave}: step {key[0]}, time {points[key][0].time:.4g}"
+            script += [f"set title '{quoted(textwrap.shorten(caption, 60))}' offset 0,-0.7 "
+                       "font ',10' noenhanced",
+                       f"set xlabel '{AXES[axes[0]]}, mm' offset 0,0.9 font ',9'",
+                       f"set ylabel '{AXES[axes[1]]}, mm' offset 1.6,0 font ',9'",
+                       f"splot $d{column}_{row} using 1:2:3 with pm3d"]
+        x0 += wide + gap_x
+    draw(path, "\n".join(script + ["unset multiplot"]), width, height)
+
+
+def has_friction(points):
+    """Is it known which points stick?"""
+    return all(p.state != "closed" for rows in points.values() for p in rows)
+
+
+def data(mesh, surfaces, points, quantity):
+    """gnuplot's data blocks of all panels."""
+    text = []
+    for row, rows in enumerate(points.values()):
+        for column, (pair, faces) in enumerate(surfaces):
+            values = {p.node: STATES[p.state][0] if quantity == "state" else max(p.pressure, 0.0)
+                      for p in rows if p.pair == pair.slave}
+            axes, _ = plane(mesh.nodes, faces)
+            text.append(f"$d{column}_{row} << END\n"
+                        + quads(mesh.nodes, faces, axes, values, 4 if quantity == "state" else 1)
+                        + "\nEND")
+    return "\n".join(text)
+
+
+def mesh_picture(path, mesh, moved, values, options):
+    """The deformed skin of some elements, coloured by a nodal quantity.
+
+    moved: {node: displacement}; values: {node: number}; options: title, label, scale, view
+    (rotation about the horizontal and about z, degrees), elements (a set, or None)."""
+    chosen = None
+    if options.get("elements"):
+        chosen = mesh.element_sets.get(options["elements"].upper())
+        if not chosen:
+            raise PictureError(f"no element set {options['elements']}")
+        chosen = set(chosen)
+    part = type(mesh)([])
+    part.elements = {e: c for e, c in mesh.elements.items() if chosen is None or e in chosen}
+    scale, lines = options["scale"], []
+    for face in part.skin():
+        c = []
+        for n in face:
+            u = moved.get(n, (0.0, 0.0, 0.0))
+            x = [mesh.nodes[n][i] + scale*u[i] for i in range(3)]
+            c.append(f"{x[0]:.6g} {x[1]:.6g} {x[2]:.6g} {values.get(n, 0.0):.6g}")
+        lines += [c[0], c[1], "", c[3], c[2], "", ""]
+    if not lines:
+        raise PictureError("the deck has no hexahedra to draw")
+    numbers = [values.get(n, 0.0) for c in part.elements.values() for n in c]
+    low, high = min(numbers), max(numbers)
+    if low >= 0.0:
+        palette, low = PRESSURE_PALETTE, 0.0
+    else:
+        high = max(-low, high)
+        low = -high
+        palette = "defined (-1 '#2166ac', -0.5 '#92c5de', 0 '#f7f7f7', 0.5 '#f4a582', 1 '#b2182b')"
+    script = ["$skin << END", *lines, "END",
+              f"set title '{quoted(options['title'])}' noenhanced",
+              "set view equal xyz; set view {:g},{:g}".format(*options["view"]),
+              "set pm3d depthorder corners2color mean border lc rgb '#404040' lw 0.25",
+              f"set palette {palette}", f"set cbrange [{low:.6g}:{high if high > low else low + 1:.6g}]",
+              f"set cblabel '{quoted(options['label'])}'", "unset key; unset border; unset tics",
+              "set cbtics", "set colorbox user origin 0.88,0.2 size 0.02,0.6",
+              "set lmargin 0; set rmargin 12; set bmargin 0",
+              "splot $skin using 1:2:3:4 with pm3d"]
+    draw(path, "\n".join(script), 1000, 720)
+
+
+def mises(s):
+    """Mises stress of (xx, yy, zz, xy, yz, zx)."""
+    return math.sqrt(max(0.0, 0.5*((s[0] - s[1])**2 + (s[1] - s[2])**2 + (s[2] - s[0])**2)
+                         + 3.0*(s[3]**2 + s[4]**2 + s[5]**2)))
