@@ -86,6 +86,8 @@ class Results:
 
 def parts_of(place):
     """([(results file, first step, step where the next part begins)], converged or None)."""
+    if not os.path.exists(place):
+        raise frd.FrdError(f"{place} is not there")
     if not os.path.isdir(place):
         return [(place, 0, math.inf)], None
     try:

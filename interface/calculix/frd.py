@@ -23,6 +23,13 @@ def real(text):
         raise
 
 
+def whole(file):
+    """Lines of a file without a last one that was cut short."""
+    for line in file:
+        if line.endswith("\n"):
+            yield line
+
+
 def results(path, names=None, wanted=None):
     """Yield the results of a file, of given names and where wanted(step, increment).
 
@@ -32,7 +39,7 @@ def results(path, names=None, wanted=None):
     result, keep = None, False
     try:
         with open(path, encoding="ascii", errors="replace") as file:
-            for line in file:
+            for line in whole(file):
                 mark = line[:3]
                 if result is not None and keep and mark == " -1":
                     values = line[13:].rstrip("\n")
@@ -67,7 +74,7 @@ def times(path):
     heads, place = {}, None
     try:
         with open(path, encoding="ascii", errors="replace") as file:
-            for line in file:
+            for line in whole(file):
                 if line.startswith("    1PSTEP"):
                     fields = line[10:].split()
                     place = int(fields[2]), int(fields[1])

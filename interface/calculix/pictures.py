@@ -80,58 +80,67 @@ def faces_picture(path, mesh, points, title, quantity):
 
     points: {(step, increment): [Point]}; quantity is 'pressure' or 'state'."""
     surfaces = mesh.slave_faces()
-    sizes = []
-    for _, faces in surfaces:
-        axes, _ = plane(mesh.nodes, faces)
-        used = {n for face in faces for n in face}
-        sizes.append([max(mesh.nodes[n][i] for n in used) - min(mesh.nodes[n][i] for n in used)
-                      for i in axes])
-    tall = max(h for _, h in sizes)
-    widths = [max(w/tall, 0.45) for w, _ in sizes]
+    shapes = [shape(mesh, faces) for _, faces in surfaces]
+    tall = max(h for _, h in shapes)
+    keys = list(points)
+    # the increments of a single surface stand side by side
+    columns = min(len(keys), 4) if len(surfaces) == 1 else len(surfaces)
+    rows = -(-len(keys)*len(surfaces)//columns)
+    widths = [max(shapes[i if len(surfaces) > 1 else 0][0]/tall, 0.45) for i in range(columns)]
     panel = max(170, min(330, int(1250/sum(widths))))
-    left, right, head, foot = 20, 130, 50, 20
-    gap_x, gap_y = 75, 62
-    width = int(left + right + sum(w*panel + gap_x for w in widths))
-    height = head + foot + len(points)*(panel + gap_y)
-    most = max((p.pressure for rows in points.values() for p in rows), default=0.0)
+    left, right, head, gap_x, gap_y = 10, 110, 50, 72, 84
+    width = max(520, int(left + right + sum(w*panel + gap_x for w in widths)))
+    height = head + rows*(panel + gap_y)
     script = [data(mesh, surfaces, points, quantity),
-              f"set multiplot title '{quoted(title)}' offset 0,-0.3",
+              f"set multiplot title '{quoted(title)}' font ',14' offset 0,-0.3",
               "set pm3d map corners2color " + ("c1" if quantity == "state" else "mean"),
               "set size ratio -1; unset key; set tics out nomirror scale 0.5; set border lw 0.5",
-              "set xtics autofreq font ',9' offset 0,0.4; set ytics autofreq font ',9' offset 0.6,0"]
-    if quantity == "state":
-        script += [f"set palette maxcolors 3 defined (0 '{STATES['open'][1]}', "
-                   f"1 '{STATES['slip'][1]}', 2 '{STATES['stick'][1]}')",
-                   "set cbrange [-0.5:2.5]; set cbtics ('open' 0, 'slip' 1, "
-                   f"'{'stick' if has_friction(points) else 'closed'}' 2) scale 0"]
-    else:
-        script += [f"set palette {PRESSURE_PALETTE}", f"set cbrange [0:{most or 1.0:.6g}]",
-                   "set cbtics autofreq; set pm3d interpolate 6,6",
-                   "set cblabel 'contact pressure, MPa' offset 1,0"]
-    x0 = left
-    for column, (pair, faces) in enumerate(surfaces):
-        axes, _ = plane(mesh.nodes, faces)
-        wide = widths[column]*panel
-        for row, key in enumerate(points):
-            y0 = head + row*(panel + gap_y) + 22
-            script.append(
-                f"set lmargin at screen {(x0 + 52)/width:.5f}; "
-                f"set rmargin at screen {(x0 + 52 + wide)/width:.5f}; "
-                f"set tmargin at screen {1.0 - y0/height:.5f}; "
-                f"set bmargin at screen {1.0 - (y0 + panel)/height:.5f}")
-            last = column == len(surfaces) - 1 and row == 0
-            script.append("set colorbox user origin screen "
-                          f"{(width - right + 18)/width:.5f},{(height - y0 - panel)/height:.5f} "
-                          f"size screen {16/width:.5f},{panel/height:.5f}"
-                          if last else "unset colorbox")
-            caption = f"{pair.slave}: step {key[0]}, time {points[key][0].time:.4g}"
-            script += [f"set title '{quoted(textwrap.shorten(caption, 60))}' offset 0,-0.7 "
-                       "font ',10' noenhanced",
-                       f"set xlabel '{AXES[axes[0]]}, mm' offset 0,0.9 font ',9'",
-                       f"set ylabel '{AXES[axes[1]]}, mm' offset 1.6,0 font ',9'",
-                       f"splot $d{column}_{row} using 1:2:3 with pm3d"]
-        x0 += wide + gap_x
+              "set xtics autofreq font ',9' offset 0,0.4; set ytics autofreq font ',9' offset 0.6,0",
+              *colours(points, quantity)]
+    for number in range(len(keys)*len(surfaces)):
+        row, column = divmod(number, columns)
+        surface = 0 if len(surfaces) == 1 else column
+        k = number if len(surfaces) == 1 else row
+        axes, _ = plane(mesh.nodes, surfaces[surface][1])
+        x0 = left + 52 + sum(w*panel + gap_x for w in widths[:column])
+        y0 = head + row*(panel + gap_y) + 14
+        first = "set colorbox user origin screen " \
+                f"{(width - right + 15)/width:.5f},{(height - y0 - panel)/height:.5f} " \
+                f"size screen {16/width:.5f},{panel/height:.5f}"
+        caption = f"{surfaces[surface][0].slave}: step {keys[k][0]}, time " \
+                  f"{points[keys[k]][0].time:.4g}"
+        script += [f"set lmargin at screen {x0/width:.5f}; "
+                   f"set rmargin at screen {(x0 + widths[column]*panel)/width:.5f}; "
+                   f"set tmargin at screen {1.0 - y0/height:.5f}; "
+                   f"set bmargin at screen {1.0 - (y0 + panel)/height:.5f}",
+                   first if number == 0 else "unset colorbox",
+                   f"set title '{quoted(textwrap.shorten(caption, 60))}' offset 0,-0.7 "
+                   "font ',10' noenhanced",
+                   f"set xlabel '{AXES[axes[0]]}, mm' offset 0,0.9 font ',9'",
+                   f"set ylabel '{AXES[axes[1]]}, mm' offset 1.6,0 font ',9'",
+                   f"splot $d{surface}_{k} using 1:2:3 with pm3d"]
     draw(path, "\n".join(script + ["unset multiplot"]), width, height)
+
+
+def shape(mesh, faces):
+    """Width and height of a surface in its plane."""
+    axes, _ = plane(mesh.nodes, faces)
+    used = {n for face in faces for n in face}
+    return [max(mesh.nodes[n][i] for n in used) - min(mesh.nodes[n][i] for n in used)
+            for i in axes]
+
+
+def colours(points, quantity):
+    """gnuplot's commands for palette and colour box."""
+    if quantity == "state":
+        return [f"set palette maxcolors 3 defined (0 '{STATES['open'][1]}', "
+                f"1 '{STATES['slip'][1]}', 2 '{STATES['stick'][1]}')",
+                "set cbrange [-0.5:2.5]; set cbtics ('open' 0, 'slip' 1, "
+                f"'{'stick' if has_friction(points) else 'closed'}' 2) scale 0"]
+    most = max((p.pressure for rows in points.values() for p in rows), default=0.0)
+    return [f"set palette {PRESSURE_PALETTE}", f"set cbrange [0:{most or 1.0:.6g}]",
+            "set cbtics autofreq; set pm3d interpolate 6,6",
+            "set cblabel 'contact pressure, MPa' offset 1,0"]
 
 
 def has_friction(points):

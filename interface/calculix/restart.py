@@ -1,10 +1,13 @@
 """Restart files of ccx: which steps do they hold?
 
 A restart file is a sequence of Fortran records; each finished step begins with a record of the
-version and ends with a record of two integers."""
+version and ends with four of known length."""
 
 import os
 import struct
+
+# Bytes of the last records of a step: two reals, four characters, the time, two integers
+LAST_RECORDS = [16, 4, 8, 8]
 
 
 def records(path):
@@ -33,30 +36,16 @@ def records(path):
 def last_step(path):
     """Number of the last step that is complete in a restart file, 0 if there is none."""
     complete = step = 0
-    fresh, length = False, 0
+    fresh, lengths = False, []
     try:
         for head, length in records(path):
             if head.startswith(b"Version"):
                 complete = step             # the block before has come to its end
-                fresh = True
+                fresh, lengths = True, []
             elif fresh:
                 step = struct.unpack("=i", head[:4])[0] if length == 4 else 0
                 fresh = False
+            lengths = lengths[-3:] + [length]
     except (OSError, struct.error):
         return 0
-    # the last block is complete if the file ends with irstrt(1:2), and nothing hangs over
-    if step and not fresh and length == 8 and ends_with_record(path, 8):
-        return step
-    return complete
-
-
-def ends_with_record(path, length):
-    """Does a file end with a record of this length?"""
-    with open(path, "rb") as file:
-        size = os.fstat(file.fileno()).st_size
-        if size < length + 8:
-            return False
-        file.seek(size - length - 8)
-        data = file.read()
-    mark = struct.pack("=i", length)
-    return data[:4] == mark and data[-4:] == mark
+    return step if lengths == LAST_RECORDS and not fresh else complete

@@ -12,6 +12,7 @@ TOTAL_TIME = re.compile(r" ?actual total time=\s*" + NUMBER)
 ITERATION = re.compile(r" ?iteration (\d+)\s*$")
 SPRINGS = re.compile(r" ?Number of contact spring elements=\s*(\d+)")
 CONVERGED = re.compile(r" ?convergence\b")
+UINTER = re.compile(r" ?asperity: (\d+) calls of UINTER took\s+([.\d]+) s")
 RESIDUAL = re.compile(r" ?(largest (?:residual force|correction to disp)=.*)")
 NO_CONVERGENCE = re.compile(
     r"increment size smaller than minimum|too many (iterations|cutbacks)|seems to diverge"
@@ -49,6 +50,7 @@ class Watcher:
         self.errors, self.warnings = [], 0
         self.failure, self.reason = None, ""
         self.job_finished = False
+        self.uinter = None              # calls and seconds, where ccx tells
         self._in_error = False
         self._clues = {}
         self._step_springs = 0          # most in a converged increment of this step
@@ -158,6 +160,9 @@ class Watcher:
     def _finish(self, _):
         self.job_finished = True
 
+    def _take_uinter(self, found):
+        self.uinter = (int(found[1]), float(found[2]))
+
 
 TAKERS = (
     (INCREMENT, Watcher._begin_increment), (ITERATION, Watcher._begin_iteration),
@@ -165,7 +170,7 @@ TAKERS = (
     (SIZE, lambda self, found: setattr(self, "size", float(found[1]))),
     (STEP_TIME, lambda self, found: setattr(self, "step_time", float(found[1]))),
     (TOTAL_TIME, lambda self, found: setattr(self, "total_time", float(found[1]))),
-    (RESIDUAL, Watcher._note), (re.compile(r" ?Job finished"), Watcher._finish))
+    (RESIDUAL, Watcher._note), (UINTER, Watcher._take_uinter), (re.compile(r" ?Job finished"), Watcher._finish))
 
 
 def short_errors(errors, most=3):
