@@ -2,8 +2,9 @@
 
 from collections import namedtuple
 
-# values: {node: (number, ...)} in the order of components; time is that of the whole programme
-Result = namedtuple("Result", "name step increment time components values")
+# values: {node: (number, ...)} in the order of components; time is that of the whole programme.
+# rows: [(node, (number, ...))] as they stand in the file, where a node can come more than once
+Result = namedtuple("Result", "name step increment time components values rows")
 
 
 class FrdError(Exception):
@@ -43,10 +44,11 @@ def results(path, names=None, wanted=None):
                 mark = line[:3]
                 if result is not None and keep and mark == " -1":
                     values = line[13:].rstrip("\n")
-                    result.values[int(line[3:13])] = tuple(
-                        real(values[i:i + 12]) for i in range(0, len(values) - 11, 12))
+                    result.rows.append((int(line[3:13]), tuple(
+                        real(values[i:i + 12]) for i in range(0, len(values) - 11, 12))))
                 elif mark == " -3":
                     if result is not None and keep:
+                        result.values.update(result.rows)
                         yield result
                     result = None
                 elif line.startswith("    1PSTEP"):
@@ -58,7 +60,7 @@ def results(path, names=None, wanted=None):
                     name = line[5:13].strip()
                     keep = ((names is None or name in names)
                             and (wanted is None or wanted(step, increment)))
-                    result = Result(name, step, increment, time, [], {})
+                    result = Result(name, step, increment, time, [], {}, [])
                 elif mark == " -5" and result is not None:
                     result.components.append(line[5:13].strip())
                 elif mark == " -2" and result is not None and keep:

@@ -81,53 +81,70 @@ def faces_picture(path, mesh, points, title, quantity):
     points: {(step, increment): [Point]}; quantity is 'pressure' or 'state'."""
     surfaces = mesh.slave_faces()
     shapes = [shape(mesh, faces) for _, faces in surfaces]
-    tall = max(h for _, h in shapes)
     keys = list(points)
-    # the increments of a single surface stand side by side
-    columns = min(len(keys), 4) if len(surfaces) == 1 else len(surfaces)
-    rows = -(-len(keys)*len(surfaces)//columns)
-    widths = [max(shapes[i if len(surfaces) > 1 else 0][0]/tall, 0.45) for i in range(columns)]
-    panel = max(170, min(330, int(1250/sum(widths))))
-    left, right, head, gap_x, gap_y = 10, 110, 50, 72, 84
-    width = max(520, int(left + right + sum(w*panel + gap_x for w in widths)))
-    height = head + rows*(panel + gap_y)
+    columns = min(len(keys), 4)
+    # one scale for all surfaces
+    left, right, head, gap_x, gap_y = 10, 110, 52, 76, 70
+    wide = max(w for w, _ in shapes)
+    scale = min(max(170.0, min(340.0, 1150.0/columns))/wide, 380.0/max(h for _, h in shapes))
+    heights = [max(h*scale, 24.0) for _, h in shapes]
+    block = sum(heights) + gap_y*len(surfaces)
+    width = max(540, int(left + right + columns*(wide*scale + gap_x)))
+    height = int(head + block*(-(-len(keys)//columns)))
     script = [data(mesh, surfaces, points, quantity),
               f"set multiplot title '{quoted(title)}' font ',14' offset 0,-0.3",
               "set pm3d map corners2color " + ("c1" if quantity == "state" else "mean"),
-              "set size ratio -1; unset key; set tics out nomirror scale 0.5; set border lw 0.5",
-              "set xtics autofreq font ',9' offset 0,0.4; set ytics autofreq font ',9' offset 0.6,0",
+              "unset key; set tics out nomirror scale 0.5; set border lw 0.5",
+              "set xtics font ',9' offset 0,0.4; set ytics font ',9' offset 0.6,0",
               *colours(points, quantity)]
-    for number in range(len(keys)*len(surfaces)):
+    for number, key in enumerate(keys):
         row, column = divmod(number, columns)
-        surface = 0 if len(surfaces) == 1 else column
-        k = number if len(surfaces) == 1 else row
-        axes, _ = plane(mesh.nodes, surfaces[surface][1])
-        x0 = left + 52 + sum(w*panel + gap_x for w in widths[:column])
-        y0 = head + row*(panel + gap_y) + 14
-        first = "set colorbox user origin screen " \
-                f"{(width - right + 15)/width:.5f},{(height - y0 - panel)/height:.5f} " \
-                f"size screen {16/width:.5f},{panel/height:.5f}"
-        caption = f"{surfaces[surface][0].slave}: step {keys[k][0]}, time " \
-                  f"{points[keys[k]][0].time:.4g}"
-        script += [f"set lmargin at screen {x0/width:.5f}; "
-                   f"set rmargin at screen {(x0 + widths[column]*panel)/width:.5f}; "
-                   f"set tmargin at screen {1.0 - y0/height:.5f}; "
-                   f"set bmargin at screen {1.0 - (y0 + panel)/height:.5f}",
-                   first if number == 0 else "unset colorbox",
-                   f"set title '{quoted(textwrap.shorten(caption, 60))}' offset 0,-0.7 "
-                   "font ',10' noenhanced",
-                   f"set xlabel '{AXES[axes[0]]}, mm' offset 0,0.9 font ',9'",
-                   f"set ylabel '{AXES[axes[1]]}, mm' offset 1.6,0 font ',9'",
-                   f"splot $d{surface}_{k} using 1:2:3 with pm3d"]
+        y0 = head + row*block + 16
+        for surface, (pair, faces) in enumerate(surfaces):
+            axes, _ = plane(mesh.nodes, faces)
+            low, high = limits(mesh, faces)
+            x0 = left + 54 + column*(wide*scale + gap_x)
+            place = (x0/width, (x0 + (high[0] - low[0])*scale)/width,
+                     1.0 - (y0 + heights[surface])/height, 1.0 - y0/height)
+            caption = f"{pair.slave}: step {key[0]}, time {points[key][0].time:.4g}"
+            script += [
+                "set lmargin at screen {:.5f}; set rmargin at screen {:.5f}; "
+                "set bmargin at screen {:.5f}; set tmargin at screen {:.5f}".format(*place),
+                "set colorbox user origin screen "
+                f"{(width - right + 18)/width:.5f},{1.0 - (head + 16 + block - gap_y)/height:.5f} "
+                f"size screen {16/width:.5f},{(block - gap_y)/height:.5f}"
+                if number == surface == 0 else "unset colorbox",
+                f"set xrange [{low[0]:.6g}:{high[0]:.6g}]; set yrange [{low[1]:.6g}:{high[1]:.6g}]",
+                f"set xtics {step_of(high[0] - low[0], wide*scale)}; "
+                f"set ytics {step_of(high[1] - low[1], heights[surface])}",
+                f"set title '{quoted(textwrap.shorten(caption, 60))}' offset 0,-0.7 "
+                "font ',10' noenhanced",
+                f"set xlabel '{AXES[axes[0]]}, mm' offset 0,0.9 font ',9'",
+                f"set ylabel '{AXES[axes[1]]}, mm' offset 1.2,0 font ',9'",
+                f"splot $d{surface}_{number} using 1:2:3 with pm3d"]
+            y0 += heights[surface] + gap_y
     draw(path, "\n".join(script + ["unset multiplot"]), width, height)
+
+
+def step_of(length, pixels):
+    """Distance of the ticks: 1, 2 or 5 times a power of ten, at least 45 pixels."""
+    least = length*45.0/max(pixels, 1.0)
+    power = 10.0**math.floor(math.log10(least))
+    return next(f"{m*power:.6g}" for m in (1, 2, 5, 10) if m*power >= least)
+
+
+def limits(mesh, faces):
+    """Lower left and upper right corner of a surface in its plane."""
+    axes, _ = plane(mesh.nodes, faces)
+    used = {n for face in faces for n in face}
+    return ([min(mesh.nodes[n][i] for n in used) for i in axes],
+            [max(mesh.nodes[n][i] for n in used) for i in axes])
 
 
 def shape(mesh, faces):
     """Width and height of a surface in its plane."""
-    axes, _ = plane(mesh.nodes, faces)
-    used = {n for face in faces for n in face}
-    return [max(mesh.nodes[n][i] for n in used) - min(mesh.nodes[n][i] for n in used)
-            for i in axes]
+    low, high = limits(mesh, faces)
+    return [high[i] - low[i] for i in (0, 1)]
 
 
 def colours(points, quantity):

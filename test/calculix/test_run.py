@@ -451,8 +451,15 @@ def test_contact():
     check("contact: table", r.status == 0 and len(table) == 8
           and [row["state"] for row in table[4:]] == ["slip", "stick", "slip", "open"]
           and float(table[4]["pressure"]) == 2.0 and float(table[4]["uz"]) == -0.2, f"{r.text}{table[4:]}")
-    check("contact: summary", "3 of 4 points closed, 2 slip, largest pressure 2 MPa, force 1.5 N"
+    check("contact: summary", "TOP: 3 of 4 points closed, 2 slip, largest pressure 2 MPa, force 1.5 N"
           in r.out, r.text)
+    rows_of = [(9, (0.1,)), (5, (0.3,)), (8, (0.2,)), (5, (0.1,)), (3, (0.0,))]
+    openings = {(5, 0): 0.1, (5, 1): 0.3}
+    springs = faces.by_pair(rows_of, [{3, 5, 8}, {5, 9}], lambda n, i: openings[n, i])
+    check("a node of two surfaces: each pair's spring", springs
+          == [{8: (0.2,), 5: (0.1,), 3: (0.0,)}, {9: (0.1,), 5: (0.3,)}], springs)
+    springs = faces.by_pair([(5, (0.1,))], [{5, 8}, {5, 9}], lambda n, i: openings[n, i])
+    check("... and one spring of two possible", springs == [{5: (0.1,)}, {}], springs)
     r = Result([CONTACT, "c/c.frd", "--at", "7"])
     check("contact: no such step", r.status == 2 and "'7'" in r.err, r.text)
     r = Result([CONTACT, "c/c.frd", "--at", "end"])
