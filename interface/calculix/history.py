@@ -1,0 +1,90 @@
+"""Force and displacement of the loaded node set per increment, joined over the parts of a run."""
+
+import csv
+import os
+
+import dat
+
+INCREMENT_COLUMNS = ("step", "increment", "attempts", "iterations", "springs", "increment_time",
+                     "step_time", "total_time", "wall_seconds", "cpu_seconds")
+
+
+class HistoryError(Exception):
+    """Why there is no history."""
+
+
+def read_increments(path):
+    """Rows of an increments file, [{column: number}]; a line cut short is left out."""
+    rows = []
+    try:
+        with open(path, encoding="ascii", newline="") as file:
+            for row in csv.DictReader(file):
+                try:
+                    rows.append({name: (int if name in INCREMENT_COLUMNS[:5] else float)(row[name])
+                                 for name in INCREMENT_COLUMNS})
+                except (TypeError, ValueError):
+                    pass
+    except OSError:
+        pass
+    return rows
+
+
+def select(parts):
+    """[(part, row)]: the increments that count. A part ends where the next one begins."""
+    chosen = []
+    for number, part in enumerate(parts):
+        end = parts[number + 1]["first_step"] if number + 1 < len(parts) else None
+        chosen += [(part, row) for row in part["increments"]
+                   if row["step"] >= part["first_step"] and (end is None or row["step"] < end)]
+    return chosen
+
+
+def history(folder, parts, name, direction=None, factor=1.0):
+    """(direction, [(step, time, displacement, force)]) of node set `name`.
+
+    parts: [{job, first_step, increments}]. Without a direction, 1, 2 or 3, it is that of the
+    largest displacement. The force is the load's on the body, times the factor."""
+    points = []
+    for part in parts:
+        path = os.path.join(folder, part["job"] + ".dat")
+        try:
+            part["records"] = dat.by_time(path, name)
+        except OSError as problem:
+            raise HistoryError(f"{path}: {problem.strerror}") from problem
+    for part, row in select(parts):
+        record = take(part, row["total_time"])
+        if record is not None:
+            points.append((row["step"], *record))
+    if not points:
+        raise HistoryError(f"no displacement and force of node set {name} in the .dat file: the "
+                           f"deck needs *NODE PRINT,NSET={name} with U, and with "
+                           "TOTALS=ONLY and RF")
+    if direction is None:
+        reach = [max(abs(u[i]) for _, _, u, _ in points) for i in range(3)]
+        direction = reach.index(max(reach)) + 1
+    i = direction - 1
+    rows = [(0, 0.0, 0.0, 0.0)]
+    rows += [(step, time, u[i], force[i]*factor) for step, time, u, force in points]
+    return direction, rows
+
+
+def take(part, time):
+    """The record of a time, and forget those before it. ccx prints 7 figures of it in both places,
+    and times grow: the nearest one is right."""
+    records = part["records"]
+    while records and records[0][0] < time - 1.5e-6*max(1e-3, abs(time)):
+        records.pop(0)
+    if records and abs(records[0][0] - time) <= 1.5e-6*max(1e-3, abs(time)):
+        found = records.pop(0)
+        if found[1] is not None and found[2] is not None:
+            return found
+    return None
+
+
+def write_rows(path, header, rows):
+    """A CSV file, whole or not at all."""
+    with open(path + ".part", "w", encoding="ascii", newline="") as file:
+        writer = csv.writer(file, lineterminator="\n")
+        writer.writerow(header)
+        writer.writerows([f"{v:.9g}" if isinstance(v, float) else v for v in row] for row in rows)
+    os.replace(path + ".part", path)
