@@ -430,7 +430,7 @@ def write_model(folder):
         results += "".join(f" -1{n:10d}{0.0:12.5E}{0.0:12.5E}{-0.1*increment:12.5E}\n"
                            for n in range(11, 15)) + " -3\n"
         results += head + " -4  CONTACT     6    1\n -5  COPEN       1    4    1    1\n"
-        for n, shear in ((11, 0.5), (12, 0.25), (13, 0.5)):
+        for n, shear in ((13, 0.5), (12, 0.25), (11, 0.5)):
             values = (-0.1, 0.0, 0.0, pressure, shear*pressure, 0.0)
             results += f" -1{n:10d}" + "".join(f"{v:12.5E}" for v in values) + "\n"
         results += " -3\n"
