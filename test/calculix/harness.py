@@ -1,6 +1,7 @@
 """Running a ccx, and counting checks: a check prints a line, the last line has the counts."""
 
 import os
+import shutil
 import subprocess
 import traceback
 from pathlib import Path
@@ -45,9 +46,12 @@ def group(name, function, *arguments):
 class Run:
     """One job: its exit status and its files."""
 
-    def __init__(self, ccx, folder, name, deck, environment=None):
+    def __init__(self, ccx, folder, name, deck, environment=None, files=()):
+        """`files` are copied into the job's folder: (path, name there)."""
         self.folder = Path(folder) / name
         self.folder.mkdir(parents=True)
+        for path, copy in files:
+            shutil.copy(path, self.folder / copy)
         (self.folder / "job.inp").write_text(deck if isinstance(deck, str) else deck.text(),
                                              encoding="ascii")
         surroundings = dict(os.environ, OMP_NUM_THREADS="1", CCX_NPROC_STIFFNESS="1")

@@ -15,6 +15,9 @@ import test_lift
 import test_mixed
 import test_newton
 import test_patch
+import test_restart
+import test_threads
+import test_turn
 from harness import COUNTS, group
 from rough_law import RoughLaw
 
@@ -24,12 +27,15 @@ def main():
     stock, uinter, recorder, asperity, folder = sys.argv[1:]
     law = RoughLaw()
     groups = [("law", test_law.law_of_program, law, asperity)]
-    for name, angle in (("matching", 0.0), ("tilted", 20.0), ("offset", 0.0)):
+    for name, angle in (("matching", 0.0), ("tilted", 20.0), ("upright", 90.0), ("offset", 0.0)):
         groups += [(f"patch test, {name}", test_patch.press, law, uinter, folder, name, angle),
                    (f"sliding, {name}", test_patch.sliding, law, uinter, folder, name, angle)]
     for slave, master, most in ((4, 6, 0.18), (6, 4, 0.07)):
         groups += [("meshes that do not match", test_patch.not_matching, law, stock, uinter,
                     folder, slave, master, most)]
+    for name, axis in (("the normal", (0, 0, 1)), ("a slip direction", (0, 1, 0)),
+                       ("the diagonal", (1, 1, 1))):
+        groups += [(f"turned about {name}", test_turn.turned, law, uinter, folder, name, axis)]
     groups += [
         ("sliding over many faces", test_patch.far_sliding, law, stock, uinter, folder),
         ("Newton's method", test_newton.quadratic, law, uinter, folder),
@@ -41,7 +47,11 @@ def main():
         ("a face in two halves", test_mixed.halves, stock, recorder, folder),
         ("arguments", test_arguments.arguments, recorder, folder),
         ("PNEWDT", test_cutback.cutback, recorder, folder),
+        ("PNEWDT where increments are fixed", test_cutback.no_automatic_increments, recorder,
+         folder),
         ("cutbacks of the solver", test_cutback.solver_cutback, uinter, recorder, law, folder),
+        ("restart", test_restart.restart, law, uinter, folder),
+        ("threads", test_threads.threads, law, uinter, folder),
     ]
     began = time.monotonic()
     for name, function, *arguments in groups:

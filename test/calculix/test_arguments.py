@@ -157,6 +157,16 @@ def state(calls):
         call["OUT_STATEV"][3] - 4 for call in ends), 1e-9)
 
 
+def fields(run, calls):
+    """What *CONTACT FILE shows is what UINTER was given and gave back."""
+    shown, worst = run.contact_history[2.0], 0.0
+    for node, call in last_of_increments(calls)[2, 2].items():
+        expected = [-call["RDISP"][0], *call["RDISP"][1:], *call["OUT_STRESS"]]
+        worst = max(worst, largest(a - b for a, b in zip(shown[node], expected)))
+    at_most("fields: COPEN, CSLIP, CPRESS and CSHEAR are -RDISP(1), RDISP(2:3) and STRESS", worst,
+            2e-6)
+
+
 def reopening(run, calls):
     """Springs that vanish and come again, for good and for a few iterations only."""
     springs = {step: [row[0] for row in rows] for (step, _, _), rows in run.iterations.items()
@@ -281,4 +291,5 @@ def arguments(recorder, folder):
     state(calls)
     places(run, calls, deck)
     rotations(run, calls, deck)
+    fields(run, calls)
     reopening(run, calls)

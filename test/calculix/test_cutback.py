@@ -68,6 +68,16 @@ def cutback(recorder, folder):
         f"{len(plain.increments)} increments, {len(rows)} with")
 
 
+def no_automatic_increments(recorder, folder):
+    """As in ABAQUS, a job with increments of fixed length ends when UINTER asks for shorter ones."""
+    text = sliding_deck(props(cut_after=CUT_AFTER, longest=LONGEST), 0.2).text()
+    run = Run(recorder, folder, "cut-direct", text.replace("*STATIC", "*STATIC,DIRECT"))
+    check("cutback with DIRECT: the job ends with an error status", run.status != 0,
+          f"{run.status}")
+    check("cutback with DIRECT: no increment after the request is done", max(
+        row[4] for row in run.increments) <= CUT_AFTER)
+
+
 def impatient(deck):
     """The deck with so few iterations allowed in its last step that the solver gives up long
     increments."""
