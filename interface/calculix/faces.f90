@@ -4,7 +4,7 @@ module calculix_faces
    use asperity_kinds, only: wp
    implicit none
    private
-   public :: face_point, has_face, project_onto_face, shape_functions
+   public :: face_point, has_face, point_of_face, project_onto_face, shape_functions
 
    !> Most nodes that a face has
    integer, parameter, public :: most_nodes = 8

@@ -19,8 +19,8 @@ module calculix_host
       !> Step time at the end of the increment, its length, and total time at the start of the step
       real(wp), pointer :: time => null(), increment => null(), total => null()
       integer, pointer :: step => null(), number => null()
-      !> Calls of `results` in this increment before this one
-      integer :: iteration = -1
+      !> Solutions of the equations in this increment so far
+      integer :: iteration = 0
       !> The solver evaluates the start of a step: nothing moves
       logical :: at_rest = .true.
       !> Names of the interactions, 80 characters each
@@ -46,12 +46,12 @@ contains
 
    !> Take over the solver's variables, and put every spring back to the start of the increment, so
    !> that one that existed in an earlier iteration alone leaves nothing behind.
-   subroutine before_results(vini, mi, nk, time, dtime, ttime, istep, iinc, ielas, matname, &
-         tieset, ntie, nstate, ne0, xstateini, xstate) bind(c)
+   subroutine before_results(vini, mi, nk, time, dtime, ttime, istep, iinc, iout, ielas, &
+         matname, tieset, ntie, nstate, ne0, xstateini, xstate) bind(c)
       !> As in CalculiX
       type(c_ptr), value :: vini, time, dtime, ttime, istep, iinc, matname, tieset
       type(c_ptr), value :: xstateini, xstate
-      integer(c_int), intent(in) :: mi(*), nk, ielas, ntie, nstate, ne0
+      integer(c_int), intent(in) :: mi(*), nk, iout, ielas, ntie, nstate, ne0
       real(wp), pointer :: from(:, :), to(:, :)
       integer :: pair, nodes, first, last
       character(len=16) :: tangent
@@ -68,9 +68,10 @@ contains
       host%at_rest = ielas == 1
       call get_environment_variable('ASPERITY_CALCULIX_TANGENT', tangent)
       host%symmetric = tangent == 'symmetric'
-      host%iteration = host%iteration + 1
       if (any(abs(counted - increment_now()) > 0.0_wp)) host%iteration = 0
       counted = increment_now()
+      ! zero after a solution; else displacements are prescribed, or known
+      if (iout == 0) host%iteration = host%iteration + 1
 
       if (.not. allocated(host%serves)) return
       nodes = host%last_node(ntie + 1)

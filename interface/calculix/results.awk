@@ -24,7 +24,7 @@ END {
       names = names (i > 1 ? ", " : "") name
       known[name] = 1
    }
-   before = "vini mi nk time dtime ttime istep iinc ielas matname tieset ntie nstate_ ne0 xstateini xstate"
+   before = "vini mi nk time dtime ttime istep iinc iout ielas matname tieset ntie nstate_ ne0 xstateini xstate"
    after = "qa mi nstate_ ne0 ntie xstate"
    m = split(before " " after, wanted, " ")
    for (i = 1; i <= m; i++) if (!(wanted[i] in known)) {

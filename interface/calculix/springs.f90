@@ -189,7 +189,7 @@ contains
             host%increment, 0.0_wp, &
             name_of(host%material_names, interaction%material, 80), surface_name(pair, 2), &
             surface_name(pair, 3), interaction%props, spring%positions(:, spring%nodes), &
-            motion%axes, motion%rotation, spring%area, sqrt(spring%area), spring%node, 3, &
+            motion%frame%axes, motion%rotation, spring%area, sqrt(spring%area), spring%node, 3, &
             interaction%depvar, 0, size(interaction%props), 3, host%step, host%number, &
             host%iteration, 0, opened, user_status, discontinuity, 0)
       end associate
@@ -226,11 +226,11 @@ contains
       real(wp) :: traction(3)
       integer :: k
 
-      associate (m => response%motion%nodes, axes => response%motion%axes)
+      associate (m => response%motion%nodes, axes => response%motion%frame%axes)
          traction = area*(matmul(axes(:, 2:), response%stress(2:)) - response%stress(1)*axes(:, 1))
          force(:, m + 1) = traction
          do k = 1, m
-            force(:, k) = -response%motion%point%n(k)*traction
+            force(:, k) = -response%motion%frame%point%n(k)*traction
          end do
       end associate
    end function spring_force
@@ -249,7 +249,7 @@ contains
       m = response%motion%nodes
       freedoms = 3*(m + 1)
       variation = find_variation(response%motion)
-      associate (axes => response%motion%axes, stress => response%stress)
+      associate (axes => response%motion%frame%axes, stress => response%stress)
          signed = [-stress(1), stress(2), stress(3)]
          traction = area*matmul(axes, signed)
          do c = 1, freedoms
@@ -258,7 +258,7 @@ contains
             change(:, c) = area*(matmul(axes, shares) + matmul(variation%axes(:, :, c), signed))
          end do
       end associate
-      associate (point => response%motion%point)
+      associate (point => response%motion%frame%point)
          do c = 1, freedoms
             stiffness(3*m + 1:, c) = change(:, c)
             do k = 1, m
