@@ -218,7 +218,8 @@ contains
       associate (axes => motion%frame%axes)
          call assertLessThan(maxval(abs(axes(:, 1) - [1.0_wp, 0.0_wp, 0.0_wp])), 1.0e-14_wp, &
             'normal along x')
-   !> Stick, slip and open springs on bent faces that turn and strain, elastic slip zero at first.
+         call assertLessThan(maxval(abs(axes(:, 2) - [0.0_wp, 0.0_wp, 1.0_wp])), 1.0e-14_wp, &
+            'then z')
       end associate
    end subroutine test_axes
 
