@@ -9,7 +9,7 @@
 !>    7  than this
 !>    8  by this factor
 !>    9  1 records
-!> STATEV: increments with a surface opposite, elastic slip (2), sum of their lengths, a flag.
+!> STATEV: increments with a surface opposite, elastic slip (2), sum of their lengths, unused.
 subroutine uinter( &
    stress, ddsddr, dviscous, dstructural, flux, ddfddt, ddsddt, ddfddr, statev, sed, sfd, spd, &
    svd, scd, pnewdt, rdisp, drdisp, temp, dtemp, predef, dpred, time, dtime, freqr, ciname, &

@@ -105,7 +105,7 @@ class Call:
         return self.values[name][0]
 
 
-def calls(path):
+def recorded_calls(path):
     """Every call of the UINTER in recorder.f90, in order."""
     found = []
     for line in Path(path).read_text(encoding="ascii").splitlines():

@@ -1,10 +1,13 @@
-"""What a UINTER is given: every argument as ABAQUS would fill it, from the record that a UINTER made
-of its calls while two blocks, tilted by 20 degrees, are pressed, slid and turned about the normal."""
+"""What a UINTER is given: every argument as ABAQUS would fill it, from the record that recorder.f90
+makes of its calls while two blocks, tilted by 20 degrees, are pressed, slid, turned about the
+normal, lifted and pressed again.
+"""
 
 import math
 
 from blocks import Deck, Interaction, tilt
 from harness import Run, at_most, check, close
+from results import recorded_calls
 
 SIDE, HEIGHT, MODULUS = 30.0, 10.0, 351.0
 TILT, TURN = 20.0, 10.0
@@ -261,7 +264,8 @@ def places(run, calls, deck):
 def rotations(run, calls, deck):
     """DROT turns the slip directions with the body, so that the shear stress turns with it."""
     ends = last_of_increments(calls)
-    still = [call["DROT"] for key in ((1, 1), (1, 2), (2, 1), (2, 2)) for call in ends[key].values()]
+    still = [call["DROT"] for key in ((1, 1), (1, 2), (2, 1), (2, 2))
+             for call in ends[key].values()]
     at_most("arguments: DROT is 1 while nothing turns", largest(
         a - b for drot in still for a, b in zip(drot, (1, 0, 0, 1))), 1e-9)
     cosine, sine = math.cos(math.radians(TURN)), math.sin(math.radians(TURN))
@@ -281,10 +285,9 @@ def rotations(run, calls, deck):
 
 def arguments(recorder, folder):
     """All of it, from one run."""
-    from results import calls as read_calls
     deck = turning_deck()
     run = Run(recorder, folder, "arguments", deck).completed(7)
-    calls = read_calls(run.folder / "uinter.log")
+    calls = recorded_calls(run.folder / "uinter.log")
     high = deck.blocks[1]
     constants(calls, high)
     counters(run, calls, high)

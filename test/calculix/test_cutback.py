@@ -3,7 +3,7 @@ stays: the run ends as one whose increments were short from the start."""
 
 from blocks import Deck, Interaction
 from harness import Run, at_most, check
-from results import calls
+from results import recorded_calls
 from test_arguments import last_of_increments, props
 
 SIDE, HEIGHT, MODULUS = 30.0, 10.0, 351.0
@@ -48,7 +48,7 @@ def cutback(recorder, folder):
           and attempts[:2] == [1, 2], ", ".join(f"{length:g}" for length in lengths))
     check("cutback: as many attempts more than increments as UINTER asked for",
           sum(attempts) > len(attempts), f"attempts {attempts}")
-    tried = calls(asked.folder / "uinter.log")
+    tried = recorded_calls(asked.folder / "uinter.log")
     given_up = {key: len(table) for key, table in asked.iterations.items()
                 if key not in {row[:3] for row in rows}}
     check("cutback: an attempt is given up in the iteration in which UINTER asks",
@@ -69,7 +69,7 @@ def cutback(recorder, folder):
 
 
 def no_automatic_increments(recorder, folder):
-    """As in ABAQUS, a job with increments of fixed length ends when UINTER asks for shorter ones."""
+    """As in ABAQUS, a job of increments of fixed length ends when UINTER asks for shorter ones."""
     text = sliding_deck(props(cut_after=CUT_AFTER, longest=LONGEST), 0.2).text()
     run = Run(recorder, folder, "cut-direct", text.replace("*STATIC", "*STATIC,DIRECT"))
     check("cutback with DIRECT: the job ends with an error status", run.status != 0,
@@ -106,7 +106,7 @@ def solver_cutback(uinter, recorder, law, folder):
             far(ends(runs["long"]), ends(runs["short"])), 1e-3)
     run = Run(recorder, folder, "cut-solver-recorded",
               impatient(sliding_deck(props(), 1.0, -2.0))).completed(2)
-    rows, tried = run.increments, calls(run.folder / "uinter.log")
+    rows, tried = run.increments, recorded_calls(run.folder / "uinter.log")
     last = last_of_increments(tried)[rows[-1][:2]].values()
     check("cutback by the solver: increments counted in STATEV are those of JOB.sta",
           max(row[2] for row in rows) > 1 and all(

@@ -1,5 +1,6 @@
-"""Patch tests: uniform pressure and the law's closure on meshes that match, are tilted or lie off by
-whole elements; mu p in sliding; balance and bounds on meshes that do not match."""
+"""Patch tests: uniform pressure and the law's closure on meshes that match, are tilted or lie off
+by whole elements; mu p in sliding; balance and bounds on meshes that do not match.
+"""
 
 import math
 

@@ -22,8 +22,8 @@ def turn(axis, degrees):
 
 
 def turned(law, uinter, folder, name, axis):
-    """A turn of 4 degrees in four increments: in between, ccx moves the nodes along chords, and more
-    than 8 iterations would leave it with the areas of the eighth."""
+    """A turn of 4 degrees in four increments: in between, ccx moves the nodes along chords. After
+    more than 8 iterations, in longer ones, it would be left with the areas of the eighth."""
     size = math.hypot(*axis)
     axis = [component / size for component in axis]
     deck = Deck()
