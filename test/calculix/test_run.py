@@ -352,6 +352,9 @@ def test_history_options():
     r = run("h.inp", "--resume", "--set", "top")
     check("no such set in the results", r.status == 0 and "no history" in r.out
           and "*NODE PRINT,NSET=TOP" in r.out, r.text)
+    r = run("h.inp", "--resume", "--gauge", "tip", "--set", "tip")
+    check("a gauge of its own", r.status == 0
+          and float(rows("h.results/history.csv")[4]["displacement"]) == 4.0, r.text)
     write("h2.inp", deck_text(model="** load: set tip, direction 2\n"))
     r = run("h2.inp")
     check("set and direction of a comment", "in direction 2" in r.out, r.text)
@@ -393,6 +396,8 @@ def test_readers():
     seen = dat.by_time("t.dat", "TIP")
     check(".dat: mean, sum, lost E, a block cut short", len(seen) == 1
           and seen[0][1] == (2.0, -1e-101, 4.0) and seen[0][2] == (2.0, 4.0, 6.0), seen)
+    seen = deck.LOAD.match("** Load: set BOTTOM, direction 1, gauge BOTTOM_GAUGE")
+    check("a comment with a gauge", seen and seen.groups() == ("BOTTOM", "1", "BOTTOM_GAUGE"))
     check(".dat: another set", dat.by_time("t.dat", "TOP") == [])
     check("a number whose E is lost", frd.real(" 1.23456-101") == 1.23456e-101)
     lines = deck.with_restart(["*STEP,NLGEOM", "*RESTART,WRITE,FREQUENCY=5", "*STATIC"])
