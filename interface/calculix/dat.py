@@ -6,7 +6,8 @@ from collections import namedtuple
 # quantity: 'displacements', 'forces' or 'total force'; rows: [(node or None, (x, y, z))]
 Block = namedtuple("Block", "quantity set time rows")
 
-HEADER = re.compile(r"\s*(displacements|forces|total force) \([^)]*\) for set (\S+) and time\s+(\S+)")
+HEADER = re.compile(r"\s*(displacements|forces|total force) \([^)]*\) for set (\S+) "
+                    r"and time\s+(\S+)")
 LOST_E = re.compile(r"^([-+]?\d*\.\d*)([-+]\d{3})$")
 
 

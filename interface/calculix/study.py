@@ -68,9 +68,10 @@ def asperity(options, *arguments):
 def run_deck(program, deck, folder, *arguments):
     """Run a deck, or go on with it; nothing is computed again that is there."""
     print(f"== {os.path.basename(deck)}, {os.path.basename(program)}", flush=True)
-    command = [sys.executable, os.path.join(HERE, "run"), deck, "--ccx", program, "--output", folder]
-    status = subprocess.run([*command, *arguments, "--resume"], check=False).returncode
-    if status == 2 and "--fresh" not in arguments:
+    command = [sys.executable, os.path.join(HERE, "run"), deck, "--ccx", program,
+               "--output", folder, "--resume", *arguments]
+    status = subprocess.run(command, check=False).returncode
+    if status == 2:
         raise StudyError(f"{folder} holds something else: choose another --output, or remove it", 2)
     if status != 0:
         raise StudyError(f"the run of {deck} failed, see above", status)

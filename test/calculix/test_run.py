@@ -377,7 +377,8 @@ def test_restart_files():
             ("one step", two, 2), ("all steps in one file", one + two, 2),
             ("the last cut short", one + two[:-3], 1), ("cut in the middle", one + two[:500], 1),
             ("cut between two records", one + two[:-16], 1), ("cut in its head", one + two[:20], 1),
-            ("nothing", b"", 0), ("a step cut short", one[:-1], 0), ("no restart file", b"x"*99, 0)):
+            ("nothing", b"", 0), ("a step cut short", one[:-1], 0),
+            ("no restart file", b"x"*99, 0)):
         with open("r.bin", "wb") as file:
             file.write(data)
         seen = restart.last_step("r.bin")
@@ -455,8 +456,10 @@ def test_contact():
     table = rows("c.csv") if os.path.exists("c.csv") else []
     check("contact: table", r.status == 0 and len(table) == 8
           and [row["state"] for row in table[4:]] == ["slip", "stick", "slip", "open"]
-          and float(table[4]["pressure"]) == 2.0 and float(table[4]["uz"]) == -0.2, f"{r.text}{table[4:]}")
-    check("contact: summary", "TOP: 3 of 4 points closed, 2 slip, largest pressure 2 MPa, force 1.5 N"
+          and float(table[4]["pressure"]) == 2.0 and float(table[4]["uz"]) == -0.2,
+          f"{r.text}{table[4:]}")
+    check("contact: summary", "TOP: 3 of 4 points closed, 2 slip, largest pressure 2 MPa, "
+          "force 1.5 N"
           in r.out, r.text)
     rows_of = [(9, (0.1,)), (5, (0.3,)), (8, (0.2,)), (5, (0.1,)), (3, (0.0,))]
     openings = {(5, 0): 0.1, (5, 1): 0.3}
