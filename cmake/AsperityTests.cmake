@@ -61,6 +61,13 @@ endif()
 add_test(NAME calculix_tests COMMAND asperity_calculix_tests
    WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
 
+# The runner of CalculiX decks, with a fake CalculiX
+find_package(Python3 COMPONENTS Interpreter)
+if(Python3_FOUND)
+   add_test(NAME calculix_run_tests
+      COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/test/calculix/test_run.py)
+endif()
+
 if(ASPERITY_BUILD_PROGRAM)
    add_test(NAME program_tests
       COMMAND bash ${PROJECT_SOURCE_DIR}/test/program/run_tests.sh $<TARGET_FILE:asperity_program>

@@ -6,7 +6,8 @@ from collections import namedtuple
 # quantity: 'displacements', 'forces' or 'total force'; rows: [(node or None, (x, y, z))]
 Block = namedtuple("Block", "quantity set time rows")
 
-HEADER = re.compile(r"\s*(displacements|forces|total force) \([^)]*\) for set (\S+) and time\s+(\S+)")
+HEADER = re.compile(r"\s*(displacements|forces|total force) \([^)]*\) for set (\S+) "
+                    r"and time\s+(\S+)")
 LOST_E = re.compile(r"^([-+]?\d*\.\d*)([-+]\d{3})$")
 
 
@@ -41,16 +42,18 @@ def blocks(path):
         yield block
 
 
-def by_time(path, name):
-    """[(time, mean displacement, total force)] of a node set, in the order of the file.
+def by_time(path, name, gauge=None):
+    """[(time, mean displacement, total force)] of a node set, in the order of the file; the
+    displacement that of another set, the gauge, if there is one.
 
     Mean displacement and force are (x, y, z), or None where the deck did not ask for them."""
     records = []
     for block in blocks(path):
-        if block.set != name:
+        moves = block.quantity == "displacements"
+        if block.set != ((gauge or name) if moves else name):
             continue
         values = list(zip(*(row for _, row in block.rows)))
-        if block.quantity == "displacements":
+        if moves:
             position, vector = 1, tuple(sum(v)/len(v) for v in values)
         else:
             position, vector = 2, tuple(sum(v) for v in values)

@@ -7,7 +7,8 @@ import re
 # Comment lines that the runner obeys
 HALF_MODEL = re.compile(r"\*\*\s*half model\b", re.I)
 MAY_VANISH = re.compile(r"\*\*\s*springs may vanish\b(\s+within a step)?", re.I)
-LOAD = re.compile(r"\*\*\s*load:\s*set\s+([^\s,]+)\s*,\s*direction\s+([123])\b", re.I)
+LOAD = re.compile(r"\*\*\s*load:\s*set\s+([^\s,]+)\s*,\s*direction\s+([123])\b"
+                  r"(?:\s*,\s*gauge\s+([^\s,]+))?", re.I)
 
 
 class DeckError(Exception):
@@ -74,11 +75,12 @@ class Deck:
                                 "--resume makes the deck that goes on")
         self.half_model = any(HALF_MODEL.match(line) for line in every)
         self.has_contact = any(keyword(line) == "*CONTACTPAIR" for line in self.model)
-        self.load_set, self.load_direction = "TIP", None
+        self.load_set, self.load_direction, self.gauge = "TIP", None, None
         for line in every:
             found = LOAD.match(line)
             if found:
                 self.load_set, self.load_direction = found[1].upper(), int(found[2])
+                self.gauge = found[3].upper() if found[3] else None
 
     def may_vanish(self, step):
         """'never', 'within' or 'always': may contact springs vanish in a step, 1 the first?

@@ -39,16 +39,17 @@ def select(parts):
     return chosen
 
 
-def history(folder, parts, name, direction=None, factor=1.0):
+def history(folder, parts, name, gauge=None, direction=None, factor=1.0):
     """(direction, [(step, time, displacement, force)]) of node set `name`.
 
     parts: [{job, first_step, increments}]. Without a direction, 1, 2 or 3, it is that of the
-    largest displacement. The force is the load's on the body, times the factor."""
+    largest displacement. The force is the load's on the body, times the factor. The displacement
+    can be that of another set, the gauge."""
     points = []
     for part in parts:
         path = os.path.join(folder, part["job"] + ".dat")
         try:
-            part["records"] = dat.by_time(path, name)
+            part["records"] = dat.by_time(path, name, gauge)
         except OSError as problem:
             raise HistoryError(f"{path}: {problem.strerror}") from problem
     for part, row in select(parts):
@@ -56,9 +57,9 @@ def history(folder, parts, name, direction=None, factor=1.0):
         if record is not None:
             points.append((row["step"], *record))
     if not points:
-        raise HistoryError(f"no displacement and force of node set {name} in the .dat file: the "
-                           f"deck needs *NODE PRINT,NSET={name} with U, and with "
-                           "TOTALS=ONLY and RF")
+        raise HistoryError(f"no displacement and force in the .dat file: the deck needs "
+                           f"*NODE PRINT,NSET={gauge or name} with U, and "
+                           f"*NODE PRINT,NSET={name},TOTALS=ONLY with RF")
     if direction is None:
         reach = [max(abs(u[i]) for _, _, u, _ in points) for i in range(3)]
         direction = reach.index(max(reach)) + 1

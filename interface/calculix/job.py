@@ -32,9 +32,9 @@ class Job:
         self._reader, writer = pty.openpty()
         try:
             # the session ends, and ccx with it, when the runner is killed
-            self.process = subprocess.Popen(command, stdout=writer, stderr=writer, close_fds=True,
-                                            start_new_session=True, preexec_fn=_own_terminal(writer),
-                                            **options)
+            self.process = subprocess.Popen(
+                command, stdout=writer, stderr=writer, start_new_session=True,
+                preexec_fn=_own_terminal(writer), **options)
         except OSError:
             os.close(self._reader)
             raise

@@ -84,7 +84,7 @@ def faces_picture(path, mesh, points, title, quantity):
     keys = list(points)
     columns = min(len(keys), 4)
     # one scale for all surfaces
-    left, right, head, gap_x, gap_y = 10, 110, 52, 76, 70
+    left, right, head, gap_x, gap_y = 10, 135, 52, 76, 70
     wide = max(w for w, _ in shapes)
     scale = min(max(170.0, min(340.0, 1150.0/columns))/wide, 380.0/max(h for _, h in shapes))
     heights = [max(h*scale, 24.0) for _, h in shapes]
@@ -214,7 +214,8 @@ def mesh_picture(path, mesh, moved, values, options):
               f"set title '{quoted(options['title'])}' noenhanced",
               "set view equal xyz; set view {:g},{:g}".format(*options["view"]),
               "set pm3d depthorder corners2color mean border lc rgb '#404040' lw 0.25",
-              f"set palette {palette}", f"set cbrange [{low:.6g}:{high if high > low else low + 1:.6g}]",
+              f"set palette {palette}",
+              f"set cbrange [{low:.6g}:{high if high > low else low + 1:.6g}]",
               f"set cblabel '{quoted(options['label'])}'", "unset key; unset border; unset tics",
               "set cbtics", "set colorbox user origin 0.88,0.2 size 0.02,0.6",
               "set lmargin 0; set rmargin 12; set bmargin 0",

@@ -170,7 +170,8 @@ TAKERS = (
     (SIZE, lambda self, found: setattr(self, "size", float(found[1]))),
     (STEP_TIME, lambda self, found: setattr(self, "step_time", float(found[1]))),
     (TOTAL_TIME, lambda self, found: setattr(self, "total_time", float(found[1]))),
-    (RESIDUAL, Watcher._note), (UINTER, Watcher._take_uinter), (re.compile(r" ?Job finished"), Watcher._finish))
+    (RESIDUAL, Watcher._note), (UINTER, Watcher._take_uinter),
+    (re.compile(r" ?Job finished"), Watcher._finish))
 
 
 def short_errors(errors, most=3):

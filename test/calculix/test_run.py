@@ -352,6 +352,9 @@ def test_history_options():
     r = run("h.inp", "--resume", "--set", "top")
     check("no such set in the results", r.status == 0 and "no history" in r.out
           and "*NODE PRINT,NSET=TOP" in r.out, r.text)
+    r = run("h.inp", "--resume", "--gauge", "tip", "--set", "tip")
+    check("a gauge of its own", r.status == 0
+          and float(rows("h.results/history.csv")[4]["displacement"]) == 4.0, r.text)
     write("h2.inp", deck_text(model="** load: set tip, direction 2\n"))
     r = run("h2.inp")
     check("set and direction of a comment", "in direction 2" in r.out, r.text)
@@ -374,7 +377,8 @@ def test_restart_files():
             ("one step", two, 2), ("all steps in one file", one + two, 2),
             ("the last cut short", one + two[:-3], 1), ("cut in the middle", one + two[:500], 1),
             ("cut between two records", one + two[:-16], 1), ("cut in its head", one + two[:20], 1),
-            ("nothing", b"", 0), ("a step cut short", one[:-1], 0), ("no restart file", b"x"*99, 0)):
+            ("nothing", b"", 0), ("a step cut short", one[:-1], 0),
+            ("no restart file", b"x"*99, 0)):
         with open("r.bin", "wb") as file:
             file.write(data)
         seen = restart.last_step("r.bin")
@@ -393,6 +397,8 @@ def test_readers():
     seen = dat.by_time("t.dat", "TIP")
     check(".dat: mean, sum, lost E, a block cut short", len(seen) == 1
           and seen[0][1] == (2.0, -1e-101, 4.0) and seen[0][2] == (2.0, 4.0, 6.0), seen)
+    seen = deck.LOAD.match("** Load: set BOTTOM, direction 1, gauge BOTTOM_GAUGE")
+    check("a comment with a gauge", seen and seen.groups() == ("BOTTOM", "1", "BOTTOM_GAUGE"))
     check(".dat: another set", dat.by_time("t.dat", "TOP") == [])
     check("a number whose E is lost", frd.real(" 1.23456-101") == 1.23456e-101)
     lines = deck.with_restart(["*STEP,NLGEOM", "*RESTART,WRITE,FREQUENCY=5", "*STATIC"])
@@ -450,8 +456,10 @@ def test_contact():
     table = rows("c.csv") if os.path.exists("c.csv") else []
     check("contact: table", r.status == 0 and len(table) == 8
           and [row["state"] for row in table[4:]] == ["slip", "stick", "slip", "open"]
-          and float(table[4]["pressure"]) == 2.0 and float(table[4]["uz"]) == -0.2, f"{r.text}{table[4:]}")
-    check("contact: summary", "TOP: 3 of 4 points closed, 2 slip, largest pressure 2 MPa, force 1.5 N"
+          and float(table[4]["pressure"]) == 2.0 and float(table[4]["uz"]) == -0.2,
+          f"{r.text}{table[4:]}")
+    check("contact: summary", "TOP: 3 of 4 points closed, 2 slip, largest pressure 2 MPa, "
+          "force 1.5 N"
           in r.out, r.text)
     rows_of = [(9, (0.1,)), (5, (0.3,)), (8, (0.2,)), (5, (0.1,)), (3, (0.0,))]
     openings = {(5, 0): 0.1, (5, 1): 0.3}
