@@ -86,12 +86,12 @@ contains
       call write_tenon_deck(model, report%decks(1)%text)
       call fill_table(report, ['column', 'beam  '], [model%column, model%beam])
       call remark(report, 'half model: forces are half of those of the joint')
-      call remark(report, to_text(size(model%turns))//' steps: load and fit, then '// &
-         to_text(size(model%turns) - 1)//' strokes')
+      call remark(report, trim(merge('2 steps of load and fit', '1 step of load         ', &
+         model%swelling > 0.0_wp))//', then '//to_text(size(model%turns) - 1)//' strokes')
       call remark(report, 'the meshes are '//to_text(model%sizes%gap_above, 6)// &
          ' mm apart above and '//to_text(model%sizes%gap_below, 6)//' mm below the beam')
-      if (model%has_sides) call remark(report, 'the meshes overlap by '// &
-         to_text(model%sizes%side_interference, 6)//' mm at each side')
+      if (model%has_sides) call remark(report, 'interference at each side '// &
+         to_text(model%sizes%side_interference, 6)//' mm')
    end subroutine report_tenon_deck
 
    !> What both decks are told.

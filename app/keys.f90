@@ -244,7 +244,7 @@ module app_keys
       key_type('tail', kind_real, 'mm', command_deck_tenon, no, '0', '', &
       'length of the beam behind the column'), &
       key_type('side_interference', kind_real, 'mm', command_deck_tenon, no, '', '', &
-      'overlap at each side; made for side_pressure unless given'), &
+      'interference at each side; made for side_pressure unless given'), &
       key_type('stroke_increments', kind_integer, '', command_deck_tenon, no, '10', '', &
       'fewest increments of a stroke; twice as many beyond 16 mm'), &
       key_type('record_file', kind_text, '', command_hysteresis, no, '', '', &

@@ -8,6 +8,7 @@ module deck_tenon_deck
    use deck_hex_mesh, only: hex_mesh
    use deck_interaction, only: interaction_type, new_interaction, overclosure_for
    use deck_tenon_parts, only: check_tenon_sizes, new_beam, new_column, tenon_sizes
+   use deck_side_fit, only: side_interference
    use deck_wood, only: check_wood, wood_type
    use replay_tenon_programme, only: tenon_programme
    use replay_tenon_settings, only: check_tenon_settings, tenon_face_arm, tenon_settings
@@ -26,8 +27,9 @@ module deck_tenon_deck
       !> Wood of both parts, contact of upper and lower face, and of the sides
       type(wood_type) :: wood
       type(interaction_type) :: faces, sides
-      !> Whether the sides touch
+      !> Whether the sides touch, and the strain by which the beam swells between them
       logical :: has_sides = .true.
+      real(wp) :: swelling = 0.0_wp
       !> Column and beam
       type(hex_mesh) :: column, beam
       !> Displacements of the load point between which the strokes lie, mm, from 0
@@ -80,9 +82,9 @@ contains
             call new_interaction(deck%faces, choice, 'FACES', faces, s%bearing_strength, error)
          if (.not. allocated(error) .and. deck%has_sides) &
             call new_interaction(deck%sides, choice, 'SIDES', sides, s%side_pressure, error)
-         if (.not. allocated(error)) call place_faces(deck, error)
       end associate
       if (.not. allocated(error)) call check_tenon_sizes(choice, settings, deck%sizes, error)
+      if (.not. allocated(error)) call place_faces(deck, error)
       if (allocated(error)) return
       call new_column(deck%column, choice, settings, deck%sizes)
       call new_beam(deck%beam, choice, settings, deck%sizes)
@@ -119,27 +121,18 @@ contains
             first_touch = deck%faces%properties%initial_separation
          sizes%gap_above = s%clearance_above - first_touch
          sizes%gap_below = s%clearance_below - first_touch
-         if (.not. deck%has_sides .or. sizes%side_interference > 0.0_wp) return
+         if (.not. deck%has_sides) return
          call overclosure_for(deck%sides, deck%choice, s%side_pressure, overclosure, error)
-         sizes%side_interference = overclosure + s%side_pressure*side_compliance(deck)
+         if (allocated(error)) return
+         ! a datum far out in the law can make the overclosure negative
+         overclosure = max(overclosure, 0.0_wp)
+         if (.not. sizes%side_interference > 0.0_wp) sizes%side_interference = &
+            side_interference(s%side_pressure, overclosure, deck%wood, s%width, s%height, &
+            sizes%column_width)
+         sizes%side_overlap = min(overclosure, sizes%side_interference)
+         deck%swelling = (sizes%side_interference - sizes%side_overlap)/(0.5_wp*s%width)
       end associate
    end subroutine place_faces
-
-   !> How far half the beam and the cheek of the column give way at the sides, on an average, mm/MPa:
-   !> the beam is squeezed, the cheek bends and shears as a beam clamped above and below the mortise.
-   pure real(wp) function side_compliance(deck)
-      !> The model, without its side interference
-      type(tenon_deck), intent(in) :: deck
-      real(wp) :: cheek
-      real(wp), parameter :: shear_area = 5.0_wp/6.0_wp
-
-      associate (s => deck%settings, w => deck%wood)
-         cheek = 0.5_wp*(deck%sizes%column_width - s%width)
-         side_compliance = 0.5_wp*s%width/w%modulus(2) &
-            + s%height**4/(60.0_wp*w%modulus(1)*cheek**3) &
-            + s%height**2/(12.0_wp*shear_area*w%shear(1)*cheek)
-      end associate
-   end function side_compliance
 
    !> Where the load point turns.
    pure subroutine find_turns(deck)

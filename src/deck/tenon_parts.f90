@@ -22,8 +22,9 @@ module deck_tenon_parts
       real(wp) :: tail = 0.0_wp
       !> Clearance of the meshes above and below the beam, negative for an interference, mm
       real(wp) :: gap_above = 0.0_wp, gap_below = 0.0_wp
-      !> Overclosure of the meshes at each side, mm
-      real(wp) :: side_interference = 0.0_wp
+      !> Interference at each side, mm, made from the side pressure when not above zero; and the part
+      !> of it by which the meshes overlap, while the beam swells by the rest
+      real(wp) :: side_interference = 0.0_wp, side_overlap = 0.0_wp
    end type tenon_sizes
 
 contains
@@ -50,7 +51,8 @@ contains
       call check_mesh_size(error, choice, 'length', settings%length)
       call check_mesh_size(error, choice, 'arm', tenon_face_arm(settings))
       if (allocated(error)) return
-      associate (high => settings%height + 2.0_wp*max(sizes%gap_above, sizes%gap_below))
+      associate (high => settings%height + 2.0_wp*max(settings%clearance_above, &
+            settings%clearance_below))
          if (.not. sizes%column_height > high) call fatal_error(error, 'column_height = '// &
             to_text(sizes%column_height)//' mm is too small for the mortise, '//to_text(high)// &
             ' mm high')
@@ -76,7 +78,7 @@ contains
 
       associate (cell => choice%mesh_size, top => 0.5_wp*settings%height + sizes%gap_above, &
             bottom => -0.5_wp*settings%height - sizes%gap_below, &
-            side => 0.5_wp*settings%width - sizes%side_interference)
+            side => 0.5_wp*settings%width - sizes%side_overlap)
          call even_cuts(-settings%length, 0.0_wp, cell, 1, x)
          call even_cuts(0.0_wp, side, cell, 1, inner)
          call even_cuts(side, 0.5_wp*sizes%column_width, cell, 1, outer)

@@ -67,11 +67,13 @@ contains
             'and '//to_text(sizes%gap_below, 6)//' mm below the beam; negative is an overlap. '// &
             gap_words(model))
          if (model%has_sides) then
-            call deck%comment('- Sides: the meshes overlap by '// &
-               to_text(sizes%side_interference, 6)//' mm, for about '//to_text(s%side_pressure, 4)// &
-               ' MPa: the overclosure of contact at that pressure, and what half the beam and '// &
-               'the cheek of the column give way under it (squeezed, bent and sheared as a '// &
-               'clamped beam). What pressure comes of it is in the results.')
+            call deck%comment('- Sides: an interference of '//to_text(sizes%side_interference, 6) &
+               //' mm for about '//to_text(s%side_pressure, 4)//' MPa: the overclosure of contact '// &
+               'at that pressure, by which the meshes overlap ('//to_text(sizes%side_overlap, 6)// &
+               ' mm), and what the wood gives way under it (half the beam squeezed, the cheek of '// &
+               'the column bent and sheared), by which the beam swells in a step of its own, as '// &
+               'solvers do not find the way out of a large overlap. An estimate of the mean; '// &
+               'what pressure comes of it is in the results.')
          else
             call deck%comment('- Sides: no pressure, no contact.')
          end if
@@ -120,12 +122,19 @@ contains
       call write_axes(deck, 'BEAM_AXES', x, z)
       call write_wood(deck, model%choice, model%wood, 'COLUMN_WOOD', .true.)
       call write_wood(deck, model%choice, model%wood, 'BEAM_WOOD', .false.)
+      if (model%swelling > 0.0_wp) then
+         call deck%comment('Swelling in T, which is y, at a temperature of 1.')
+         call deck%line('*EXPANSION, TYPE=ORTHO')
+         call deck%reals([0.0_wp, 0.0_wp, model%swelling])
+         call deck%line('*INITIAL CONDITIONS, TYPE=TEMPERATURE')
+         call deck%line('BEAM_NODES, 0.0')
+         call deck%line('COLUMN_NODES, 0.0')
+      end if
       call deck%section('COLUMN', 'COLUMN_WOOD', 'COLUMN_AXES')
       call deck%section('BEAM', 'BEAM_WOOD', 'BEAM_AXES')
    end subroutine write_parts
 
-   !> Surfaces, interactions and pairs: the mortise is the slave, the beam, which is longer, the
-   !> master.
+   !> Surfaces, interactions and pairs.
    pure subroutine write_contact(deck, model)
       type(writer_type), intent(inout) :: deck
       type(tenon_deck), intent(in) :: model
@@ -136,8 +145,11 @@ contains
       half = 0.5_wp*model%settings%height
       top = half + model%sizes%gap_above
       bottom = -half - model%sizes%gap_below
-      side = 0.5_wp*model%settings%width - model%sizes%side_interference
-      call deck%heading('contact: the mortise is slave, the longer beam master')
+      side = 0.5_wp*model%settings%width - model%sizes%side_overlap
+      call deck%heading('contact')
+      call deck%comment('Slave above and below is the mortise, as the beam is longer than it; at the '// &
+         'sides the beam, as the mortise is higher. A node that passes the edge of its master has '// &
+         'no contact.')
       call deck%surface('MORTISE_TOP', model%column, [-far, 0.0_wp, top], [far, side, top], 0)
       call deck%surface('MORTISE_BOTTOM', model%column, [-far, 0.0_wp, bottom], &
          [far, side, bottom], 0)
@@ -155,7 +167,7 @@ contains
       call write_pair(deck, model%faces, 'MORTISE_BOTTOM', 'BEAM_BOTTOM')
       if (.not. model%has_sides) return
       call write_interaction(deck, model%choice, model%sides)
-      call write_pair(deck, model%sides, 'MORTISE_SIDE', 'BEAM_SIDE')
+      call write_pair(deck, model%sides, 'BEAM_SIDE', 'MORTISE_SIDE')
    end subroutine write_contact
 
    !> Sets of nodes, supports and springs.
@@ -213,16 +225,24 @@ contains
 
       area = 0.5_wp*model%settings%length*model%sizes%column_width
       call deck%heading('load of the column, '//to_text(model%settings%column_load, 6)// &
-         ' N, half of it here; the sides come into contact')
+         ' N, half of it here; first contact of the sides')
       step%name = 'SEAT'
-      step%direct = .true.
       call open_step(deck, model%choice, step)
       if (abs(model%settings%column_load) > 0.0_wp) then
          call deck%line('*DSLOAD')
          call deck%line('COLUMN_TOP, P, '//to_text(0.5_wp*model%settings%column_load/area, 12))
       end if
       call close_step(deck, model%choice, force_sets, gauges)
-      step%direct = .false.
+      if (model%swelling > 0.0_wp) then
+         call deck%heading('the beam swells between the sides')
+         step%name = 'FIT'
+         step%first = 0.2_wp
+         step%largest = 0.2_wp
+         call open_step(deck, model%choice, step)
+         call deck%line('*TEMPERATURE')
+         call deck%line('BEAM_NODES, 1.0')
+         call close_step(deck, model%choice, force_sets, gauges)
+      end if
       do i = 2, size(model%turns)
          associate (from => model%turns(i - 1), to => model%turns(i))
             call deck%heading('stroke '//to_text(i - 1)//' of '//to_text(size(model%turns) - 1)// &
