@@ -17,7 +17,7 @@ uinter=$(command -v "$2") \
    || skip "there is no CalculiX with UINTER '$2'; interface/calculix/build makes it"
 asperity=$(command -v "$3") || { echo "run_tests.sh: no program '$3'" >&2; exit 2; }
 command -v python3 >/dev/null || skip 'there is no python3'
-uinter=$(realpath "$uinter") asperity=$(realpath "$asperity")
+stock=$(realpath "$stock") uinter=$(realpath "$uinter") asperity=$(realpath "$asperity")
 
 work=$(mktemp -d) || exit 3
 trap 'rm -rf "$work"' EXIT
