@@ -9,6 +9,8 @@ program test_main
    use test_contact_points, only: suite_contact_points
    use test_contact_states, only: suite_contact_states
    use test_contact_tangent, only: suite_contact_tangent
+   use test_deck_meshes, only: suite_deck_meshes
+   use test_deck_models, only: suite_deck_models
    use test_exponential, only: suite_exponential
    use test_finite, only: suite_finite
    use test_fixed_pieces, only: suite_fixed_pieces
@@ -70,6 +72,8 @@ program test_main
    call all_suites%addTest(suite_press())
    call all_suites%addTest(suite_shear_box())
    call all_suites%addTest(suite_law_table())
+   call all_suites%addTest(suite_deck_meshes())
+   call all_suites%addTest(suite_deck_models())
    call all_suites%addTest(suite_hysteresis())
    call all_suites%addTest(suite_hysteresis_records())
    call all_suites%addTest(suite_tenon_forms())

@@ -39,8 +39,9 @@ contains
          if (choice%contact == 'uinter') &
             call deck%comment('   abaqus job=... user=asperity_uinter.f90')
       end if
-      call deck%comment('Elements: '//element_kind(choice)//'. The paper used C3D8R; in CalculiX '// &
-         'that one deforms without resistance (hourglassing), C3D8I does not and bends well.')
+      call deck%comment('Elements: '//element_kind(choice)//'. The paper used C3D8R; in '// &
+         'CalculiX that one deforms without resistance (hourglassing), C3D8I does not and '// &
+         'bends well.')
       call deck%comment('')
    end subroutine write_head
 

@@ -63,7 +63,8 @@ contains
          //', too many for CalculiX, which takes '//to_text(calculix_rows))
    end subroutine new_interaction
 
-   !> Overclosure of the mesh faces at which contact has a pressure. `error` is set when it has none.
+   !> Overclosure of the mesh faces at which contact has a pressure. `error` is set when it has
+   !> none.
    pure subroutine overclosure_for(interaction, choice, pressure, overclosure, error)
       !> Contact
       type(interaction_type), intent(in) :: interaction
@@ -121,16 +122,16 @@ contains
       call properties_from_props(props(:n), read_back, refused)
       if (allocated(refused)) n = n_props
       counts = 'PROPERTIES='//to_text(n)//', DEPVAR='//to_text(n_statev)
-      call deck%comment('UINTER of asperity: mu, gcrit (mm), eta (1/mm^2), E* (MPa), pi, R (mm), '// &
-         'H (MPa), k, sigma (mm), d0 (mm), friction rule, slip integration. Separation of the '// &
-         'mean planes = d0 - overclosure of the mesh faces.')
+      call deck%comment('UINTER of asperity: mu, gcrit (mm), eta (1/mm^2), E* (MPa), pi, R '// &
+         '(mm), H (MPa), k, sigma (mm), d0 (mm), friction rule, slip integration. Separation '// &
+         'of the mean planes = d0 - overclosure of the mesh faces.')
       if (for_calculix(choice)) then
          call deck%line('*SURFACE INTERACTION, NAME='//trim(interaction%name))
          call deck%line('*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=UINTER, '//counts// &
             ', SEARCH DISTANCE='//to_text(choice%search_distance))
          call deck%reals(props(:n))
-         call deck%comment('CalculiX needs a friction to make room and to solve unsymmetrically; '// &
-            'its numbers are not used.')
+         call deck%comment('CalculiX needs a friction to make room and to solve '// &
+            'unsymmetrically; its numbers are not used.')
          call deck%line('*FRICTION')
          call deck%reals([1.0_wp, 1.0_wp])
       else
@@ -169,9 +170,10 @@ contains
       type(interaction_type), intent(in) :: interaction
 
       if (for_calculix(choice)) then
-         call deck%comment('Hard contact as CalculiX has it: pressure over penetration (MPa/mm), '// &
-            'pull at a large clearance (MPa), the largest clearance with a spring over the root '// &
-            'of the node''s area. The first is chosen: large against the wood, yet it converges.')
+         call deck%comment('Hard contact as CalculiX has it: pressure over penetration '// &
+            '(MPa/mm), pull at a large clearance (MPa), the largest clearance with a spring '// &
+            'over the root of the node''s area. The first is chosen: large '// &
+            'against the wood, yet it converges.')
          call deck%line('*SURFACE INTERACTION, NAME='//trim(interaction%name))
          call deck%line('*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR')
          call deck%reals([choice%penalty, pull, 1.0e-3_wp])
@@ -190,10 +192,10 @@ contains
 
       associate (p => interaction%properties)
          if (for_calculix(choice)) then
-            call deck%comment('Friction coefficient, and the slope of the shear stress in stick '// &
-               '(MPa/mm), which CalculiX keeps constant while the law''s is mu p/gcrit: taken at '// &
-               'p = '//to_text(interaction%stick_pressure, 6)//' MPa. Unlike UINTER, CalculiX '// &
-               'counts slip while the faces are apart.')
+            call deck%comment('Friction coefficient, and the slope of the shear stress in '// &
+               'stick (MPa/mm), which CalculiX keeps constant while the law''s is mu p/gcrit: '// &
+               'taken at p = '//to_text(interaction%stick_pressure, 6)//' MPa. Unlike UINTER, '// &
+               'CalculiX counts slip while the faces are apart.')
             call deck%line('*FRICTION')
             call deck%reals([p%friction_coefficient, stick_slope(p, interaction%stick_pressure)])
          else

@@ -69,8 +69,8 @@ contains
          then
          call fatal_error(error, 'initial_separation = '// &
             to_text(properties%initial_separation)//' mm leaves the meshes apart by '// &
-            to_text(-deck%overclosure, 3)//' mm under the normal stress, where CalculiX makes no '// &
-            'springs for a table; raise it')
+            to_text(-deck%overclosure, 3)//' mm under the normal stress, where CalculiX makes '// &
+            'no springs for a table; raise it')
          return
       end if
       call new_disc_mesh(deck%lower, settings%diameter, -disc_height, 0.0_wp, choice%mesh_size)

@@ -9,14 +9,14 @@ module deck_shear_text
    use deck_shear_deck, only: shear_deck
    use deck_steps, only: close_step, open_step, step_type, write_boundary
    use deck_wood, only: write_axes, write_wood
-   use deck_writer, only: writer_type
+   use deck_model_writer, only: model_writer
    implicit none
    private
    public :: write_shear_deck
 
    real(wp), parameter :: far = huge(1.0_wp)
    character(len=*), parameter :: force_sets(2) = [character(len=6) :: 'BOTTOM', 'TOP']
-   character(len=*), parameter :: gauges(4) = [character(len=12) :: 'BOTTOM_GAUGE', 'CAP', &
+   character(len=*), parameter :: gauges(4) = [character(len=12) :: 'BOTTOM', 'CAP', &
       'LOWER_MIDDLE', 'UPPER_MIDDLE']
 
 contains
@@ -27,7 +27,7 @@ contains
       type(shear_deck), intent(in) :: model
       !> The deck
       character(len=:), allocatable, intent(out) :: text
-      type(writer_type) :: deck
+      type(model_writer) :: deck
 
       call write_words(deck, model)
       call write_parts(deck, model)
@@ -38,36 +38,40 @@ contains
 
    !> What the model is, and what of it is chosen.
    pure subroutine write_words(deck, model)
-      type(writer_type), intent(inout) :: deck
+      type(model_writer), intent(inout) :: deck
       type(shear_deck), intent(in) :: model
 
       call write_head(deck, model%choice, 'Direct shear test of two discs of wood')
-      call deck%comment('Two discs, one upon the other; z points up, the lower one moves along x. '// &
-         'Diameter, height, normal stress, speed: the paper''s, or the case''s. Edges are about '// &
+      call deck%comment('Two discs, one upon the other; z points up, the lower one moves along '// &
+         'x. Diameter, height, normal stress, speed: the paper''s, or the case''s. Edges are '// &
+         'about '// &
          to_text(model%choice%mesh_size, 4)//' mm long; the rim is placed so that the area is '// &
          'that of the circle.')
       call deck%comment('Chosen, as the paper does not say it:')
       call deck%comment('- The boxes: the upper face of the upper disc is held in x and y and '// &
-         'stays level, as under a cap that cannot tilt (*EQUATION); the lower face of the lower '// &
-         'disc moves as a whole. The sides are free.')
+         'stays level, as under a cap that cannot tilt (*EQUATION); the lower face of the '// &
+         'lower disc moves as a whole. The sides are free.')
       if (model%upper_on_end) then
-         call deck%comment('- The grain: of the upper disc along z, so that its cross section is '// &
-            'in contact; of the lower disc along x, tangential section in contact (R along z).')
+         call deck%comment('- The grain: of the upper disc along z, so that its cross section '// &
+            'is in contact; of the lower disc along x, tangential section in contact (R along z).')
       else
          call deck%comment('- The grain: of both discs along x, tangential sections in contact '// &
             '(R along z).')
       end if
       call deck%comment('- The start: the meshes overlap by '//to_text(model%overclosure, 6)// &
-         ' mm, which is the overclosure at which contact carries the normal stress. A gap closed '// &
-         'by a load would have no stiffness at first, and no solver would find the end of it. '// &
-         'The first step is one increment, from which on CalculiX counts all of the overlap.')
-      call deck%comment('The upper face is the slave. Where its nodes pass the rim of the lower '// &
-         'disc they lose their contact: the overlap shrinks as in the test, by whole nodes.')
+         ' mm, which is the overclosure at which contact carries the normal stress. A gap '// &
+         'closed by a load would have no stiffness at first, and no solver would find the end '// &
+         'of it. The first step is one increment, from which on CalculiX counts all of the '// &
+         'overlap.')
+      call deck%comment('The upper face is the slave. Where its nodes pass the rim of the '// &
+         'lower disc they lose their contact: the overlap shrinks as in the test, by whole nodes.')
+      call deck%comment('For interface/calculix/run:')
+      call deck%line('** load: set BOTTOM, direction 1')
    end subroutine write_words
 
    !> Meshes, wood, surfaces, contact.
    pure subroutine write_parts(deck, model)
-      type(writer_type), intent(inout) :: deck
+      type(model_writer), intent(inout) :: deck
       type(shear_deck), intent(in) :: model
       real(wp), parameter :: x(3) = [1.0_wp, 0.0_wp, 0.0_wp], z(3) = [0.0_wp, 0.0_wp, 1.0_wp]
       character(len=:), allocatable :: kind
@@ -113,7 +117,7 @@ contains
 
    !> Sets of nodes, and what holds them.
    pure subroutine write_supports(deck, model)
-      type(writer_type), intent(inout) :: deck
+      type(model_writer), intent(inout) :: deck
       type(shear_deck), intent(in) :: model
       integer, allocatable :: bottom(:), top(:)
       integer :: nodes, cap
@@ -125,7 +129,6 @@ contains
       cap = middle_of(model%upper, top)
       call deck%node_set('BOTTOM', bottom)
       call deck%node_set('TOP', nodes + top)
-      call deck%node_set('BOTTOM_GAUGE', [middle_of(model%lower, bottom)])
       call deck%node_set('CAP', [nodes + cap])
       call nodes_at(model%lower, 0.0_wp, bottom)
       call deck%node_set('LOWER_MIDDLE', [middle_of(model%lower, bottom)])
@@ -159,7 +162,7 @@ contains
 
    !> Press, then a step for each way of the lower box.
    pure subroutine write_steps(deck, model)
-      type(writer_type), intent(inout) :: deck
+      type(model_writer), intent(inout) :: deck
       type(shear_deck), intent(in) :: model
       type(step_type) :: step
       real(wp) :: from, way

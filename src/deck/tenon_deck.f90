@@ -97,15 +97,15 @@ contains
       type(error_type), allocatable, intent(out) :: error
 
       if (settings%shoulders) then
-         call fatal_error(error, 'shoulders = true is not in the deck: its beam has one section '// &
-            'throughout')
+         call fatal_error(error, 'shoulders = true is not in the deck: its beam has one '// &
+            'section throughout')
       else if (settings%axial_rule /= 'spring' .and. settings%axial_rule /= 'fixed') then
          call fatal_error(error, 'axial_rule = '//trim(settings%axial_rule)//' leaves the beam '// &
             'without axial hold: in three dimensions it then loses all contact while it passes '// &
             'zero; take spring or fixed')
       else if (.not. settings%column_modulus > 0.0_wp) then
-         call fatal_error(error, 'column_modulus = 0 is a rigid column, which the deck has not: '// &
-            'give the modulus along the grain in MPa')
+         call fatal_error(error, 'column_modulus = 0 is a rigid column, which the deck has '// &
+            'not: give the modulus along the grain in MPa')
       end if
    end subroutine check_joint
 

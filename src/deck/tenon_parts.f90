@@ -22,8 +22,8 @@ module deck_tenon_parts
       real(wp) :: tail = 0.0_wp
       !> Clearance of the meshes above and below the beam, negative for an interference, mm
       real(wp) :: gap_above = 0.0_wp, gap_below = 0.0_wp
-      !> Interference at each side, mm, made from the side pressure when not above zero; and the part
-      !> of it by which the meshes overlap, while the beam swells by the rest
+      !> Interference at each side, mm, made from the side pressure when not above zero; and the
+      !> part of it by which the meshes overlap, while the beam swells by the rest
       real(wp) :: side_interference = 0.0_wp, side_overlap = 0.0_wp
    end type tenon_sizes
 

@@ -3,22 +3,20 @@ module deck_tenon_text
    use asperity, only: wp
    use asperity_text, only: to_text
    use deck_choices, only: element_kind, for_calculix
-   use deck_head, only: write_head
    use deck_hex_mesh, only: nodes_in_box
    use deck_interaction, only: write_interaction, write_pair
    use deck_steps, only: close_step, open_step, step_type, write_boundary
    use deck_tenon_deck, only: tenon_deck
    use deck_tenon_parts, only: node_near
+   use deck_tenon_words, only: holding_stiffness, write_words
    use deck_wood, only: write_axes, write_wood
-   use deck_writer, only: writer_type
+   use deck_model_writer, only: model_writer
    use replay_tenon_settings, only: tenon_face_arm
    implicit none
    private
    public :: write_tenon_deck
 
    real(wp), parameter :: far = huge(1.0_wp)
-   !> Stiffness of the spring that holds the open joint, N/mm: nothing beside wood
-   real(wp), parameter :: holding_stiffness = 0.1_wp
    !> Displacement beyond which strokes have twice the increments, mm
    real(wp), parameter :: wide = 16.0_wp
    character(len=*), parameter :: force_sets(5) = [character(len=8) :: 'TIP', 'BOTTOM', 'TOP', &
@@ -33,7 +31,7 @@ contains
       type(tenon_deck), intent(in) :: model
       !> The deck
       character(len=:), allocatable, intent(out) :: text
-      type(writer_type) :: deck
+      type(model_writer) :: deck
 
       call write_words(deck, model)
       call write_parts(deck, model)
@@ -43,70 +41,9 @@ contains
       text = deck%text()
    end subroutine write_tenon_deck
 
-   !> What the model is, and what of it is chosen.
-   pure subroutine write_words(deck, model)
-      type(writer_type), intent(inout) :: deck
-      type(tenon_deck), intent(in) :: model
-
-      call write_head(deck, model%choice, 'Straight tenon joint under cyclic load')
-      associate (s => model%settings, sizes => model%sizes)
-         call deck%comment('HALF MODEL: one side of the plane through the middle of the beam, '// &
-            'y = 0. Forces and moments of the joint are twice those of this deck. x runs along '// &
-            'the beam, 0 at the column face; z up, 0 at the middle of the beam.')
-         call deck%comment('Load: set TIP, '//to_text(tenon_face_arm(s), 6)//' mm from the '// &
-            'column face, moves in z; each step is one stroke between two turning points and '// &
-            'takes one unit of time. The sum of the forces of TIP is the (half) force.')
-         call deck%comment('Chosen, as the paper''s text does not say it, besides what the case '// &
-            'marks so:')
-         call deck%comment('- Column '//to_text(sizes%column_height, 6)//' mm high and '// &
-            to_text(sizes%column_width, 6)//' mm wide; foot held, top free in z only and level '// &
-            '(*EQUATION); beam '//to_text(sizes%tail, 4)//' mm longer than the column is deep.')
-         call deck%comment('- Grain: of the column along z, R along y; of the beam along x, R '// &
-            'along z. Table 1 has one modulus for R and T.')
-         call deck%comment('- Gap: the meshes are '//to_text(sizes%gap_above, 6)//' mm apart above '// &
-            'and '//to_text(sizes%gap_below, 6)//' mm below the beam; negative is an overlap. '// &
-            gap_words(model))
-         if (model%has_sides) then
-            call deck%comment('- Sides: an interference of '//to_text(sizes%side_interference, 6) &
-               //' mm for about '//to_text(s%side_pressure, 4)//' MPa: the overclosure of contact '// &
-               'at that pressure, by which the meshes overlap ('//to_text(sizes%side_overlap, 6)// &
-               ' mm), and what the wood gives way under it (half the beam squeezed, the cheek of '// &
-               'the column bent and sheared), by which the beam swells in a step of its own, as '// &
-               'solvers do not find the way out of a large overlap. An estimate of the mean; '// &
-               'what pressure comes of it is in the results.')
-         else
-            call deck%comment('- Sides: no pressure, no contact.')
-         end if
-         if (s%axial_rule == 'spring') then
-            call deck%comment('- Axial hold: a spring of half of '// &
-               to_text(s%axial_stiffness, 6)//' N/mm to ground, at the node nearest to the '// &
-               'middle of the tenon at the column face.')
-         else
-            call deck%comment('- Axial hold: the node nearest to the middle of the tenon at the '// &
-               'column face is held in x.')
-         end if
-         call deck%comment('- A spring of '//to_text(holding_stiffness, 3)//' N/mm in z at the '// &
-            'end of the tenon holds the joint while it is open.')
-      end associate
-   end subroutine write_words
-
-   !> Where the gap comes from.
-   pure function gap_words(model) result(words)
-      type(tenon_deck), intent(in) :: model
-      character(len=:), allocatable :: words
-
-      if (model%choice%contact == 'hard') then
-         words = 'For hard contact, the clearance.'
-      else if (model%settings%gap == 'mean_plane') then
-         words = 'The clearance is between mean planes, so it is the gap of the meshes and d0.'
-      else
-         words = 'The clearance is the way to first touch.'
-      end if
-   end function gap_words
-
    !> Meshes and wood.
    pure subroutine write_parts(deck, model)
-      type(writer_type), intent(inout) :: deck
+      type(model_writer), intent(inout) :: deck
       type(tenon_deck), intent(in) :: model
       real(wp), parameter :: x(3) = [1.0_wp, 0.0_wp, 0.0_wp], y(3) = [0.0_wp, 1.0_wp, 0.0_wp], &
          z(3) = [0.0_wp, 0.0_wp, 1.0_wp]
@@ -136,7 +73,7 @@ contains
 
    !> Surfaces, interactions and pairs.
    pure subroutine write_contact(deck, model)
-      type(writer_type), intent(inout) :: deck
+      type(model_writer), intent(inout) :: deck
       type(tenon_deck), intent(in) :: model
       real(wp) :: top, bottom, side, half
       integer :: beam
@@ -147,9 +84,9 @@ contains
       bottom = -half - model%sizes%gap_below
       side = 0.5_wp*model%settings%width - model%sizes%side_overlap
       call deck%heading('contact')
-      call deck%comment('Slave above and below is the mortise, as the beam is longer than it; at the '// &
-         'sides the beam, as the mortise is higher. A node that passes the edge of its master has '// &
-         'no contact.')
+      call deck%comment('Slave above and below is the mortise, as the beam is longer than it; '// &
+         'at the sides the beam, as the mortise is higher. A node that passes the edge of its '// &
+         'master has no contact.')
       call deck%surface('MORTISE_TOP', model%column, [-far, 0.0_wp, top], [far, side, top], 0)
       call deck%surface('MORTISE_BOTTOM', model%column, [-far, 0.0_wp, bottom], &
          [far, side, bottom], 0)
@@ -160,8 +97,8 @@ contains
          side = 0.5_wp*model%settings%width
          call deck%surface('BEAM_SIDE', model%beam, [-far, side, -far], [far, side, far], beam)
       end if
-      call deck%surface('COLUMN_TOP', model%column, [-far, -far, 0.5_wp*model%sizes%column_height], &
-         [far, far, far], 0)
+      call deck%surface('COLUMN_TOP', model%column, &
+         [-far, -far, 0.5_wp*model%sizes%column_height], [far, far, far], 0)
       call write_interaction(deck, model%choice, model%faces)
       call write_pair(deck, model%faces, 'MORTISE_TOP', 'BEAM_TOP')
       call write_pair(deck, model%faces, 'MORTISE_BOTTOM', 'BEAM_BOTTOM')
@@ -172,7 +109,7 @@ contains
 
    !> Sets of nodes, supports and springs.
    pure subroutine write_supports(deck, model)
-      type(writer_type), intent(inout) :: deck
+      type(model_writer), intent(inout) :: deck
       type(tenon_deck), intent(in) :: model
       integer, allocatable :: column(:), beam(:)
       integer :: nodes, last
@@ -217,7 +154,7 @@ contains
 
    !> Load of the column and fit of the sides, then a step for each stroke.
    pure subroutine write_steps(deck, model)
-      type(writer_type), intent(inout) :: deck
+      type(model_writer), intent(inout) :: deck
       type(tenon_deck), intent(in) :: model
       type(step_type) :: step
       real(wp) :: area
@@ -228,6 +165,7 @@ contains
          ' N, half of it here; first contact of the sides')
       step%name = 'SEAT'
       call open_step(deck, model%choice, step)
+      call write_vanishing(deck, model, 0.0_wp)
       if (abs(model%settings%column_load) > 0.0_wp) then
          call deck%line('*DSLOAD')
          call deck%line('COLUMN_TOP, P, '//to_text(0.5_wp*model%settings%column_load/area, 12))
@@ -252,10 +190,30 @@ contains
             if (max(abs(from), abs(to)) > wide) step%largest = 0.5_wp*step%largest
             step%first = step%largest
             call open_step(deck, model%choice, step)
+            call write_vanishing(deck, model, max(abs(from), abs(to)))
             call write_boundary(deck, 'TIP', 3, to)
             call close_step(deck, model%choice, force_sets, gauges)
          end associate
       end do
    end subroutine write_steps
+
+   !> Say that an open joint may have no contact: without sides, as the tenon passes its clearance.
+   pure subroutine write_vanishing(deck, model, reach)
+      class(model_writer), intent(inout) :: deck
+      type(tenon_deck), intent(in) :: model
+      !> Largest displacement of the stroke, mm
+      real(wp), intent(in) :: reach
+      real(wp) :: touch
+
+      if (model%has_sides) return
+      ! where a rigid tenon touches; wood gives way besides
+      touch = max(model%sizes%gap_above, model%sizes%gap_below) &
+         *(2.0_wp*tenon_face_arm(model%settings)/model%settings%length + 1.0_wp)
+      if (reach > 2.0_wp*touch) then
+         call deck%line('** springs may vanish within a step')
+      else
+         call deck%line('** springs may vanish')
+      end if
+   end subroutine write_vanishing
 
 end module deck_tenon_text

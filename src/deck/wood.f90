@@ -10,8 +10,8 @@ module deck_wood
    private
    public :: wood_type, check_wood, write_wood, write_axes
 
-   !> Wood; 1 = L along the grain, 2 = R radial, 3 = T tangential. Values of Table 1 of the paper but
-   !> for the hardening, which is chosen.
+   !> Wood; 1 = L along the grain, 2 = R radial, 3 = T tangential. Values of Table 1 of the paper
+   !> but for the hardening, which is chosen.
    type :: wood_type
       !> Moduli in L, R and T, MPa
       real(wp) :: modulus(3) = [3727.12_wp, 351.01_wp, 351.01_wp]
