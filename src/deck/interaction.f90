@@ -63,14 +63,15 @@ contains
          //', too many for CalculiX, which takes '//to_text(calculix_rows))
    end subroutine new_interaction
 
-   !> Overclosure of the mesh faces at which contact has a pressure. `error` is set when it has
-   !> none.
-   pure subroutine overclosure_for(interaction, choice, pressure, overclosure, error)
+   !> Overclosure of the mesh faces at which contact has a pressure. `error` is set when the law
+   !> reaches no such pressure.
+   pure subroutine overclosure_for(interaction, choice, name, pressure, overclosure, error)
       !> Contact
       type(interaction_type), intent(in) :: interaction
       !> Choices of the deck
       type(deck_choice), intent(in) :: choice
-      !> Pressure, MPa
+      !> What the pressure is called, and its value, MPa
+      character(len=*), intent(in) :: name
       real(wp), intent(in) :: pressure
       !> Overclosure, mm
       real(wp), intent(out) :: overclosure
@@ -80,7 +81,11 @@ contains
 
       overclosure = 0.0_wp
       if (choice%contact == 'hard') then
-         if (for_calculix(choice)) overclosure = pressure/choice%penalty
+         ! that of CalculiX; for ABAQUS next to nothing, so that both have one mesh
+         overclosure = pressure/choice%penalty
+      else if (pressure > interaction%properties%normal%hardness) then
+         call fatal_error(error, name//' = '//to_text(pressure)//' MPa is above the hardness, '// &
+            to_text(interaction%properties%normal%hardness)//' MPa: the law reaches no such pressure')
       else
          call separation_for_pressure(interaction%properties%normal, pressure, separation, error)
          overclosure = interaction%properties%initial_separation - separation

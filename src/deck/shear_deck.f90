@@ -63,7 +63,7 @@ contains
       if (.not. allocated(error)) call new_interaction(deck%contact, choice, 'WOOD', properties, &
          settings%normal_stress, error)
       if (.not. allocated(error)) call overclosure_for(deck%contact, choice, &
-         settings%normal_stress, deck%overclosure, error)
+         'normal_stress', settings%normal_stress, deck%overclosure, error)
       if (allocated(error)) return
       if (for_calculix(choice) .and. choice%contact == 'table' .and. deck%overclosure < 0.0_wp) &
          then

@@ -122,7 +122,8 @@ contains
          sizes%gap_above = s%clearance_above - first_touch
          sizes%gap_below = s%clearance_below - first_touch
          if (.not. deck%has_sides) return
-         call overclosure_for(deck%sides, deck%choice, s%side_pressure, overclosure, error)
+         call overclosure_for(deck%sides, deck%choice, 'side_pressure', s%side_pressure, overclosure, &
+            error)
          if (allocated(error)) return
          ! a datum far out in the law can make the overclosure negative
          overclosure = max(overclosure, 0.0_wp)

@@ -45,6 +45,8 @@ contains
          call check_positive(error, 'column_width', sizes%column_width, 'mm')
       if (.not. allocated(error)) &
          call check_range(error, 'tail', sizes%tail, 0.0_wp, 1.0e9_wp, ' mm')
+      if (.not. allocated(error)) call check_range(error, 'side_interference', &
+         sizes%side_interference, 0.0_wp, 0.25_wp*settings%width, ' mm')
       if (allocated(error)) return
       call check_mesh_size(error, choice, 'width', settings%width)
       call check_mesh_size(error, choice, 'height', settings%height)

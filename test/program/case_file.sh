@@ -102,7 +102,7 @@ read_alike() {
    local file command
    for file in "$@"; do
       : >effective
-      for command in curve press shear tenon table; do
+      for command in curve press shear tenon table "deck shear" "deck tenon"; do
          "$program" $command "$file" --print-case >printed.nml 2>/dev/null </dev/null || continue
          ./read_case printed.nml >>effective || return
       done

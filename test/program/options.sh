@@ -11,7 +11,7 @@ check 'version is quiet' is_quiet
 run help
 check 'help' is_quiet
 check 'help names every command' \
-   sh -c 'for c in curve press shear tenon table hysteresis pairs version help; do grep -q "^  $c " out || exit 1; done'
+   sh -c 'for c in curve press shear tenon table "deck shear" "deck tenon" hysteresis pairs version help; do grep -q "^  $c " out || exit 1; done'
 cp out first
 run --help
 check '--help is help' cmp first out

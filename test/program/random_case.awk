@@ -10,13 +10,15 @@ function value(key) {
    if (key == "friction_rule") return pick("'abaqus'~'dissipative'~\"abaqus\"~abaqus")
    if (key == "slip_integration") return pick("'exact'~'backward_euler'")
    if (key == "control") return "'pressure'"
-   if (key ~ /^(increments|rows)$/) return pick("1~50~+7~007~1.0~2*3")
+   if (key ~ /^(increments|rows|stroke_increments)$/) return pick("1~50~+7~007~1.0~2*3")
+   if (key == "solver") return pick("'abaqus'~'calculix'~abaqus")
+   if (key == "contact") return pick("'uinter'~'table'~\"hard\"")
    if (key == "yield_factor") return pick("0.4~.4~4.d-1~1~1.0")
    return pick("1~2.5~150.0~3d2~+.05e+4~0.05~1.E2~100~0.2500000000000000000000000001~1d-1~1.5 ~12.D0")
 }
 BEGIN {
    srand(seed)
-   n = split("pair surface eta modulus radius hardness yield_factor sigma friction_coefficient critical_slip initial_separation friction_rule slip_integration accept_unphysical separation control peak increments step_time diameter normal_stress rate displacement displacement_increment shrinking_overlap shear_compliance largest_pressure smallest_pressure tolerance rows stick_pressure", keys, " ")
+   n = split("pair surface eta modulus radius hardness yield_factor sigma friction_coefficient critical_slip initial_separation friction_rule slip_integration accept_unphysical separation control peak increments step_time diameter normal_stress rate displacement displacement_increment shrinking_overlap shear_compliance largest_pressure smallest_pressure tolerance rows stick_pressure solver contact mesh_size penalty search_distance disc_height column_height column_width tail side_interference stroke_increments", keys, " ")
    s = pick("~! head\n~\n\n~ ") pick("&asperity~&ASPERITY~&Asperity") pick(" ~\n~\n ! c\n~ ! c\n")
    m = int(rand()*7)
    split("", used)

@@ -29,6 +29,11 @@ program read_case
    ! Keys of the table
    real(wp) :: largest_pressure, smallest_pressure, tolerance, stick_pressure
    integer :: rows
+   ! Keys of the decks
+   real(wp) :: mesh_size, penalty, search_distance, disc_height, column_height, column_width, tail
+   real(wp) :: side_interference
+   integer :: stroke_increments
+   character(len=80) :: solver, contact, element, plasticity, field, upper_grain
    namelist /asperity/ pair, surface, eta, modulus, radius, hardness, yield_factor, sigma, &
       friction_coefficient, critical_slip, initial_separation, friction_rule, &
       slip_integration, accept_unphysical, separation, control, peak, increments, step_time, &
@@ -40,7 +45,10 @@ program read_case
       column_load, bearing_modulus, bearing_depth, bearing_strength, hardening, column_modulus, &
       column_depth, column_strength, column_hardening, face_points, side_points, &
       shoulder_points, amplitudes, cycles, history, record, through, displacement_column, &
-      largest_pressure, smallest_pressure, tolerance, rows, stick_pressure
+      largest_pressure, smallest_pressure, tolerance, rows, stick_pressure, &
+      solver, contact, mesh_size, element, plasticity, field, penalty, search_distance, &
+      disc_height, upper_grain, column_height, column_width, tail, side_interference, &
+      stroke_increments
 
    character(len=1000) :: path, message
    integer :: unit, status, pass
@@ -74,6 +82,21 @@ contains
       tolerance = unset
       stick_pressure = unset
       rows = unset_integer
+      mesh_size = unset
+      penalty = unset
+      search_distance = unset
+      disc_height = unset
+      column_height = unset
+      column_width = unset
+      tail = unset
+      side_interference = unset
+      stroke_increments = unset_integer
+      solver = ''
+      contact = ''
+      element = ''
+      plasticity = ''
+      field = ''
+      upper_grain = ''
       modulus = unset
       radius = unset
       hardness = unset
@@ -198,6 +221,21 @@ contains
       call print_reals('record', record)
       call print_text('through', through)
       call print_text('displacement_column', displacement_column)
+      call print_reals('mesh_size', [mesh_size])
+      call print_reals('penalty', [penalty])
+      call print_reals('search_distance', [search_distance])
+      call print_reals('disc_height', [disc_height])
+      call print_reals('column_height', [column_height])
+      call print_reals('column_width', [column_width])
+      call print_reals('tail', [tail])
+      call print_reals('side_interference', [side_interference])
+      call print_integer('stroke_increments', stroke_increments)
+      call print_text('solver', solver)
+      call print_text('contact', contact)
+      call print_text('element', element)
+      call print_text('plasticity', plasticity)
+      call print_text('field', field)
+      call print_text('upper_grain', upper_grain)
       call print_reals('largest_pressure', [largest_pressure])
       call print_reals('smallest_pressure', [smallest_pressure])
       call print_reals('tolerance', [tolerance])

@@ -1,0 +1,243 @@
+# asperity deck shear and asperity deck tenon: decks of CalculiX and ABAQUS. The meshes themselves are
+# tested in the library; here it is the text, and what stock CalculiX makes of small models
+
+run help deck tenon
+cp out first
+run deck tenon --help
+check 'deck tenon --help is help deck tenon' cmp first out
+check 'deck tenon describes its options' has out '--inp FILE'
+run help deck shear
+check 'help deck shear' has out 'usage: asperity deck shear'
+refuses 'deck without a model' 2 'deck needs a model: deck shear or deck tenon' deck
+refuses 'deck of an unknown model' 2 "unknown command 'deck beam'" deck beam
+refuses 'option of the other deck' 2 '--tail: is an option of deck tenon' deck shear --tail 3
+
+# A stiff case, unlike the defaults, whose numbers must be in every deck
+cat >case.nml <<'CASE'
+&asperity
+   pair = 'tangential-tangential'
+   sigma = 0.05
+   critical_slip = 0.25
+   initial_separation = 0.18
+   diameter = 60.0
+   normal_stress = 0.1
+   displacement = 0.5, -0.5
+   amplitudes = 2.0, 5.0
+   cycles = 1, 2
+   column_load = 1000.0
+   clearance_below = 0.3
+   bearing_modulus = 400.0
+/
+CASE
+joint=(--mesh-size 60)
+discs=(--mesh-size 8)
+for model in shear tenon; do
+   mesh=("${joint[@]}")
+   [ $model = shear ] && mesh=("${discs[@]}")
+   for contact in uinter table hard; do
+      for solver in calculix abaqus; do
+         deck=$model.$contact.$solver
+         run deck $model case.nml "${mesh[@]}" --contact $contact --solver $solver --inp $deck.inp
+         check "deck $deck" is_quiet
+         check "deck $deck: says what made it" has $deck.inp \
+            "**    asperity deck $model case.nml ${mesh[*]} --contact $contact --solver $solver"
+         check "deck $deck: units" has $deck.inp '** Units: N, mm, MPa, s.'
+         check "deck $deck: what is chosen is said" has $deck.inp '** Chosen, as the paper'
+         check "deck $deck: short lines of plain characters" \
+            sh -c "! grep -v '^\*\*    ' $deck.inp | grep -E '.{101}|[^ -~]'"
+      done
+      check "deck $model $contact: ABAQUS, not run" \
+         has $model.$contact.abaqus.inp 'Not run: ABAQUS was not available'
+      # nodes, elements, wood, surfaces, supports: the same up to what the solvers write differently
+      for solver in calculix abaqus; do
+         awk '/^\*\*/ { next }
+            /^\*/ { own = /INTERACTION|BEHAVIOR|FRICTION|NODE PRINT|FILE|OUTPUT|CONTROLS/
+               if (/^\*STEP/) { print "*STEP"; next } }
+            !own' $model.$contact.$solver.inp >same.$solver
+      done
+      check "deck $model $contact: one model for both solvers" cmp same.calculix same.abaqus
+      check "deck $model $contact: that is most of the deck" \
+         test "$(wc -l <same.abaqus)" -gt "$(($(wc -l <$model.$contact.abaqus.inp)*3/4))"
+      mv same.abaqus $model.$contact.same
+   done
+   check "deck $model: one mesh for UINTER and table" cmp $model.uinter.same $model.table.same
+done
+
+# The numbers of the case, in the order of PROPS
+for deck in shear.uinter.calculix shear.uinter.abaqus tenon.uinter.calculix; do
+   check "deck $deck: PROPS" has $deck.inp '0.5, 0.25, 134.0, 263.0, 3.141592653589793, 0.1142, 12.14, 0.4'
+   check "deck $deck: PROPS, second line" has $deck.inp '0.05, 0.18, 1.0, 1.0'
+done
+check 'deck tenon: the sides have their own sigma and d0' has tenon.uinter.abaqus.inp '0.0416, 0.1664, 1.0, 1.0'
+check 'deck tenon: the sides have the friction of the case' sh -c \
+   'test "$(grep -c "^0.5, 0.25, 134.0" tenon.uinter.abaqus.inp)" -eq 2'
+check 'deck: UINTER in CalculiX' has shear.uinter.calculix.inp \
+   '*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=UINTER, PROPERTIES=12, DEPVAR=11, SEARCH DISTANCE=3.0'
+check 'deck: the blank line of UINTER in ABAQUS' sh -c \
+   'grep -A1 "^\*SURFACE INTERACTION, NAME=WOOD, USER, PROPERTIES=12, DEPVAR=11, UNSYMM$" shear.uinter.abaqus.inp \
+      | tail -n 1 | grep -q "^$"'
+run table case.nml --largest-pressure 12.14 --calculix law.inc
+for solver in calculix abaqus; do
+   check "deck: the rows of asperity table, $solver" sh -c "
+      sed -n '/^\*SURFACE BEHAVIOR/,/FRICTION/{/^[-0-9]/p}' law.inc >rows
+      sed -n '/^\*SURFACE BEHAVIOR/,/FRICTION/{/^[-0-9]/p}' shear.table.$solver.inp | tr -d , | paste - rows \
+         | tr -d , | awk '{ if ((\$1 - \$3)^2 > 1e-20*\$3^2 || (\$2 - \$4)^2 > 1e-20*\$4^2) exit 1 } END { exit NR < 40 }'"
+done
+check 'deck: stick slope for CalculiX at the normal stress' \
+   has shear.table.calculix.inp '0.5, 0.2' # 0.5*0.1/0.25
+check 'deck: gcrit for ABAQUS' has shear.hard.abaqus.inp '*FRICTION, ELASTIC SLIP=0.25'
+check 'deck: modulus of the case' has tenon.hard.abaqus.inp '3727.0, 400.0, 400.0, 0.62, 0.42, 0.35, 224.61, 280.32'
+check 'deck: a step for each stroke' sh -c \
+   'test "$(grep -c "^TIP, 3, 3, [-0-9]" tenon.hard.calculix.inp)" -eq 8 \
+      && grep "^TIP, 3, 3," tenon.hard.calculix.inp | cut -d, -f4 | tr -d "\n" | grep -q "^ 0.0 2.0 -2.0 5.0 -5.0 5.0 -5.0 0.0$"'
+run deck tenon case.nml "${joint[@]}" --inp -
+check 'deck: --inp - is the deck' sh -c 'sed "/^\*\*    asperity/d" out >a; sed "/^\*\*    asperity/d" tenon.uinter.calculix.inp | cmp - a'
+run deck tenon case.nml "${joint[@]}" --plasticity plastic --field all --contact hard --inp plastic.calculix.inp
+check 'deck: Mises in CalculiX is said' has plastic.calculix.inp 'is that of Mises: one'
+check 'deck: stress in all steps' test "$(grep -c '^\*EL FILE' plastic.calculix.inp)" \
+   -eq "$(grep -c '^\*STEP' plastic.calculix.inp)"
+run deck tenon case.nml "${joint[@]}" --plasticity plastic --solver abaqus --inp plastic.abaqus.inp
+check 'deck: Hill in ABAQUS' sh -c 'grep -A1 "^\*POTENTIAL" plastic.abaqus.inp | grep -q "^10.659574468085"'
+run deck tenon case.nml "${joint[@]}" --side-pressure 0 --contact table --inp open.calculix.inp
+check 'deck: no sides' sh -c 'test "$(grep -c "^\*CONTACT PAIR" open.calculix.inp)" -eq 2 && ! grep EXPANSION open.calculix.inp'
+check 'deck: springs may vanish then' has open.calculix.inp '** springs may vanish'
+check 'deck: else they may not' lacks tenon.table.calculix.inp 'springs may vanish'
+
+# --print-case gives the same deck
+for model in shear tenon; do
+   mesh=("${joint[@]}" --contact table --stick-pressure 0.3 --largest-pressure 9)
+   [ $model = shear ] && mesh=("${discs[@]}" --upper-grain normal)
+   run deck $model case.nml "${mesh[@]}" --inp direct.inp
+   run deck $model case.nml "${mesh[@]}" --print-case
+   cp out printed.nml
+   check "deck $model: --print-case" is_quiet
+   run deck $model printed.nml --inp printed.inp
+   check "deck $model: --print-case gives the same deck" sh -c \
+      'for i in direct printed; do sed "/^\*\*    asperity/d" $i.inp >$i.text; done; cmp direct.text printed.text'
+done
+run deck shear case.nml --upper-grain normal --inp on_end.inp
+check 'deck shear: grain of the upper disc' sh -c \
+   'grep -A1 "NAME=UPPER_AXES" shear.hard.abaqus.inp | grep -q "^1.0, 0.0, 0.0" && 
+    grep -A1 "NAME=UPPER_AXES" on_end.inp | grep -q "^0.0, 0.0, 1.0"'
+
+# Bad input: a clear error, nothing written
+refuses 'deck: unknown pair' 2 "--pair: pair = 'foo' is unknown; known pairs" \
+   deck shear --pair foo --inp never.inp
+refuses 'deck: mesh larger than the disc' 2 \
+   '--mesh-size: mesh_size = 11.0 mm is larger than the part: disc_height is 10.0 mm' \
+   deck shear --mesh-size 11 --inp never.inp
+refuses 'deck: mesh larger than the beam' 2 \
+   '--mesh-size: mesh_size = 106.0 mm is larger than the part: width is 105.0 mm' \
+   deck tenon --mesh-size 106 --inp never.inp
+refuses 'deck: no mesh' 2 '--mesh-size: mesh_size = 0.0 is not allowed' \
+   deck tenon --mesh-size 0 --inp never.inp
+refuses 'deck: pressure above the hardness' 2 \
+   '--largest-pressure: largest_pressure = 25.0 MPa is above the hardness, 24.53 MPa' \
+   deck shear --contact table --largest-pressure 25 --inp never.inp
+refuses 'deck: a side pressure that the law cannot reach' 2 \
+   '--side-pressure: side_pressure = 13.0 MPa is above the hardness, 12.14 MPa' \
+   deck tenon --side-pressure 13 --inp never.inp
+refuses 'deck: a normal stress that the law cannot reach' 2 \
+   '--normal-stress: normal_stress = 25.0 MPa is above the hardness, 24.53 MPa' \
+   deck shear --normal-stress 25 --inp never.inp
+refuses 'deck: too many rows' 2 '--rows: rows = 30 is too few' \
+   deck shear --contact table --rows 30 --inp never.inp
+refuses 'deck: too many rows for CalculiX' 2 '--rows: rows = 900 lets the table have' \
+   deck shear --contact table --rows 900 --tolerance 1e-4 --inp never.inp
+run deck shear --contact table --rows 900 --tolerance 1e-4 --solver abaqus --inp many.inp
+check 'deck: more rows for ABAQUS' is_quiet
+for rule in free force; do
+   refuses "deck: axial_rule = $rule" 2 \
+      "--axial-rule: axial_rule = $rule leaves the beam without axial hold" \
+      deck tenon --axial-rule $rule --inp never.inp
+done
+refuses 'deck: shoulders' 2 '--shoulders: shoulders = true is not in the deck' \
+   deck tenon --shoulders --inp never.inp
+refuses 'deck: rigid column' 2 '--column-modulus: column_modulus = 0 is a rigid column' \
+   deck tenon --column-modulus 0 --inp never.inp
+refuses 'deck: column too narrow' 2 '--column-width: column_width = 100.0 mm is too small' \
+   deck tenon --column-width 100 --inp never.inp
+refuses 'deck: several normal stresses' 2 '--normal-stress: normal_stress has 2 values' \
+   deck shear --normal-stress 0.1,0.2 --inp never.inp
+refuses 'deck: no increments' 2 '--stroke-increments: stroke_increments = 0' \
+   deck tenon --stroke-increments 0 --inp never.inp
+refuses 'deck: side interference' 2 '--side-interference: side_interference = -0.1 mm is not' \
+   deck tenon --side-interference -0.1 --inp never.inp
+refuses 'deck: folder does not exist' 3 '--inp: no/x.inp cannot be written' deck shear --inp no/x.inp
+refuses 'deck: the case file as deck' 2 '--inp: case.nml is the case file' \
+   deck shear case.nml --inp case.nml
+check 'deck: nothing is written then' sh -c '! ls never* 2>/dev/null'
+
+# Syntax, and that the checker finds what is wrong
+if command -v python3 >/dev/null; then
+   syntax() { python3 -B "$here/check_deck.py" "$@"; }
+   finds() { ! syntax "$1" wrong.inp >wrong.log && grep -q "$2" wrong.log; }
+   for deck in {shear,tenon}.{uinter,table,hard}.{calculix,abaqus} plastic.{calculix,abaqus} open.calculix; do
+      check "deck $deck: syntax" syntax ${deck##*.} $deck.inp
+   done
+   sed '/USER/{n;d;}' shear.uinter.abaqus.inp >wrong.inp
+   check 'deck syntax: UINTER without the blank line' finds abaqus 'the blank data line'
+   sed 's/PROPERTIES=12/PROPERTIES=11/' shear.uinter.calculix.inp >wrong.inp
+   check 'deck syntax: PROPERTIES' finds calculix 'PROPERTIES is not the number'
+   sed 's/^UPPER_FACE, LOWER_FACE/UPPER_FACE, FACE/' shear.hard.calculix.inp >wrong.inp
+   check 'deck syntax: surface' finds calculix 'no such surface'
+   sed '/^\*FRICTION/,+1d' shear.table.calculix.inp >wrong.inp
+   check 'deck syntax: friction' finds calculix 'WOOD is not complete'
+   sed 's/^\*NSET, NSET=TIP/*NSET, NSET=TOP2/' tenon.hard.abaqus.inp >wrong.inp
+   check 'deck syntax: set' finds abaqus 'no node set TIP'
+   sed 's/^\*CONTROLS.*/*CONTROL/' tenon.hard.calculix.inp >wrong.inp
+   check 'deck syntax: keyword' finds calculix 'CONTROL is unknown'
+   check 'deck syntax: the other solver' sh -c \
+      '! python3 -B "$1" abaqus shear.table.calculix.inp | grep -q " 0 faults"' _ "$here/check_deck.py"
+   sed 's/^0.5, 0.25, 134.0/0.5, 0.25, 134.00000000000000000/' shear.uinter.abaqus.inp >wrong.inp
+   check 'deck syntax: long field' finds abaqus 'more than 20 characters'
+   sed '/^\*ELEMENT/{n;d;}' shear.hard.abaqus.inp >wrong.inp
+   check 'deck syntax: element missing' finds abaqus 'no element 1'
+else
+   skip 'deck syntax' 'no python3'
+fi
+
+# In stock CalculiX: the forces of each increment, step by step. solve NAME: leaves NAME.dat
+solve() {
+   OMP_NUM_THREADS=1 timeout 600 ccx -i "$1" >"$1.log" 2>&1 && grep -q 'Job finished' "$1.log"
+}
+# sums NAME SET: times and sums of the forces
+sums() {
+   awk -v set="$2" '/total force/ && $0 ~ "for set " set " " { time = $NF; getline; getline
+      print time, $1, $2, $3 }' "$1.dat"
+}
+# balance NAME SCALE SET...: forces of the sets add up to nothing in z, within 1e-4 of a scale, N
+balance() {
+   local name=$1 scale=$2 set
+   shift 2
+   for set in "$@"; do sums "$name" "$set"; done | awk -v scale="$scale" '
+      { sum[$1] += $4; n++ }
+      END { for (t in sum) if (sum[t]^2 > (1e-4*scale)^2) { print t, sum[t]; bad = 1 }
+         exit bad || n < 8 }'
+}
+if command -v ccx >/dev/null; then
+   for contact in table hard; do
+      run deck shear --mesh-size 10 --displacement 0.8 --displacement-increment 0.1 --contact $contact \
+         --inp discs.inp
+      check "deck shear $contact: CalculiX converges" solve discs
+      check "deck shear $contact: balance" balance discs 150 BOTTOM TOP
+      # 0.05 MPa on pi/4 61.8^2, mu 0.5; 75 N where it slips, less what sticks at lost nodes
+      check "deck shear $contact: normal force and friction" sh -c "tail -n 400 discs.dat >/dev/null
+         $(declare -f sums); sums discs BOTTOM | tail -n 1 | awk '{ n = 0.05*3.14159265*61.8^2/4; print
+            exit !((\$4/n - 1)^2 < 1e-8 && (\$2/(0.5*n) - 1)^2 < 1e-6) }'"
+      # first step: the overclosure is that of the mesh, as the law carries the load there
+      check "deck shear $contact: closure under the normal stress" awk '
+         /displacements.*set (LOWER|UPPER)_MIDDLE and time  0.1000000E.01/ {
+            s = /UPPER/ ? -1 : 1; getline; getline; more += s*$4; n++ }
+         END { print more, n; exit !(n == 2 && more^2 < 2e-4^2) }' discs.dat
+      run deck tenon --mesh-size 75 --amplitudes 3 --column-load 54000 --stroke-increments 5 \
+         --contact $contact --inp joint.inp
+      check "deck tenon $contact: CalculiX converges" solve joint
+      check "deck tenon $contact: balance" balance joint 3000 BOTTOM TOP TIP
+      check "deck tenon $contact: every stroke resists" sh -c "$(declare -f sums)
+         sums joint TIP | awk '\$1 == 3 && \$4 > 1000 { up++ } \$1 == 4 && \$4 < -1000 { down++ }
+            END { exit !(up == 1 && down == 1) }'"
+   done
+else
+   skip 'decks in CalculiX' 'no ccx'
+fi
