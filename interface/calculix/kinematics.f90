@@ -5,7 +5,7 @@ module calculix_kinematics
    use calculix_faces, only: face_point, most_nodes, point_of_face, project_onto_face
    implicit none
    private
-   public :: frame_type, motion_type, variation_type, find_motion, find_variation
+   public :: frame_type, motion_type, variation_type, find_motion, find_variation, frame_at
 
    !> Most degrees of freedom of a spring
    integer, parameter, public :: most_freedoms = 3*(most_nodes + 1)

@@ -1,16 +1,21 @@
-!> The master face of every spring. The solver searches it anew in every iteration, and a slave node
-!> near an edge may go from one face to the next and back without end. A spring of ours keeps its
-!> face as long as its node leaves that by no more than a margin.
+!> The master face of every spring. The solver searches it anew in every iteration: a slave node
+!> near an edge may go from one face to the next and back without end, and one at the rim of the whole
+!> surface may lose its spring and get it again. A spring of ours keeps its face as long as its node
+!> leaves that by no more than a margin.
 module calculix_masters
    use asperity_kinds, only: wp
-   use calculix_faces, only: face_point, has_face, most_nodes, project_onto_face
+   use calculix_faces, only: has_face, project_onto_face
    use calculix_host, only: host, pair_of
+   use calculix_interactions, only: find_interaction, interaction_type
+   use calculix_kinematics, only: frame_at, frame_type
    implicit none
    private
    public :: keep_faces
 
    !> How far a node may be outside its face, in natural coordinates (a face is 2 long)
    real(wp), parameter, public :: margin = 0.1_wp
+   !> Most nodes of a face of any spring
+   integer, parameter :: most = 9
 
    ! CalculiX' routines have no argument that could carry it
    !> Nodes of the last face of every slave node, zero for none
@@ -18,64 +23,111 @@ module calculix_masters
 
 contains
 
-   !> Put back the faces that were left by no more than the margin, and remember all.
-   subroutine keep_faces(first, last, ipkon, kon, lakon, nodes, co, vold, mi)
-      !> The springs among the elements
-      integer, intent(in) :: first, last
+   !> Put back the faces and springs that were left by no more than the margin, and remember all.
+   subroutine keep_faces(first, last, free, ipkon, kon, lakon, ielmat, mi, islavnode, materials, &
+         co, vold)
+      !> The first spring among the elements, and the last, which may change
+      integer, intent(in) :: first
+      integer, intent(inout) :: last
+      !> Where the nodes of the first begin, and at the end where those of another would
+      integer, intent(inout) :: free
       !> As in CalculiX
-      integer, intent(in) :: ipkon(*), mi(*)
-      integer, intent(inout) :: kon(*)
-      character(len=8), intent(in) :: lakon(*)
+      integer, intent(inout) :: ipkon(*), kon(*)
+      character(len=8), intent(inout) :: lakon(*)
+      integer, intent(in) :: mi(*)
+      integer, intent(inout) :: ielmat(mi(3), *)
+      !> Slave nodes, as the springs count them
+      integer, intent(in) :: islavnode(*)
+      !> Material of every pair
+      integer, intent(in) :: materials(:)
       real(wp), intent(in) :: co(3, *), vold(0:mi(2), *)
-      !> Number of slave nodes of all pairs
-      integer, intent(in) :: nodes
-      real(wp) :: positions(3, most_nodes + 1)
-      integer :: element, n, base, counter, slave, face(most_nodes), i
-      logical :: seen(nodes)
+      integer, allocatable :: faces(:, :)
+      integer :: element, n, counter, nodes
+      logical :: changed
 
       if (.not. any(host%serves)) return
-      if (.not. allocated(last_faces)) allocate (last_faces(most_nodes, nodes), source=0)
-      seen = .false.
+      nodes = host%last_node(size(host%last_node))
+      if (.not. allocated(last_faces)) allocate (last_faces(most, nodes), source=0)
+      allocate (faces(most, nodes), source=0)
       do element = first, last
-         if (lakon(element)(7:7) /= 'C') cycle
          read (lakon(element)(8:8), '(i1)') n
-         if (.not. has_face(n)) cycle
-         base = ipkon(element)
-         slave = kon(base + n + 1)
-         counter = kon(base + n + 2)
+         associate (nodes_of => kon(ipkon(element) + 1:ipkon(element) + n + 2))
+            faces(:n, nodes_of(n + 2)) = nodes_of(:n)
+         end associate
+      end do
+
+      changed = .false.
+      do counter = 1, nodes
          if (.not. host%serves(pair_of(counter))) cycle
-         seen(counter) = .true.
-         face = 0
-         face(:n) = kon(base + 1:base + n)
-         associate (kept => last_faces(:, counter))
-            if (count(kept > 0) == n .and. any(kept /= face)) then
-               do i = 1, n
-                  positions(:, i) = co(:, kept(i)) + vold(1:3, kept(i))
-               end do
-               if (holds(positions(:, :n), co(:, slave) + vold(1:3, slave))) then
-                  kon(base + 1:base + n) = kept(:n)
-                  cycle
+         associate (kept => last_faces(:, counter), face => faces(:, counter))
+            if (any(kept /= face) .and. (all(face == 0) .or. count(face > 0) == count(kept > 0))) &
+               then
+               if (holds(kept)) then
+                  face = kept
+                  changed = .true.
                end if
             end if
             kept = face
          end associate
       end do
-      do counter = 1, nodes
-         if (.not. seen(counter)) last_faces(:, counter) = 0
-      end do
+      if (changed) call write_springs()
+
+   contains
+
+      !> Whether a face holds the slave node still, within reach of the interaction.
+      logical function holds(face)
+         integer, intent(in) :: face(most)
+         type(interaction_type), pointer :: interaction
+         type(frame_type) :: frame
+         real(wp) :: positions(3, most), slave(3)
+         integer :: i
+
+         n = count(face > 0)
+         holds = .false.
+         if (.not. has_face(n)) return
+         do i = 1, n
+            positions(:, i) = co(:, face(i)) + vold(1:3, face(i))
+         end do
+         slave = co(:, islavnode(counter)) + vold(1:3, islavnode(counter))
+         frame = frame_at(project_onto_face(positions(:, :n), slave))
+         interaction => find_interaction(materials(pair_of(counter)))
+         if (dot_product(slave - frame%point%position, frame%axes(:, 1)) &
+            > interaction%search_distance) return
+         holds = inside(frame%point%xi, n)
+      end function holds
+
+      !> Write all springs anew, in the order of their slave nodes, as the solver does.
+      subroutine write_springs()
+         integer :: i
+
+         last = first - 1
+         do i = 1, nodes
+            n = count(faces(:, i) > 0)
+            if (n == 0) cycle
+            last = last + 1
+            ipkon(last) = free
+            lakon(last) = 'ESPRNGC'//achar(iachar('0') + n)
+            ielmat(1, last) = materials(pair_of(i))
+            kon(free + 1:free + n) = faces(:n, i)
+            kon(free + n + 1:free + n + 2) = [islavnode(i), i]
+            free = free + n + 2
+         end do
+      end subroutine write_springs
+
    end subroutine keep_faces
 
-   !> Whether a face still holds a position.
-   pure logical function holds(nodes, position)
-      real(wp), intent(in) :: nodes(:, :), position(3)
-      type(face_point) :: point
+   !> Whether a point is inside a face, or outside by no more than the margin.
+   pure logical function inside(xi, nodes)
+      !> Natural coordinates
+      real(wp), intent(in) :: xi(2)
+      !> Number of nodes
+      integer, intent(in) :: nodes
 
-      point = project_onto_face(nodes, position)
-      if (size(nodes, 2) == 3 .or. size(nodes, 2) == 6) then
-         holds = all(point%xi > -0.5_wp*margin) .and. sum(point%xi) < 1.0_wp + 0.5_wp*margin
+      if (nodes == 3 .or. nodes == 6) then
+         inside = all(xi > -0.5_wp*margin) .and. sum(xi) < 1.0_wp + 0.5_wp*margin
       else
-         holds = all(abs(point%xi) < 1.0_wp + margin)
+         inside = all(abs(xi) < 1.0_wp + margin)
       end if
-   end function holds
+   end function inside
 
 end module calculix_masters

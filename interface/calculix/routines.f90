@@ -186,7 +186,7 @@ subroutine gencontelem_n2f(tieset, ntie, itietri, ne, ipkon, kon, lakon, cg, str
    real(wp) :: z(*), elcon(0:ncmat_, ntmat_, *), areaslav(*), springarea(*), tietol(4, *)
    real(wp) :: reltime, xnoels(*), auw(*)
    external :: ccx_gencontelem_n2f
-   integer :: first, i, materials(ntie)
+   integer :: first, free, i, materials(ntie)
    logical :: marked(ntie)
 
    materials = [(merge(int(tietol(2, i)), 0, tieset(1, i)(81:81) == 'C'), i=1, ntie)]
@@ -197,10 +197,13 @@ subroutine gencontelem_n2f(tieset, ntie, itietri, ne, ipkon, kon, lakon, cg, str
    if (istep >= 1 .and. iit < 0) call keep_interactions(jobnamef(1), pack(materials, marked))
    call know_pairs(materials, nslavnode(:ntie + 1))
    first = ne + 1
+   free = ifree
    call ccx_gencontelem_n2f(tieset, ntie, itietri, ne, ipkon, kon, lakon, cg, straight, ifree, &
       koncont, co, vold, xo, yo, zo, x, y, z, nx, ny, nz, ielmat, elcon, istep, iinc, iit, ncmat_, &
       ntmat_, nmethod, mi, imastop, nslavnode, islavnode, islavsurf, itiefac, areaslav, iponoels, &
       inoels, springarea, set, nset, istartset, iendset, ialset, tietol, reltime, filab, nasym, &
       xnoels, icutb, ne0, jobnamef, mortar, auw, jqw, iroww, nzsw, imastnode, nmastnode)
-   call keep_faces(first, ne, ipkon, kon, lakon, nslavnode(ntie + 1), co, vold, mi)
+   call keep_faces(first, ne, free, ipkon, kon, lakon, ielmat, mi, islavnode, materials, co, vold)
+   ! springs that were put back need room
+   ifree = max(ifree, free)
 end subroutine gencontelem_n2f

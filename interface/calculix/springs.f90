@@ -10,6 +10,7 @@ module calculix_springs
       variation_type
    use calculix_slots, only: own_slots, slot_energy, slot_pnewdt, slot_slip, slot_status, &
       slot_stress, slot_time, slot_user_status
+   use uinter_signature, only: uinter_interface
    implicit none
    private
    public :: spring_type, response_type, fill_spring, evaluate_spring, spring_force, &
@@ -47,28 +48,7 @@ module calculix_springs
    !> ABAQUS passes a large value
    real(wp), parameter :: no_request = 1.0e36_wp
 
-   interface
-      subroutine uinter( &
-         stress, ddsddr, dviscous, dstructural, flux, ddfddt, ddsddt, ddfddr, statev, sed, sfd, &
-         spd, svd, scd, pnewdt, rdisp, drdisp, temp, dtemp, predef, dpred, time, dtime, freqr, &
-         ciname, slname, msname, props, coords, alocaldir, drot, area, chrlngth, node, ndir, &
-         nstatv, npred, nprops, mcrd, kstep, kinc, kit, linper, lopenclose, lstate, lsdi, lprint)
-         use asperity_kinds, only: wp
-         implicit none
-         integer, intent(in) :: node, ndir, nstatv, npred, nprops, mcrd, kstep, kinc, kit
-         integer, intent(in) :: linper, lprint
-         real(wp), intent(inout) :: stress(ndir), ddsddr(ndir, ndir), dviscous(ndir, ndir)
-         real(wp), intent(inout) :: dstructural(ndir, ndir), flux(2), ddfddt(2, 2)
-         real(wp), intent(inout) :: ddsddt(ndir, 2), ddfddr(2, ndir), statev(nstatv)
-         real(wp), intent(inout) :: sed, sfd, spd, svd, scd, pnewdt
-         real(wp), intent(in) :: rdisp(ndir), drdisp(ndir), temp(2), dtemp(2)
-         real(wp), intent(in) :: predef(2, npred), dpred(2, npred), time(2), dtime, freqr
-         character(len=80), intent(in) :: ciname, slname, msname
-         real(wp), intent(in) :: props(nprops), coords(mcrd), alocaldir(3, 3), drot(2, 2)
-         real(wp), intent(in) :: area, chrlngth
-         integer, intent(inout) :: lopenclose, lstate, lsdi
-      end subroutine uinter
-   end interface
+   procedure(uinter_interface) :: uinter
 
 contains
 

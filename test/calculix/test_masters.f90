@@ -21,40 +21,52 @@ contains
 
       suite = TestSuite('master faces')
       call suite%addTest(TestMethod('left only by the margin', test_margin))
-      call suite%addTest(TestMethod('forgotten when there is no spring', test_forgotten))
+      call suite%addTest(TestMethod('at the rim of the surface', test_rim))
       call suite%addTest(TestMethod('of another kind of face', test_kinds))
       call suite%addTest(TestMethod('springs of others are not touched', test_others))
    end function suite_masters
 
    !> The face of the spring when the slave node is at x and the solver found that face; 0 for none.
-   function face_kept(x, found, material) result(face)
+   function face_kept(x, found, material, depth) result(face)
       real(wp), intent(in) :: x
+      !> Penetration, 0.1 unless given
+      real(wp), intent(in), optional :: depth
       integer, intent(in) :: found(:)
       integer, intent(in) :: material
       integer :: face(4)
       real(wp) :: co(3, 8), vold(0:3, 8)
-      integer :: kon(10), n
-      character(len=8) :: lakon(1)
+      real(wp) :: height
+      integer :: kon(10), n, last, free, ipkon(2), elements(3, 2)
+      character(len=8) :: lakon(2)
 
+      height = 0.1_wp
+      if (present(depth)) height = depth
       co = 0.0_wp
       co(1, :7) = [0.0_wp, 10.0_wp, 20.0_wp, 0.0_wp, 10.0_wp, 20.0_wp, 5.0_wp]
       co(2, :7) = [0.0_wp, 0.0_wp, 0.0_wp, 10.0_wp, 10.0_wp, 10.0_wp, 20.0_wp]
       vold = 0.0_wp
       ! half of the way by displacement
-      co(:, slave) = [0.5_wp*x, 5.0_wp, -0.1_wp]
+      co(:, slave) = [0.5_wp*x, 5.0_wp, -height]
       vold(1, slave) = 0.5_wp*x
       n = size(found)
-      face = 0
       call know_pairs([material], [0, 1])
-      if (n == 0) then
-         call keep_faces(1, 0, [0], kon, lakon, 1, co, vold, [1, 3])
-         return
+      ! an element before it
+      last = 1
+      free = 1
+      if (n > 0) then
+         last = 2
+         ipkon(2) = free
+         kon(free + 1:free + n) = found
+         kon(free + n + 1:free + n + 2) = [slave, 1]
+         lakon(2) = 'ESPRNGC'//achar(iachar('0') + n)
       end if
-      kon(:n) = found
-      kon(n + 1:n + 2) = [slave, 1]
-      lakon = 'ESPRNGC'//achar(iachar('0') + n)
-      call keep_faces(1, 1, [0], kon, lakon, 1, co, vold, [1, 3])
-      face(:n) = kon(:n)
+      call keep_faces(2, last, free, ipkon, kon, lakon, elements, [1, 3, 3], [slave], [material], &
+         co, vold)
+      face = 0
+      if (last < 2) return
+      read (lakon(2)(8:8), '(i1)') n
+      face(:n) = kon(ipkon(2) + 1:ipkon(2) + n)
+      call check([slave, 1], kon(ipkon(2) + n + 1:ipkon(2) + n + 2), 'slave node and its number')
    end function face_kept
 
    subroutine prepare()
@@ -65,7 +77,8 @@ contains
       interaction%search_distance = 3.0_wp
       allocate (interaction%props(0))
       call add_interaction(interaction)
-      none = face_kept(0.0_wp, [integer :: ], 1)
+      ! far away: nothing is remembered
+      none = face_kept(1000.0_wp, [integer :: ], 1)
    end subroutine prepare
 
    subroutine test_margin()
@@ -80,12 +93,21 @@ contains
       call check(left, face_kept(10.0_wp - 1.1_wp*beyond, left, 1), 'by more')
    end subroutine test_margin
 
-   subroutine test_forgotten()
+   !> At the rim the solver finds no face: the last one is kept, but not beyond the margin or out of
+   !> the interaction's reach, and it is forgotten then.
+   subroutine test_rim()
+      real(wp) :: beyond
+
       call prepare()
-      call check(left, face_kept(9.9_wp, left, 1), 'first')
-      call check([0, 0, 0, 0], face_kept(9.9_wp, [integer :: ], 1), 'none')
-      call check(right, face_kept(10.1_wp, right, 1), 'the solver''s')
-   end subroutine test_forgotten
+      beyond = 20.0_wp + 5.0_wp*margin
+      call check(right, face_kept(19.9_wp, right, 1), 'first')
+      call check(right, face_kept(beyond - 0.1_wp, [integer :: ], 1), 'within the margin')
+      call check([0, 0, 0, 0], face_kept(beyond + 0.1_wp, [integer :: ], 1), 'past it')
+      call check([0, 0, 0, 0], face_kept(beyond - 0.1_wp, [integer :: ], 1), 'forgotten')
+      call check(right, face_kept(19.9_wp, right, 1), 'found again')
+      call check(right, face_kept(19.9_wp, [integer :: ], 1, -2.9_wp), 'within reach')
+      call check([0, 0, 0, 0], face_kept(19.9_wp, [integer :: ], 1, -3.1_wp), 'out of reach')
+   end subroutine test_rim
 
    subroutine test_kinds()
       call prepare()
