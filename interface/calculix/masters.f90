@@ -1,7 +1,7 @@
 !> The master face of every spring. The solver searches it anew in every iteration: a slave node
-!> near an edge may go from one face to the next and back without end, and one at the rim of the whole
-!> surface may lose its spring and get it again. A spring of ours keeps its face as long as its node
-!> leaves that by no more than a margin.
+!> near an edge may go from one face to the next and back without end, and one at the rim of the
+!> whole surface may lose its spring and get it again. A spring of ours keeps its face as long as its
+!> node leaves that by no more than a margin.
 module calculix_masters
    use asperity_kinds, only: wp
    use calculix_faces, only: has_face, project_onto_face
@@ -20,12 +20,14 @@ module calculix_masters
    ! CalculiX' routines have no argument that could carry it
    !> Nodes of the last face of every slave node, zero for none
    integer, allocatable :: last_faces(:, :)
+   !> Its area then
+   real(wp), allocatable :: last_areas(:)
 
 contains
 
    !> Put back the faces and springs that were left by no more than the margin, and remember all.
    subroutine keep_faces(first, last, free, ipkon, kon, lakon, ielmat, mi, islavnode, materials, &
-         co, vold)
+         co, vold, springarea)
       !> The first spring among the elements, and the last, which may change
       integer, intent(in) :: first
       integer, intent(inout) :: last
@@ -41,13 +43,19 @@ contains
       !> Material of every pair
       integer, intent(in) :: materials(:)
       real(wp), intent(in) :: co(3, *), vold(0:mi(2), *)
+      !> Area of every slave node, and its penetration at the start; a spring that is put back has
+      !> the area that it had
+      real(wp), intent(inout) :: springarea(2, *)
       integer, allocatable :: faces(:, :)
       integer :: element, n, counter, nodes
       logical :: changed
 
       if (.not. any(host%serves)) return
       nodes = host%last_node(size(host%last_node))
-      if (.not. allocated(last_faces)) allocate (last_faces(most, nodes), source=0)
+      if (.not. allocated(last_faces)) then
+         allocate (last_faces(most, nodes), source=0)
+         allocate (last_areas(nodes), source=0.0_wp)
+      end if
       allocate (faces(most, nodes), source=0)
       do element = first, last
          read (lakon(element)(8:8), '(i1)') n
@@ -60,9 +68,11 @@ contains
       do counter = 1, nodes
          if (.not. host%serves(pair_of(counter))) cycle
          associate (kept => last_faces(:, counter), face => faces(:, counter))
+            if (any(face > 0)) last_areas(counter) = springarea(1, counter)
             if (any(kept /= face) .and. (all(face == 0) .or. count(face > 0) == count(kept > 0))) &
                then
                if (holds(kept)) then
+                  if (all(face == 0)) springarea(1, counter) = last_areas(counter)
                   face = kept
                   changed = .true.
                end if

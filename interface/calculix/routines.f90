@@ -183,7 +183,7 @@ subroutine gencontelem_n2f(tieset, ntie, itietri, ne, ipkon, kon, lakon, cg, str
    integer :: istartset(*), iendset(*), ialset(*), nasym, icutb, ne0, mortar, jqw(*), iroww(*)
    integer :: nzsw, imastnode(*), nmastnode(*)
    real(wp) :: cg(*), straight(*), co(3, *), vold(0:mi(2), *), xo(*), yo(*), zo(*), x(*), y(*)
-   real(wp) :: z(*), elcon(0:ncmat_, ntmat_, *), areaslav(*), springarea(*), tietol(4, *)
+   real(wp) :: z(*), elcon(0:ncmat_, ntmat_, *), areaslav(*), springarea(2, *), tietol(4, *)
    real(wp) :: reltime, xnoels(*), auw(*)
    external :: ccx_gencontelem_n2f
    integer :: first, free, i, materials(ntie)
@@ -203,7 +203,8 @@ subroutine gencontelem_n2f(tieset, ntie, itietri, ne, ipkon, kon, lakon, cg, str
       ntmat_, nmethod, mi, imastop, nslavnode, islavnode, islavsurf, itiefac, areaslav, iponoels, &
       inoels, springarea, set, nset, istartset, iendset, ialset, tietol, reltime, filab, nasym, &
       xnoels, icutb, ne0, jobnamef, mortar, auw, jqw, iroww, nzsw, imastnode, nmastnode)
-   call keep_faces(first, ne, free, ipkon, kon, lakon, ielmat, mi, islavnode, materials, co, vold)
+   call keep_faces(first, ne, free, ipkon, kon, lakon, ielmat, mi, islavnode, materials, co, &
+      vold, springarea)
    ! springs that were put back need room
    ifree = max(ifree, free)
 end subroutine gencontelem_n2f

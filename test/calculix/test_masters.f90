@@ -35,7 +35,7 @@ contains
       integer, intent(in) :: material
       integer :: face(4)
       real(wp) :: co(3, 8), vold(0:3, 8)
-      real(wp) :: height
+      real(wp) :: height, area(2, 1)
       integer :: kon(10), n, last, free, ipkon(2), elements(3, 2)
       character(len=8) :: lakon(2)
 
@@ -53,7 +53,9 @@ contains
       ! an element before it
       last = 1
       free = 1
+      area = 0.0_wp
       if (n > 0) then
+         area = 2.5_wp
          last = 2
          ipkon(2) = free
          kon(free + 1:free + n) = found
@@ -61,9 +63,10 @@ contains
          lakon(2) = 'ESPRNGC'//achar(iachar('0') + n)
       end if
       call keep_faces(2, last, free, ipkon, kon, lakon, elements, [1, 3, 3], [slave], [material], &
-         co, vold)
+         co, vold, area)
       face = 0
       if (last < 2) return
+      call assertEqual(2.5_wp, area(1, 1), 0.0_wp, 'area')
       read (lakon(2)(8:8), '(i1)') n
       face(:n) = kon(ipkon(2) + 1:ipkon(2) + n)
       call check([slave, 1], kon(ipkon(2) + n + 1:ipkon(2) + n + 2), 'slave node and its number')
