@@ -1,7 +1,7 @@
 !> The master face of every spring. The solver searches it anew in every iteration: a slave node
 !> near an edge may go from one face to the next and back without end, and one at the rim of the
-!> whole surface may lose its spring and get it again. A spring of ours keeps its face as long as its
-!> node leaves that by no more than a margin.
+!> whole surface may lose its spring and get it again. A spring of ours keeps its face as long as
+!> its node leaves that by no more than a margin.
 module calculix_masters
    use asperity_kinds, only: wp
    use calculix_faces, only: has_face, project_onto_face
@@ -18,16 +18,22 @@ module calculix_masters
    integer, parameter :: most = 9
 
    ! CalculiX' routines have no argument that could carry it
-   !> Nodes of the last face of every slave node, zero for none
+   !> Nodes of the face of every slave node in the last iteration, zero for none
    integer, allocatable :: last_faces(:, :)
-   !> Its area then
+   !> The same at the start of the increment
+   integer, allocatable :: start_faces(:, :)
+   !> Area of the slave node when it last had a face
    real(wp), allocatable :: last_areas(:)
+   !> Step, increment and number of cuts that the solver is in
+   integer :: attempt(3) = -1
 
 contains
 
    !> Put back the faces and springs that were left by no more than the margin, and remember all.
-   subroutine keep_faces(first, last, free, ipkon, kon, lakon, ielmat, mi, islavnode, materials, &
-         co, vold, springarea)
+   subroutine keep_faces(now, first, last, free, ipkon, kon, lakon, ielmat, mi, islavnode, &
+         materials, co, vold, springarea)
+      !> Step, increment and number of cuts
+      integer, intent(in) :: now(3)
       !> The first spring among the elements, and the last, which may change
       integer, intent(in) :: first
       integer, intent(inout) :: last
@@ -56,6 +62,12 @@ contains
          allocate (last_faces(most, nodes), source=0)
          allocate (last_areas(nodes), source=0.0_wp)
       end if
+      if (any(now(:2) /= attempt(:2))) then
+         start_faces = last_faces
+      else if (now(3) /= attempt(3)) then
+         last_faces = start_faces
+      end if
+      attempt = now
       allocate (faces(most, nodes), source=0)
       do element = first, last
          read (lakon(element)(8:8), '(i1)') n
@@ -69,10 +81,16 @@ contains
          if (.not. host%serves(pair_of(counter))) cycle
          associate (kept => last_faces(:, counter), face => faces(:, counter))
             if (any(face > 0)) last_areas(counter) = springarea(1, counter)
-            if (any(kept /= face) .and. (all(face == 0) .or. count(face > 0) == count(kept > 0))) &
-               then
+            if (all(face == 0)) then
                if (holds(kept)) then
-                  if (all(face == 0)) springarea(1, counter) = last_areas(counter)
+                  face = kept
+               else if (holds(start_faces(:, counter))) then
+                  face = start_faces(:, counter)
+               end if
+               if (any(face > 0)) springarea(1, counter) = last_areas(counter)
+               changed = changed .or. any(face > 0)
+            else if (any(kept /= face) .and. count(face > 0) == count(kept > 0)) then
+               if (holds(kept)) then
                   face = kept
                   changed = .true.
                end if

@@ -203,8 +203,8 @@ subroutine gencontelem_n2f(tieset, ntie, itietri, ne, ipkon, kon, lakon, cg, str
       ntmat_, nmethod, mi, imastop, nslavnode, islavnode, islavsurf, itiefac, areaslav, iponoels, &
       inoels, springarea, set, nset, istartset, iendset, ialset, tietol, reltime, filab, nasym, &
       xnoels, icutb, ne0, jobnamef, mortar, auw, jqw, iroww, nzsw, imastnode, nmastnode)
-   call keep_faces(first, ne, free, ipkon, kon, lakon, ielmat, mi, islavnode, materials, co, &
-      vold, springarea)
+   call keep_faces([istep, iinc, icutb], first, ne, free, ipkon, kon, lakon, ielmat, mi, &
+      islavnode, materials, co, vold, springarea)
    ! springs that were put back need room
    ifree = max(ifree, free)
 end subroutine gencontelem_n2f

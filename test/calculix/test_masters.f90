@@ -13,6 +13,8 @@ module test_masters
    !> slave node, 8
    integer, parameter :: left(4) = [1, 2, 5, 4], right(4) = [2, 3, 6, 5], behind(3) = [4, 5, 7]
    integer, parameter :: slave = 8
+   !> Calls of `face_kept`
+   integer :: calls = 0
 
 contains
 
@@ -22,25 +24,32 @@ contains
       suite = TestSuite('master faces')
       call suite%addTest(TestMethod('left only by the margin', test_margin))
       call suite%addTest(TestMethod('at the rim of the surface', test_rim))
+      call suite%addTest(TestMethod('after a cut', test_cut))
       call suite%addTest(TestMethod('of another kind of face', test_kinds))
       call suite%addTest(TestMethod('springs of others are not touched', test_others))
    end function suite_masters
 
    !> The face of the spring when the slave node is at x and the solver found that face; 0 for none.
-   function face_kept(x, found, material, depth) result(face)
+   function face_kept(x, found, material, depth, now) result(face)
       real(wp), intent(in) :: x
       !> Penetration, 0.1 unless given
       real(wp), intent(in), optional :: depth
+      !> Step, increment and number of cuts; every call is another increment unless given
+      integer, intent(in), optional :: now(3)
       integer, intent(in) :: found(:)
       integer, intent(in) :: material
       integer :: face(4)
       real(wp) :: co(3, 8), vold(0:3, 8)
       real(wp) :: height, area(2, 1)
+      integer :: increment(3)
       integer :: kon(10), n, last, free, ipkon(2), elements(3, 2)
       character(len=8) :: lakon(2)
 
       height = 0.1_wp
       if (present(depth)) height = depth
+      calls = calls + 1
+      increment = [1, 1000 + calls, 0]
+      if (present(now)) increment = now
       co = 0.0_wp
       co(1, :7) = [0.0_wp, 10.0_wp, 20.0_wp, 0.0_wp, 10.0_wp, 20.0_wp, 5.0_wp]
       co(2, :7) = [0.0_wp, 0.0_wp, 0.0_wp, 10.0_wp, 10.0_wp, 10.0_wp, 20.0_wp]
@@ -62,8 +71,8 @@ contains
          kon(free + n + 1:free + n + 2) = [slave, 1]
          lakon(2) = 'ESPRNGC'//achar(iachar('0') + n)
       end if
-      call keep_faces(2, last, free, ipkon, kon, lakon, elements, [1, 3, 3], [slave], [material], &
-         co, vold, area)
+      call keep_faces(increment, 2, last, free, ipkon, kon, lakon, elements, [1, 3, 3], [slave], &
+         [material], co, vold, area)
       face = 0
       if (last < 2) return
       call assertEqual(2.5_wp, area(1, 1), 0.0_wp, 'area')
@@ -111,6 +120,24 @@ contains
       call check(right, face_kept(19.9_wp, [integer :: ], 1, -2.9_wp), 'within reach')
       call check([0, 0, 0, 0], face_kept(19.9_wp, [integer :: ], 1, -3.1_wp), 'out of reach')
    end subroutine test_rim
+
+   !> What an iteration that went astray forgot comes back after a cut, and in the same attempt when
+   !> the node does.
+   subroutine test_cut()
+      real(wp) :: near, far
+
+      call prepare()
+      near = 20.0_wp + 4.0_wp*margin
+      far = 20.0_wp + 50.0_wp*margin
+      call check(right, face_kept(19.9_wp, right, 1, now=[1, 1, 0]), 'first')
+      call check(right, face_kept(near, [integer :: ], 1, now=[1, 2, 0]), 'at the rim')
+      call check([0, 0, 0, 0], face_kept(far, [integer :: ], 1, now=[1, 2, 0]), 'astray')
+      call check(right, face_kept(near, [integer :: ], 1, now=[1, 2, 0]), 'back')
+      call check([0, 0, 0, 0], face_kept(far, [integer :: ], 1, now=[1, 2, 0]), 'astray again')
+      call check(right, face_kept(near, [integer :: ], 1, now=[1, 2, 1]), 'after a cut')
+      call check([0, 0, 0, 0], face_kept(far, [integer :: ], 1, now=[1, 2, 1]), 'where it went')
+      call check([0, 0, 0, 0], face_kept(near, [integer :: ], 1, now=[1, 3, 0]), 'and stayed')
+   end subroutine test_cut
 
    subroutine test_kinds()
       call prepare()
