@@ -75,6 +75,7 @@ contains
          sizes%column_height = s%real_of('column_height')
          sizes%column_width = s%real_of('column_width')
          sizes%tail = s%real_of('tail')
+         sizes%edge_relief = s%real_of('edge_relief')
          if (s%given('side_interference')) sizes%side_interference = s%real_of('side_interference')
          choice = choice_of(s)
          call new_tenon_deck(model, choice, config%tenon, sizes, s%whole_of('stroke_increments'), &

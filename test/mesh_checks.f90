@@ -57,7 +57,8 @@ contains
       do i = 1, size(faces, 2)
          area = area + face_area(mesh, faces(:, i))
          size_of = size_of + norm2(face_area(mesh, faces(:, i)))
-         outside = outside .and. count([(all(outer(:, j) == faces(:, i)), j=1, size(outer, 2))]) == 1
+         outside = outside &
+            .and. count([(all(outer(:, j) == faces(:, i)), j=1, size(outer, 2))]) == 1
       end do
       call assertTrue(outside, message=name//': faces are outer ones')
       call assertEqual(0.0_wp, norm2(area - expected), tolerance=1.0e-11_wp*norm2(expected), &

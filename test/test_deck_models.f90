@@ -67,7 +67,8 @@ contains
    !> Fields have up to 20 characters, eight numbers a line, and lose as little as that allows.
    subroutine test_numbers()
       real(wp), parameter :: values(*) = [1.0_wp/3.0_wp, -2.0_wp/3.0e5_wp, 3.0_wp, &
-         -1.0e-300_wp/7.0_wp, acos(-1.0_wp)*1.0e200_wp, -0.1_wp/3.0_wp, 0.0_wp, 206.0_wp, -1234567.0_wp/0.7_wp]
+         -1.0e-300_wp/7.0_wp, acos(-1.0_wp)*1.0e200_wp, -0.1_wp/3.0_wp, 0.0_wp, 206.0_wp, &
+         -1234567.0_wp/0.7_wp]
       type(writer_type) :: deck
       character(len=:), allocatable :: text
       character(len=200) :: line
@@ -113,8 +114,9 @@ contains
       call assertTrue(index(text, ' end'//new_line('a')) > 0)
    end subroutine test_comments
 
-   !> Beside wood that is rigid along the grain and in shear, the cheek cannot move: contact and half
-   !> the tenon alone give way. What is left goes with the fourth root of the stiffness: 1e-4 of it.
+   !> Beside wood that is rigid along the grain and in shear, the cheek cannot move: contact and
+   !> half the tenon alone give way. What is left goes with the fourth root of the stiffness: 1e-4
+   !> of it.
    subroutine test_rigid_cheek()
       type(wood_type) :: wood
 
@@ -160,7 +162,8 @@ contains
    contains
 
       !> Minimum of the energy with w and theta linear between points: elements of two nodes, one
-      !> Gauss point for shear, so that thin beams do not lock. Two unknowns a point, block by block.
+      !> Gauss point for shear, so that thin beams do not lock. Two unknowns a point, block by
+      !> block.
       subroutine solve(w)
          real(wp), intent(out) :: w(0:n)
          real(wp) :: diagonal(2, 2, 0:n), upper(2, 2, 0:n), right(2, 0:n), local(4, 4), g(4)
@@ -260,7 +263,7 @@ contains
       s%side_pressure = 0.0_wp
       call make(deck, choice, s, error)
       call assertFalse(deck%has_sides)
-      call assertEqual(0.0_wp, deck%sizes%side_overlap)
+      call assertEqual(0.0_wp, deck%swelling)
    end subroutine test_gaps
 
    !> Strokes lie between the turns of the programme, or of a recorded history.

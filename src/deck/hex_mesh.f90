@@ -6,7 +6,7 @@ module deck_hex_mesh
    implicit none
    private
    public :: hex_mesh, new_grid_mesh, nodes_in_box, faces_in_box, face_area, mesh_volume, &
-      least_jacobian, even_cuts, joined_cuts
+      least_jacobian, even_cuts, joined_cuts, add_cut
 
    !> Corners of the faces S1 to S6, in the order that makes the normal point outwards
    integer, parameter, public :: face_corners(4, 6) = reshape([1, 4, 3, 2, 5, 6, 7, 8, &
@@ -104,6 +104,17 @@ contains
       allocate (cuts(size(first) + size(second) - 1))
       cuts = [first, second(2:)]
    end subroutine joined_cuts
+
+   !> One plane more, unless there is one at its place.
+   pure subroutine add_cut(cuts, place)
+      !> Planes, rising
+      real(wp), allocatable, intent(inout) :: cuts(:)
+      !> The place, mm, between the first and the last
+      real(wp), intent(in) :: place
+
+      if (any(abs(cuts - place) < tolerance)) return
+      cuts = [pack(cuts, cuts < place), place, pack(cuts, cuts > place)]
+   end subroutine add_cut
 
    !> Numbers of the nodes in a box, whose sides belong to it.
    pure subroutine nodes_in_box(mesh, low, high, found)

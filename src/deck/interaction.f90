@@ -85,7 +85,8 @@ contains
          overclosure = pressure/choice%penalty
       else if (pressure > interaction%properties%normal%hardness) then
          call fatal_error(error, name//' = '//to_text(pressure)//' MPa is above the hardness, '// &
-            to_text(interaction%properties%normal%hardness)//' MPa: the law reaches no such pressure')
+            to_text(interaction%properties%normal%hardness)// &
+            ' MPa: the law reaches no such pressure')
       else
          call separation_for_pressure(interaction%properties%normal, pressure, separation, error)
          overclosure = interaction%properties%initial_separation - separation

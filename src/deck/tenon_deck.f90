@@ -36,6 +36,8 @@ module deck_tenon_deck
       real(wp), allocatable :: turns(:)
    end type tenon_deck
 
+   !> Overlap of the meshes at sides without contact, mm
+   real(wp), parameter :: no_sides_overlap = 0.1_wp
    !> Most increments asked for
    integer, parameter :: most_increments = 10000
 
@@ -121,9 +123,13 @@ contains
             first_touch = deck%faces%properties%initial_separation
          sizes%gap_above = s%clearance_above - first_touch
          sizes%gap_below = s%clearance_below - first_touch
-         if (.not. deck%has_sides) return
-         call overclosure_for(deck%sides, deck%choice, 'side_pressure', s%side_pressure, overclosure, &
-            error)
+         if (.not. deck%has_sides) then
+            ! where nothing touches, so that the edges of the mortise stay above the beam
+            sizes%side_overlap = no_sides_overlap
+            return
+         end if
+         call overclosure_for(deck%sides, deck%choice, 'side_pressure', s%side_pressure, &
+            overclosure, error)
          if (allocated(error)) return
          ! a datum far out in the law can make the overclosure negative
          overclosure = max(overclosure, 0.0_wp)

@@ -8,7 +8,7 @@ module deck_tenon_parts
    use asperity_properties, only: check_positive, check_range
    use asperity_text, only: to_text
    use deck_choices, only: check_mesh_size, deck_choice
-   use deck_hex_mesh, only: even_cuts, hex_mesh, joined_cuts, new_grid_mesh
+   use deck_hex_mesh, only: add_cut, even_cuts, hex_mesh, joined_cuts, new_grid_mesh
    use replay_tenon_settings, only: tenon_face_arm, tenon_settings
    implicit none
    private
@@ -22,6 +22,9 @@ module deck_tenon_parts
       real(wp) :: tail = 0.0_wp
       !> Clearance of the meshes above and below the beam, negative for an interference, mm
       real(wp) :: gap_above = 0.0_wp, gap_below = 0.0_wp
+      !> Distance from the edges at which contact of a slave face begins, mm; chosen. A node at the
+      !> edge of its master would find and lose it in turn
+      real(wp) :: edge_relief = 3.0_wp
       !> Interference at each side, mm, made from the side pressure when not above zero; and the
       !> part of it by which the meshes overlap, while the beam swells by the rest
       real(wp) :: side_interference = 0.0_wp, side_overlap = 0.0_wp
@@ -45,6 +48,8 @@ contains
          call check_positive(error, 'column_width', sizes%column_width, 'mm')
       if (.not. allocated(error)) &
          call check_range(error, 'tail', sizes%tail, 0.0_wp, 1.0e9_wp, ' mm')
+      if (.not. allocated(error)) call check_range(error, 'edge_relief', sizes%edge_relief, &
+         0.0_wp, 0.25_wp*min(choice%mesh_size, settings%width), ' mm')
       if (.not. allocated(error)) call check_range(error, 'side_interference', &
          sizes%side_interference, 0.0_wp, 0.25_wp*settings%width, ' mm')
       if (allocated(error)) return
@@ -82,6 +87,7 @@ contains
             bottom => -0.5_wp*settings%height - sizes%gap_below, &
             side => 0.5_wp*settings%width - sizes%side_overlap)
          call even_cuts(-settings%length, 0.0_wp, cell, 1, x)
+         call add_cut(x, -settings%length + sizes%edge_relief)
          call even_cuts(0.0_wp, side, cell, 1, inner)
          call even_cuts(side, 0.5_wp*sizes%column_width, cell, 1, outer)
          hollow = size(inner) - 1
@@ -118,6 +124,9 @@ contains
          call even_cuts(0.0_wp, 0.5_wp*settings%width, cell, 1, y)
          call even_cuts(-0.5_wp*settings%height, 0.5_wp*settings%height, cell, 2, z)
       end associate
+      call add_cut(x, -settings%length + sizes%edge_relief)
+      call add_cut(z, -0.5_wp*settings%height + sizes%edge_relief)
+      call add_cut(z, 0.5_wp*settings%height - sizes%edge_relief)
       call new_grid_mesh(mesh, x, y, z)
    end subroutine new_beam
 

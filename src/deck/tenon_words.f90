@@ -45,7 +45,8 @@ contains
                //' mm for about '//to_text(s%side_pressure, 4)//' MPa: the overclosure of '// &
                'contact at that pressure, by which the meshes overlap ('// &
                to_text(sizes%side_overlap, 6)//' mm), and what the wood gives way under it '// &
-               '(half the beam squeezed, the cheek of the column bent and sheared), by which the beam swells in a step of its '// &
+               '(half the beam squeezed, the cheek of the column bent and sheared), by which '// &
+               'the beam swells in a step of its '// &
                'own, as solvers do not find the way out of a large overlap. An estimate of the '// &
                'mean; what pressure comes of it is in the results.')
          else

@@ -31,7 +31,7 @@ program read_case
    integer :: rows
    ! Keys of the decks
    real(wp) :: mesh_size, penalty, search_distance, disc_height, column_height, column_width, tail
-   real(wp) :: side_interference
+   real(wp) :: side_interference, edge_relief
    integer :: stroke_increments
    character(len=80) :: solver, contact, element, plasticity, field, upper_grain
    namelist /asperity/ pair, surface, eta, modulus, radius, hardness, yield_factor, sigma, &
@@ -47,7 +47,7 @@ program read_case
       shoulder_points, amplitudes, cycles, history, record, through, displacement_column, &
       largest_pressure, smallest_pressure, tolerance, rows, stick_pressure, &
       solver, contact, mesh_size, element, plasticity, field, penalty, search_distance, &
-      disc_height, upper_grain, column_height, column_width, tail, side_interference, &
+      disc_height, upper_grain, column_height, column_width, tail, side_interference, edge_relief, &
       stroke_increments
 
    character(len=1000) :: path, message
@@ -90,6 +90,7 @@ contains
       column_width = unset
       tail = unset
       side_interference = unset
+      edge_relief = unset
       stroke_increments = unset_integer
       solver = ''
       contact = ''
@@ -229,6 +230,7 @@ contains
       call print_reals('column_width', [column_width])
       call print_reals('tail', [tail])
       call print_reals('side_interference', [side_interference])
+      call print_reals('edge_relief', [edge_relief])
       call print_integer('stroke_increments', stroke_increments)
       call print_text('solver', solver)
       call print_text('contact', contact)
