@@ -244,7 +244,7 @@ module app_keys
       key_type('tail', kind_real, 'mm', command_deck_tenon, no, '0', '', &
       'length of the beam behind the column'), &
       key_type('edge_relief', kind_real, 'mm', command_deck_tenon, no, '3', '', &
-      'contact begins so far from the end of the tenon, and at the sides from its edges'), &
+      'contact begins so far from the back, at the sides from top and bottom of the mortise'), &
       key_type('side_interference', kind_real, 'mm', command_deck_tenon, no, '', '', &
       'interference at each side; made for side_pressure unless given'), &
       key_type('stroke_increments', kind_integer, '', command_deck_tenon, no, '10', '', &

@@ -22,8 +22,9 @@ module deck_tenon_parts
       real(wp) :: tail = 0.0_wp
       !> Clearance of the meshes above and below the beam, negative for an interference, mm
       real(wp) :: gap_above = 0.0_wp, gap_below = 0.0_wp
-      !> Distance from the edges at which contact of a slave face begins, mm; chosen. A node at the
-      !> edge of its master would find and lose it in turn
+      !> Contact of the mortise begins so far from its back, and at the sides from its top and
+      !> bottom, mm; chosen. Nodes there are at the edge of the beam and would find and lose it in
+      !> turn
       real(wp) :: edge_relief = 3.0_wp
       !> Interference at each side, mm, made from the side pressure when not above zero; and the
       !> part of it by which the meshes overlap, while the beam swells by the rest
@@ -94,6 +95,8 @@ contains
          call joined_cuts(inner, outer, y)
          call even_cuts(-0.5_wp*sizes%column_height, bottom, cell, 1, inner)
          call even_cuts(bottom, top, cell, 1, outer)
+         call add_cut(outer, bottom + sizes%edge_relief)
+         call add_cut(outer, top - sizes%edge_relief)
          below = size(inner) - 1
          in_mortise = size(outer) - 1
          call joined_cuts(inner, outer, z)
@@ -124,9 +127,6 @@ contains
          call even_cuts(0.0_wp, 0.5_wp*settings%width, cell, 1, y)
          call even_cuts(-0.5_wp*settings%height, 0.5_wp*settings%height, cell, 2, z)
       end associate
-      call add_cut(x, -settings%length + sizes%edge_relief)
-      call add_cut(z, -0.5_wp*settings%height + sizes%edge_relief)
-      call add_cut(z, 0.5_wp*settings%height - sizes%edge_relief)
       call new_grid_mesh(mesh, x, y, z)
    end subroutine new_beam
 

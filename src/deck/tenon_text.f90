@@ -75,31 +75,31 @@ contains
    pure subroutine write_contact(deck, model)
       type(model_writer), intent(inout) :: deck
       type(tenon_deck), intent(in) :: model
-      real(wp) :: top, bottom, side, half, back
+      real(wp) :: top, bottom, side, half, back, relief
       integer :: beam
 
       beam = size(model%column%elements, 2)
       half = 0.5_wp*model%settings%height
-      back = -model%settings%length + model%sizes%edge_relief
+      relief = model%sizes%edge_relief
+      back = -model%settings%length + relief
       top = half + model%sizes%gap_above
       bottom = -half - model%sizes%gap_below
       side = 0.5_wp*model%settings%width - model%sizes%side_overlap
       call deck%heading('contact')
-      call deck%comment('Slave above and below is the mortise, as the beam is longer than it; '// &
-         'at the sides the beam, as the mortise is higher. A node that passes the edge of its '// &
-         'master has no contact. Slaves begin '//to_text(model%sizes%edge_relief, 4)// &
-         ' mm from the end of the tenon, and at the sides from its arrises (chosen): at the '// &
-         'very edge a node would find and lose its master in turn.')
+      call deck%comment('The mortise is slave, the beam, which is longer, master. A node that '// &
+         'passes the edge of its master has no contact. Slaves begin '//to_text(relief, 4)// &
+         ' mm from the back of the mortise, and at the sides from its top and bottom (chosen): '// &
+         'nearer, nodes would find and lose the edge of the beam in turn.')
       call deck%surface('MORTISE_TOP', model%column, [back, 0.0_wp, top], [far, side, top], 0)
       call deck%surface('MORTISE_BOTTOM', model%column, [back, 0.0_wp, bottom], &
          [far, side, bottom], 0)
       call deck%surface('BEAM_TOP', model%beam, [-far, -far, half], [far, far, half], beam)
       call deck%surface('BEAM_BOTTOM', model%beam, [-far, -far, -half], [far, far, -half], beam)
       if (model%has_sides) then
-         call deck%surface('MORTISE_SIDE', model%column, [-far, side, bottom], [far, side, top], 0)
+         call deck%surface('MORTISE_SIDE', model%column, [back, side, bottom + relief], &
+            [far, side, top - relief], 0)
          side = 0.5_wp*model%settings%width
-         half = half - model%sizes%edge_relief
-         call deck%surface('BEAM_SIDE', model%beam, [back, side, -half], [far, side, half], beam)
+         call deck%surface('BEAM_SIDE', model%beam, [-far, side, -far], [far, side, far], beam)
       end if
       call deck%surface('COLUMN_TOP', model%column, &
          [-far, -far, 0.5_wp*model%sizes%column_height], [far, far, far], 0)
@@ -108,7 +108,7 @@ contains
       call write_pair(deck, model%faces, 'MORTISE_BOTTOM', 'BEAM_BOTTOM')
       if (.not. model%has_sides) return
       call write_interaction(deck, model%choice, model%sides)
-      call write_pair(deck, model%sides, 'BEAM_SIDE', 'MORTISE_SIDE')
+      call write_pair(deck, model%sides, 'MORTISE_SIDE', 'BEAM_SIDE')
    end subroutine write_contact
 
    !> Sets of nodes, supports and springs.
