@@ -27,16 +27,21 @@ if [ -n "${KEEP:-}" ]; then
    [ -z "$(ls -A "$KEEP")" ] || { echo "run_tests.sh: KEEP=$KEEP is not empty" >&2; exit 2; }
    decks=$(realpath "$KEEP")
 fi
+# Another UINTER in the folder of CCX_UINTER: source, program
+build() {
+   "$here/../../interface/calculix/build" --uinter "$here/$1" --folder "$(dirname "$uinter")" \
+      --output "$2" >"$work/build.log" 2>&1 && return
+   cat "$work/build.log"
+   echo "FAIL ccx with test/calculix/$1 was not built"
+   echo "0 passed, 1 failed"
+   exit 1
+}
 recorder=${CCX_RECORDER:-}
 if [ -z "$recorder" ]; then
    recorder=$work/ccx_recorder
-   if ! "$here/../../interface/calculix/build" --uinter "$here/recorder.f90" \
-         --folder "$(dirname "$uinter")" --output "$recorder" >"$work/build.log" 2>&1; then
-      cat "$work/build.log"
-      echo "FAIL ccx with test/calculix/recorder.f90 was not built"
-      echo "0 passed, 1 failed"
-      exit 1
-   fi
+   build recorder.f90 "$recorder"
+   # fixed form, implicit types and an include, as user subroutines usually are
+   build penalty.f "$work/ccx_penalty"
 fi
 PYTHONDONTWRITEBYTECODE=1 python3 "$here/run_checks.py" \
    "$stock" "$uinter" "$recorder" "$asperity" "$decks"
