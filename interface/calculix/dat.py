@@ -13,7 +13,7 @@ LOST_E = re.compile(r"^([-+]?\d*\.\d*)([-+]\d{3})$")
 
 def number(text):
     """A Fortran number, also one whose three-digit exponent took the place of its E."""
-    return float(LOST_E.sub(r"\1E\2", text))
+    return float(LOST_E.sub(r"\1E\2", text.strip()))
 
 
 def blocks(path):

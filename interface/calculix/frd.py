@@ -2,6 +2,8 @@
 
 from collections import namedtuple
 
+from dat import number
+
 # values: {node: (number, ...)} in the order of components; time is that of the whole programme.
 # rows: [(node, (number, ...))] as they stand in the file, where a node can come more than once
 Result = namedtuple("Result", "name step increment time components values rows")
@@ -9,19 +11,6 @@ Result = namedtuple("Result", "name step increment time components values rows")
 
 class FrdError(Exception):
     """What is wrong with a results file."""
-
-
-def real(text):
-    """A number of 12 columns, also one whose three-digit exponent took the place of its E."""
-    try:
-        return float(text)
-    except ValueError:
-        text = text.strip()
-        for sign in "+-":
-            place = text.rfind(sign)
-            if place > 0 and text[place - 1].isdigit():
-                return float(text[:place] + "E" + text[place:])
-        raise
 
 
 def whole(file):
@@ -45,7 +34,7 @@ def results(path, names=None, wanted=None):
                 if result is not None and keep and mark == " -1":
                     values = line[13:].rstrip("\n")
                     result.rows.append((int(line[3:13]), tuple(
-                        real(values[i:i + 12]) for i in range(0, len(values) - 11, 12))))
+                        number(values[i:i + 12]) for i in range(0, len(values) - 11, 12))))
                 elif mark == " -3":
                     if result is not None and keep:
                         result.values.update(result.rows)
@@ -55,7 +44,7 @@ def results(path, names=None, wanted=None):
                     fields = line[10:].split()
                     increment, step = int(fields[1]), int(fields[2])
                 elif line.startswith("  100C"):
-                    time = real(line[12:24])
+                    time = number(line[12:24])
                 elif mark == " -4":
                     name = line[5:13].strip()
                     keep = ((names is None or name in names)
@@ -81,7 +70,7 @@ def times(path):
                     fields = line[10:].split()
                     place = int(fields[2]), int(fields[1])
                 elif line.startswith("  100C") and place:
-                    heads[place] = real(line[12:24])
+                    heads[place] = number(line[12:24])
     except OSError as problem:
         raise FrdError(f"{path}: {problem.strerror}") from problem
     except (ValueError, IndexError) as problem:

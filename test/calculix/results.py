@@ -1,37 +1,25 @@
 """What CalculiX leaves: JOB.dat (printed), JOB.frd (fields), JOB.cvg (iterations), JOB.sta."""
 
-import re
+import sys
 from pathlib import Path
 
-
-def number(text):
-    """A number of Fortran, `1.0-100` among them."""
-    try:
-        return float(text)
-    except ValueError:
-        return float(re.sub(r"(?<=\d)([+-]\d+)$", r"E\1", text.strip()))
+sys.path.append(str(Path(__file__).resolve().parents[2] / "interface" / "calculix"))
+import dat  # noqa: E402
+import frd  # noqa: E402
 
 
 class Printed:
     """JOB.dat: {time: {node: [x, y, z]}} by set for displacements, {time: [x, y, z]} for the sum
     of forces on a set."""
 
-    HEAD = re.compile(r"^ (displacements|total force|forces)\b.*for set (\S+) and time +(\S+)")
-
     def __init__(self, path):
         self.displacements, self.forces = {}, {}
-        kind, rows, when, name = None, None, None, None
-        for line in Path(path).read_text(encoding="ascii").splitlines():
-            head = self.HEAD.match(line)
-            if head:
-                kind, name, when = head[1], head[2], number(head[3])
-                if kind == "displacements":
-                    rows = self.displacements.setdefault(name, {}).setdefault(when, {})
-            elif line.strip() and kind == "displacements":
-                words = line.split()
-                rows[int(words[0])] = [number(word) for word in words[1:]]
-            elif line.strip() and kind == "total force":
-                self.forces.setdefault(name, {})[when] = [number(word) for word in line.split()]
+        for block in dat.blocks(path):
+            if block.quantity == "displacements":
+                rows = self.displacements.setdefault(block.set, {}).setdefault(block.time, {})
+                rows.update((node, list(values)) for node, values in block.rows)
+            elif block.quantity == "total force":
+                self.forces.setdefault(block.set, {})[block.time] = list(block.rows[0][1])
         self.times = sorted({when for rows in self.displacements.values() for when in rows})
 
     def last_force(self, name):
@@ -47,18 +35,8 @@ class Printed:
 def contact_fields(path):
     """JOB.frd's fields of contact, {time: {node: [clearance, slip 1, slip 2, pressure, shear 1,
     shear 2]}}; nodes that no spring holds stand there with zeros or are left out."""
-    fields, when, rows = {}, None, None
-    with open(path, encoding="ascii", errors="replace") as lines:
-        for line in lines:
-            if line.startswith("  100C"):
-                when = number(line[12:24])
-            elif line.startswith(" -4"):
-                rows = fields.setdefault(when, {}) if line.split()[1] == "CONTACT" else None
-            elif line.startswith(" -3"):
-                rows = None
-            elif line.startswith(" -1") and rows is not None:
-                rows[int(line[3:13])] = [number(line[13 + 12 * i:25 + 12 * i]) for i in range(6)]
-    return fields
+    return {result.time: {node: list(row) for node, row in result.values.items()}
+            for result in frd.results(path, ["CONTACT"])}
 
 
 def last_contact(path):
@@ -74,7 +52,7 @@ def iterations(path):
         words = line.split()
         if len(words) >= 7 and words[0].isdigit():
             key = tuple(int(word) for word in words[:3])
-            table.setdefault(key, []).append((int(words[4]), number(words[5]), number(words[6])))
+            table.setdefault(key, []).append((int(words[4]), dat.number(words[5]), dat.number(words[6])))
     return table
 
 
@@ -85,7 +63,7 @@ def increments(path):
     for line in Path(path).read_text(encoding="ascii").splitlines():
         words = line.split()
         if len(words) == 7 and all(word.isdigit() for word in words[:4]):
-            rows.append(tuple(int(word) for word in words[:4]) + tuple(map(number, words[4:7])))
+            rows.append(tuple(int(word) for word in words[:4]) + tuple(map(dat.number, words[4:7])))
     return rows
 
 
@@ -116,5 +94,5 @@ def recorded_calls(path):
             found[-1].names = line.split("|")[1:]
         else:
             integer = name in ("NODE", "SIZES", "COUNTERS", "FLAGS", "OUT_FLAGS")
-            found[-1].values[name] = [int(word) if integer else number(word) for word in words]
+            found[-1].values[name] = [int(word) if integer else dat.number(word) for word in words]
     return found

@@ -400,7 +400,7 @@ def test_readers():
     seen = deck.LOAD.match("** Load: set BOTTOM, direction 1, gauge BOTTOM_GAUGE")
     check("a comment with a gauge", seen and seen.groups() == ("BOTTOM", "1", "BOTTOM_GAUGE"))
     check(".dat: another set", dat.by_time("t.dat", "TOP") == [])
-    check("a number whose E is lost", frd.real(" 1.23456-101") == 1.23456e-101)
+    check("a number whose E is lost", frd.number(" 1.23456-101") == 1.23456e-101)
     lines = deck.with_restart(["*STEP,NLGEOM", "*RESTART,WRITE,FREQUENCY=5", "*STATIC"])
     check("a deck's own *RESTART,WRITE is replaced",
           lines == ["*STEP,NLGEOM", "*RESTART,WRITE,FREQUENCY=1,OVERLAY", "*STATIC"], lines)
