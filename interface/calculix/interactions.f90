@@ -6,7 +6,7 @@ module calculix_interactions
    implicit none
    private
    public :: interaction_type, add_interaction, find_interaction, has_interactions, most_depvar, &
-      interaction_count, nth_interaction
+      all_interactions
 
    !> Stands in the solver's own constants of such an interaction, known after a restart
    real(wp), parameter, public :: mark = 20210047.0_wp
@@ -52,21 +52,13 @@ contains
       end do
    end function find_interaction
 
-   !> How many there are.
-   integer function interaction_count()
+   !> All of them.
+   function all_interactions() result(list)
+      type(interaction_type), allocatable :: list(:)
 
-      interaction_count = 0
-      if (allocated(interactions)) interaction_count = size(interactions)
-   end function interaction_count
-
-   !> One of them.
-   function nth_interaction(i) result(interaction)
-      !> Which
-      integer, intent(in) :: i
-      type(interaction_type) :: interaction
-
-      interaction = interactions(i)
-   end function nth_interaction
+      allocate (list(0))
+      if (allocated(interactions)) list = interactions
+   end function all_interactions
 
    !> Whether there are any.
    logical function has_interactions()

@@ -2,8 +2,8 @@
 !> for them. It is written when a job begins, and read when one begins from a restart file.
 module calculix_restart
    use asperity_kinds, only: wp
-   use calculix_interactions, only: add_interaction, find_interaction, interaction_count, &
-      interaction_type, nth_interaction
+   use calculix_interactions, only: add_interaction, all_interactions, find_interaction, &
+      interaction_type
    implicit none
    private
    public :: keep_interactions
@@ -40,18 +40,18 @@ contains
 
    subroutine write_interactions(name)
       character(len=*), intent(in) :: name
-      type(interaction_type) :: interaction
+      type(interaction_type), allocatable :: list(:)
       integer :: unit, status, i
 
+      list = all_interactions()
       open (newunit=unit, file=name, status='replace', action='write', iostat=status)
       if (status /= 0) call refuse(name//' cannot be written')
       write (unit, '(a)') first_line
-      write (unit, '(i0)') interaction_count()
-      do i = 1, interaction_count()
-         interaction = nth_interaction(i)
-         write (unit, '(3(i0, 1x), es25.17e3)') interaction%material, interaction%depvar, &
-            size(interaction%props), interaction%search_distance
-         write (unit, '(4es25.17e3)') interaction%props
+      write (unit, '(i0)') size(list)
+      do i = 1, size(list)
+         write (unit, '(3(i0, 1x), es25.17e3)') list(i)%material, list(i)%depvar, &
+            size(list(i)%props), list(i)%search_distance
+         write (unit, '(4es25.17e3)') list(i)%props
       end do
       close (unit)
    end subroutine write_interactions

@@ -9,6 +9,7 @@ subroutine springforc_n2f(xl, konl, vl, imat, elcon, nelcon, elas, fnl, ncmat_, 
    nelem, smscale, mscalmethod)
    use asperity_kinds, only: wp
    use calculix_interactions, only: find_interaction, interaction_type
+   use calculix_slots, only: slot_slip
    use calculix_springs, only: evaluate_spring, fill_spring, response_type, spring_force, &
       spring_type
    implicit none
@@ -41,23 +42,12 @@ subroutine springforc_n2f(xl, konl, vl, imat, elcon, nelcon, elas, fnl, ncmat_, 
    call evaluate_spring(spring, xstateini(:, slot), xstate(:, slot), response)
    fnl(:, :nope) = spring_force(response, springarea(1))
    associate (motion => response%motion)
-      cstr = [-motion%overclosure, xstate_slip(), response%stress]
+      cstr = [-motion%overclosure, xstate(slot_slip:slot_slip + 1, slot), response%stress]
    end associate
    if (nener == 1) then
       senergy = springarea(1)*response%energy
       venergy = springarea(1)*response%dissipation
    end if
-
-contains
-
-   !> Accumulated slip.
-   function xstate_slip() result(slip)
-      use calculix_slots, only: slot_slip
-      real(wp) :: slip(2)
-
-      slip = xstate(slot_slip:slot_slip + 1, slot)
-   end function xstate_slip
-
 end subroutine springforc_n2f
 
 !> Stiffness of a spring.
@@ -194,7 +184,7 @@ subroutine gencontelem_n2f(tieset, ntie, itietri, ne, ipkon, kon, lakon, cg, str
    do i = 1, ntie
       if (materials(i) > 0) marked(i) = abs(elcon(4, 1, materials(i)) - mark) < 0.5_wp
    end do
-   if (istep >= 1 .and. iit < 0) call keep_interactions(jobnamef(1), pack(materials, marked))
+   if (iit < 0) call keep_interactions(jobnamef(1), pack(materials, marked))
    call know_pairs(materials, nslavnode(:ntie + 1))
    first = ne + 1
    free = ifree
