@@ -15,7 +15,7 @@ endif()
 add_executable(asperity_tests ${test_sources})
 asperity_compile_options(asperity_tests)
 target_link_libraries(asperity_tests PRIVATE
-   asperity_replay asperity_hysteresis asperity_deck GSL::gsl GSL::gslcblas)
+   asperity_replay asperity_hysteresis asperity_deck asperity_surface GSL::gsl GSL::gslcblas)
 if(PFUNIT_FOUND)
    target_link_libraries(asperity_tests PRIVATE PFUNIT::funit)
 endif()

@@ -1,0 +1,84 @@
+!> A height map: heights of one face on a regular grid, some of which may be missing.
+module surface_height_map
+   use asperity_error, only: error_type, fatal_error
+   use asperity_finite, only: is_finite
+   use asperity_kinds, only: wp
+   use asperity_text, only: to_text
+   implicit none
+   private
+   public :: height_map, check_height_map, missing_points
+
+   !> Stands for a height that was not measured: a number, as comparing NaN may trap
+   real(wp), parameter, public :: missing_height = huge(1.0_wp)
+   !> Fewest points along either side of a map
+   integer, parameter, public :: fewest_points = 5
+
+   !> Heights of one face, in mm throughout.
+   type :: height_map
+      !> Heights, mm, positive out of the material; (i, j) is at x = (i-1) step_x, y = (j-1) step_y.
+      !> Those from `missing_height` on were not measured
+      real(wp), allocatable :: heights(:, :)
+      !> Distance of neighbours, mm
+      real(wp) :: step_x = 0.0_wp, step_y = 0.0_wp
+      !> Where it comes from, for messages, such as the path of a file
+      character(len=:), allocatable :: source
+      !> Format of that file, for reports; empty for none
+      character(len=:), allocatable :: format
+   end type height_map
+
+contains
+
+   !> Set `error` unless a map can be analysed: points enough, positive steps, finite heights, one
+   !> that was measured.
+   pure subroutine check_height_map(map, error)
+      !> The map
+      type(height_map), intent(in) :: map
+      !> Set otherwise
+      type(error_type), allocatable, intent(out) :: error
+      integer :: i, j
+
+      associate (nx => size(map%heights, 1), ny => size(map%heights, 2))
+         if (min(nx, ny) < fewest_points) then
+            call fatal_error(error, map%source//': '//to_text(nx)//' x '//to_text(ny)// &
+               ' points are no map: at least '//to_text(fewest_points)//' are needed either way')
+            return
+         end if
+      end associate
+      call check_step(map, 'x', map%step_x, error)
+      if (.not. allocated(error)) call check_step(map, 'y', map%step_y, error)
+      if (allocated(error)) return
+      do j = 1, size(map%heights, 2)
+         do i = 1, size(map%heights, 1)
+            if (is_finite(map%heights(i, j))) cycle
+            call fatal_error(error, map%source//': the height of point '//to_text(i)//', '// &
+               to_text(j)//' is not a finite number')
+            return
+         end do
+      end do
+      if (missing_points(map) == size(map%heights)) call fatal_error(error, map%source// &
+         ': every point is missing')
+   end subroutine check_height_map
+
+   !> Set `error` unless a step is positive and finite.
+   pure subroutine check_step(map, axis, step, error)
+      type(height_map), intent(in) :: map
+      character(len=*), intent(in) :: axis
+      real(wp), intent(in) :: step
+      type(error_type), allocatable, intent(out) :: error
+      logical :: is_allowed
+
+      is_allowed = is_finite(step)
+      if (is_allowed) is_allowed = step > 0.0_wp
+      if (.not. is_allowed) call fatal_error(error, map%source//': step '//to_text(step)// &
+         ' mm in '//axis//' is not allowed: it must be above 0 and finite')
+   end subroutine check_step
+
+   !> Number of points without a height.
+   pure integer function missing_points(map)
+      !> The map
+      type(height_map), intent(in) :: map
+
+      missing_points = count(map%heights >= missing_height)
+   end function missing_points
+
+end module surface_height_map
