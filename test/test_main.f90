@@ -29,6 +29,7 @@ program test_main
    use test_replay_host, only: suite_replay_host
    use test_shear_box, only: suite_shear_box
    use test_single_asperity, only: suite_single_asperity
+   use test_surface_fourier, only: suite_surface_fourier
    use test_tenon_forms, only: suite_tenon_forms
    use test_tenon_energy, only: suite_tenon_energy
    use test_tenon_joint, only: suite_tenon_joint
@@ -80,6 +81,7 @@ program test_main
    call all_suites%addTest(suite_tenon_energy())
    call all_suites%addTest(suite_tenon_joint())
    call all_suites%addTest(suite_tenon_solver())
+   call all_suites%addTest(suite_surface_fourier())
    runner = TestRunner()
    outcome = runner%run(all_suites, SerialContext())
    failed = outcome%failureCount() + outcome%errorCount()
