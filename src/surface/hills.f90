@@ -1,0 +1,325 @@
+!> Hills of a map, and which are left after Wolf pruning.
+!>
+!> Points are ordered by height, equal ones by place in storage; neighbours are the eight around,
+!> missing points are none. A hill is what steepest ascent leads to one top. Let the map sink into
+!> the sea backwards, the water falling from above the highest point: tops become islands, and at a
+!> saddle two islands become one. The lower top ends there; its relief is its height less the
+!> saddle's. The highest top of a connected part of the map never ends. A hill stays when its
+!> relief is at least the least one asked for.
+!>
+!> This is Wolf pruning, which takes the hill of the smallest difference between its top and its
+!> highest saddle, joins it to the hill across that saddle, and repeats while that difference is
+!> below the least. For let top p be the one of the smallest difference, s its highest saddle and q
+!> a top across s. (1) p is the lower: were q lower, its highest saddle would be no lower than s,
+!> so that its difference would be smaller than that of p. Down to s the island of p holds p alone,
+!> as s is its first saddle; so p ends at s, and its relief is the difference. (2) Joining p to q
+!> changes the relief of no other hill: below s the islands are the same, p was not the highest of
+!> its island and no other ends at it. So hills leave in the order of their relief, until all left
+!> have at least the least one. The order in which equal ones leave does not matter for the same
+!> reason, nor does which higher neighbour an ascent takes: a path between two tops above a level
+!> crosses hills by points above that level, and ascents only rise.
+!>
+!> A saddle is a point whose higher neighbours fall into several groups that do not touch one
+!> another; elsewhere they are joined already when the water reaches the point.
+module surface_hills
+   use asperity_kinds, only: wp
+   use surface_height_map, only: missing_height
+   use surface_saddle_order, only: saddle_type, sort_saddles
+   implicit none
+   private
+   public :: find_hills
+
+   !> Neighbours in turn from that along x: steps along x and y. The first four come later in
+   !> storage, so that they are higher at equal height
+   integer, parameter :: turn_x(0:7) = [1, 1, 0, -1, -1, -1, 0, 1]
+   integer, parameter :: turn_y(0:7) = [0, 1, 1, 1, 0, -1, -1, -1]
+   !> Below every height
+   real(wp), parameter :: nothing = -huge(1.0_wp)
+
+   !> Of each set of higher neighbours, a bit each, one of every group that touch one another.
+   type :: group_table
+      integer :: groups(0:255) = 0
+      integer :: one_of(4, 0:255) = 0
+   end type group_table
+
+contains
+
+   !> Find all hills.
+   pure subroutine find_hills(z, least_relief, tops, stays)
+      !> Heights, `missing_height` where there is none
+      real(wp), intent(in), contiguous :: z(:, :)
+      !> Least relief
+      real(wp), intent(in) :: least_relief
+      !> Places of their tops in storage from 1, in that order
+      integer, allocatable, intent(out) :: tops(:)
+      !> Whether a hill has that relief
+      logical, allocatable, intent(out) :: stays(:)
+      integer, allocatable :: hill(:, :)
+      type(saddle_type), allocatable :: saddles(:)
+      type(group_table) :: table
+      integer :: n
+
+      call fill_table(table)
+      call climb(z, table, hill, tops, saddles)
+      call collect_saddles(z, table, hill, saddles, n)
+      call sort_saddles(saddles(:n))
+      call join_hills(z, least_relief, table, hill, saddles(:n), tops, stays)
+   end subroutine find_hills
+
+   !> Give each point the number of its hill. Points first hold minus the place of their highest
+   !> neighbour, tops their number.
+   pure subroutine climb(z, table, hill, tops, saddles)
+      real(wp), intent(in), contiguous :: z(:, :)
+      type(group_table), intent(in) :: table
+      integer, allocatable, intent(out) :: hill(:, :), tops(:)
+      !> With room for all saddles
+      type(saddle_type), allocatable, intent(out) :: saddles(:)
+      real(wp) :: rows(0:size(z, 1) + 1, 0:2)
+      integer :: i, j, n_tops, n_saddles, higher, highest
+
+      allocate (hill(size(z, 1), size(z, 2)))
+      n_tops = 0
+      n_saddles = 0
+      call start_rows(z, rows)
+      do j = 1, size(z, 2)
+         call next_row(z, j, rows)
+         do i = 1, size(z, 1)
+            hill(i, j) = 0
+            if (rows(i, 1) <= nothing) cycle
+            higher = higher_neighbours(rows, i)
+            if (higher == 0) then
+               n_tops = n_tops + 1
+               hill(i, j) = n_tops
+            else
+               highest = highest_neighbour(rows, i)
+               hill(i, j) = -(i + turn_x(highest) + (j + turn_y(highest) - 1)*size(z, 1))
+               if (table%groups(higher) > 1) n_saddles = n_saddles + 1
+            end if
+         end do
+      end do
+      allocate (tops(n_tops), saddles(n_saddles))
+      call follow(hill, size(hill), tops)
+   end subroutine climb
+
+   !> Follow each ascent to its top, and mark all points on it with the number there.
+   pure subroutine follow(hill, points, tops)
+      integer, intent(in) :: points
+      integer, intent(inout) :: hill(points)
+      integer, intent(inout) :: tops(:)
+      integer :: n, place, number, next
+
+      do n = 1, points
+         if (hill(n) == 0) cycle
+         place = n
+         do while (hill(place) < 0)
+            place = -hill(place)
+         end do
+         number = hill(place)
+         tops(number) = place
+         place = n
+         do while (hill(place) < 0)
+            next = -hill(place)
+            hill(place) = number
+            place = next
+         end do
+      end do
+   end subroutine follow
+
+   !> Collect the saddles between different hills.
+   pure subroutine collect_saddles(z, table, hill, saddles, n)
+      real(wp), intent(in), contiguous :: z(:, :)
+      type(group_table), intent(in) :: table
+      integer, intent(in), contiguous :: hill(:, :)
+      type(saddle_type), intent(inout) :: saddles(:)
+      !> Their number
+      integer, intent(out) :: n
+      real(wp) :: rows(0:size(z, 1) + 1, 0:2)
+      integer :: i, j, k, higher, first
+
+      n = 0
+      call start_rows(z, rows)
+      do j = 1, size(z, 2)
+         call next_row(z, j, rows)
+         do i = 1, size(z, 1)
+            if (rows(i, 1) <= nothing) cycle
+            higher = higher_neighbours(rows, i)
+            if (table%groups(higher) < 2) cycle
+            first = hill_beside(1)
+            do k = 2, table%groups(higher)
+               if (hill_beside(k) == first) cycle
+               n = n + 1
+               saddles(n) = saddle_type(z(i, j), i + (j - 1)*size(z, 1), higher)
+               exit
+            end do
+         end do
+      end do
+
+   contains
+
+      pure integer function hill_beside(group)
+         integer, intent(in) :: group
+
+         associate (turn => table%one_of(group, higher))
+            hill_beside = hill(i + turn_x(turn), j + turn_y(turn))
+         end associate
+      end function hill_beside
+
+   end subroutine collect_saddles
+
+   !> Join hills from the highest saddle down. A hill points to the one it was joined to, the
+   !> highest of an island to itself.
+   pure subroutine join_hills(z, least_relief, table, hill, saddles, tops, stays)
+      real(wp), intent(in), contiguous :: z(:, :)
+      real(wp), intent(in) :: least_relief
+      type(group_table), intent(in) :: table
+      integer, intent(in), contiguous :: hill(:, :)
+      type(saddle_type), intent(in) :: saddles(:)
+      integer, intent(in) :: tops(:)
+      logical, allocatable, intent(out) :: stays(:)
+      real(wp), allocatable :: heights(:)
+      integer, allocatable :: joined_to(:)
+      integer :: n, k, i, j, a, b, lower
+
+      allocate (stays(size(tops)), joined_to(size(tops)), heights(size(tops)))
+      stays = .true.
+      do n = 1, size(tops)
+         joined_to(n) = n
+         heights(n) = z(column(tops(n)), row(tops(n)))
+      end do
+      do n = 1, size(saddles)
+         do k = 1, table%groups(saddles(n)%higher)
+            associate (turn => table%one_of(k, saddles(n)%higher))
+               i = column(saddles(n)%place) + turn_x(turn)
+               j = row(saddles(n)%place) + turn_y(turn)
+            end associate
+            call find_highest(joined_to, hill(i, j), b)
+            if (k == 1) a = b
+            if (a == b) cycle
+            lower = b
+            if (heights(a) < heights(b) .or. (.not. heights(a) > heights(b) .and. a < b)) lower = a
+            a = a + b - lower
+            joined_to(lower) = a
+            stays(lower) = heights(lower) - saddles(n)%height >= least_relief
+         end do
+      end do
+
+   contains
+
+      pure integer function column(place)
+         integer, intent(in) :: place
+
+         column = modulo(place - 1, size(z, 1)) + 1
+      end function column
+
+      pure integer function row(place)
+         integer, intent(in) :: place
+
+         row = (place - 1)/size(z, 1) + 1
+      end function row
+
+   end subroutine join_hills
+
+   !> The highest hill of an island, halving the way there for the next time.
+   pure subroutine find_highest(joined_to, start, highest)
+      integer, intent(inout) :: joined_to(:)
+      integer, intent(in) :: start
+      integer, intent(out) :: highest
+
+      highest = start
+      do while (joined_to(highest) /= highest)
+         joined_to(highest) = joined_to(joined_to(highest))
+         highest = joined_to(highest)
+      end do
+   end subroutine find_highest
+
+   !> Before the first row: `nothing`, and the first row as the next.
+   pure subroutine start_rows(z, rows)
+      real(wp), intent(in), contiguous :: z(:, :)
+      real(wp), intent(out) :: rows(0:, 0:)
+
+      rows = nothing
+      rows(1:size(z, 1), 2) = merge(z(:, 1), nothing, z(:, 1) < missing_height)
+   end subroutine start_rows
+
+   !> Move on to a row: the one before it, itself and the one after, with `nothing` around the map
+   !> and where points are missing.
+   pure subroutine next_row(z, j, rows)
+      real(wp), intent(in), contiguous :: z(:, :)
+      integer, intent(in) :: j
+      real(wp), intent(inout) :: rows(0:, 0:)
+      integer :: i
+
+      do i = 0, size(z, 1) + 1
+         rows(i, 0) = rows(i, 1)
+         rows(i, 1) = rows(i, 2)
+         rows(i, 2) = nothing
+      end do
+      if (j == size(z, 2)) return
+      do i = 1, size(z, 1)
+         if (z(i, j + 1) < missing_height) rows(i, 2) = z(i, j + 1)
+      end do
+   end subroutine next_row
+
+   !> Which neighbours are higher, a bit each in turn.
+   pure integer function higher_neighbours(rows, i)
+      real(wp), intent(in), contiguous :: rows(0:, 0:)
+      integer, intent(in) :: i
+
+      associate (z => rows(i, 1))
+         higher_neighbours = merge(1, 0, rows(i + 1, 1) >= z) + merge(2, 0, rows(i + 1, 2) >= z) &
+            + merge(4, 0, rows(i, 2) >= z) + merge(8, 0, rows(i - 1, 2) >= z) &
+            + merge(16, 0, rows(i - 1, 1) > z) + merge(32, 0, rows(i - 1, 0) > z) &
+            + merge(64, 0, rows(i, 0) > z) + merge(128, 0, rows(i + 1, 0) > z)
+      end associate
+   end function higher_neighbours
+
+   !> The highest neighbour's turn, the last in storage of equal ones, of a point that is no top.
+   pure integer function highest_neighbour(rows, i)
+      real(wp), intent(in), contiguous :: rows(0:, 0:)
+      integer, intent(in) :: i
+      !> In the order of storage
+      integer, parameter :: order(8) = [5, 6, 7, 4, 0, 3, 2, 1]
+      real(wp) :: highest
+      integer :: n
+
+      highest = nothing
+      highest_neighbour = 0
+      do n = 1, size(order)
+         associate (height => rows(i + turn_x(order(n)), 1 + turn_y(order(n))))
+            if (height >= highest) then
+               highest = height
+               highest_neighbour = order(n)
+            end if
+         end associate
+      end do
+   end function highest_neighbour
+
+   !> Groups of each set of higher neighbours. Those next in turn touch, and so do two beside the
+   !> point with a corner between them, whether that is higher or not.
+   pure subroutine fill_table(table)
+      type(group_table), intent(out) :: table
+      integer :: set, turn, group(0:7), step, pass
+
+      do set = 0, 255
+         group = [(merge(turn, -1, btest(set, turn)), turn=0, 7)]
+         ! Each takes the smallest number of those it touches, until none changes
+         do pass = 1, 8
+            do turn = 0, 7
+               do step = 1, merge(2, 1, modulo(turn, 2) == 0)
+                  associate (a => group(turn), b => group(modulo(turn + step, 8)))
+                     if (a < 0 .or. b < 0) cycle
+                     a = min(a, b)
+                     b = a
+                  end associate
+               end do
+            end do
+         end do
+         do turn = 0, 7
+            if (group(turn) /= turn) cycle
+            table%groups(set) = table%groups(set) + 1
+            table%one_of(table%groups(set), set) = turn
+         end do
+      end do
+   end subroutine fill_table
+
+end module surface_hills

@@ -1,0 +1,191 @@
+!> Filling missing points: a membrane across each hole, held by the points around it.
+!>
+!> Every filled height is the mean of its neighbours' heights, up to rounding and the iteration's
+!> end, and a mean is above none of all its neighbours: no summits arise in holes, nor pits. At the
+!> border the neighbours there are count. Starting values come from the same problem on a map of
+!> half the points either way, and so on down to a map without holes.
+module surface_holes
+   use, intrinsic :: iso_fortran_env, only: int64
+   use asperity_error, only: error_type, fatal_error
+   use asperity_kinds, only: wp
+   use surface_height_map, only: height_map, missing_height
+   implicit none
+   private
+   public :: fill_missing, missing_share
+
+   !> Sweeps on the full map; each coarser one has twice those of the one before, at a quarter of
+   !> the points
+   integer, parameter :: fine_sweeps = 16, most_sweeps = 512
+   !> Sweeps to remove the last summits, which the first few do
+   integer, parameter :: most_repairs = 200
+
+contains
+
+   !> Missing points by all points of a map.
+   pure real(wp) function missing_share(map)
+      !> The map
+      type(height_map), intent(in) :: map
+
+      missing_share = real(count(map%heights >= missing_height, kind=int64), wp) &
+         /real(size(map%heights, kind=int64), wp)
+   end function missing_share
+
+   !> Fill all missing points.
+   pure subroutine fill_missing(map, error)
+      !> The map
+      type(height_map), intent(inout) :: map
+      !> Set when nothing was measured
+      type(error_type), allocatable, intent(out) :: error
+
+      if (all(map%heights >= missing_height)) then
+         call fatal_error(error, map%source//': every point is missing, so nothing tells how to '// &
+            'fill them')
+         return
+      end if
+      call fill(map%heights, fine_sweeps)
+   end subroutine fill_missing
+
+   !> Fill an array of heights, one of them measured at least.
+   pure recursive subroutine fill(z, sweeps)
+      real(wp), intent(inout), contiguous :: z(:, :)
+      !> Sweeps here
+      integer, intent(in) :: sweeps
+      real(wp), allocatable :: coarse(:, :)
+      integer, allocatable :: holes(:, :)
+      integer :: i, j, n
+
+      n = 0
+      do j = 1, size(z, 2)
+         do i = 1, size(z, 1)
+            if (z(i, j) >= missing_height) n = n + 1
+         end do
+      end do
+      if (n == 0) return
+      allocate (holes(2, n))
+      n = 0
+      do j = 1, size(z, 2)
+         do i = 1, size(z, 1)
+            if (z(i, j) < missing_height) cycle
+            n = n + 1
+            holes(:, n) = [i, j]
+         end do
+      end do
+      call coarsen(z, coarse)
+      call fill(coarse, min(2*sweeps, most_sweeps))
+      do n = 1, size(holes, 2)
+         z(holes(1, n), holes(2, n)) = interpolated(coarse, holes(1, n), holes(2, n))
+      end do
+      deallocate (coarse)
+      do i = 1, sweeps
+         call sweep(z, holes)
+      end do
+      call repair(z, holes)
+   end subroutine fill
+
+   !> A map of half the points either way: means of the measured of four each.
+   pure subroutine coarsen(z, coarse)
+      real(wp), intent(in), contiguous :: z(:, :)
+      real(wp), allocatable, intent(out) :: coarse(:, :)
+      real(wp) :: total
+      integer :: i, j, k, l, n
+
+      allocate (coarse((size(z, 1) + 1)/2, (size(z, 2) + 1)/2))
+      do j = 1, size(coarse, 2)
+         do i = 1, size(coarse, 1)
+            total = 0.0_wp
+            n = 0
+            do l = 2*j - 1, min(2*j, size(z, 2))
+               do k = 2*i - 1, min(2*i, size(z, 1))
+                  if (z(k, l) >= missing_height) cycle
+                  n = n + 1
+                  total = total + z(k, l)
+               end do
+            end do
+            coarse(i, j) = missing_height
+            if (n > 0) coarse(i, j) = total/real(n, wp)
+         end do
+      end do
+   end subroutine coarsen
+
+   !> Height of a coarse map at a point of the fine one: linear between the centres of its cells,
+   !> constant beyond the outermost.
+   pure real(wp) function interpolated(coarse, i, j)
+      real(wp), intent(in), contiguous :: coarse(:, :)
+      integer, intent(in) :: i, j
+      integer :: k, l, k2, l2
+
+      k = (i + 1)/2
+      l = (j + 1)/2
+      k2 = min(max(k + 2*modulo(i + 1, 2) - 1, 1), size(coarse, 1))
+      l2 = min(max(l + 2*modulo(j + 1, 2) - 1, 1), size(coarse, 2))
+      interpolated = 0.0625_wp*(9.0_wp*coarse(k, l) + 3.0_wp*(coarse(k2, l) + coarse(k, l2)) &
+         + coarse(k2, l2))
+   end function interpolated
+
+   !> Set each hole in turn to the mean of its neighbours.
+   pure subroutine sweep(z, holes)
+      real(wp), intent(inout), contiguous :: z(:, :)
+      integer, intent(in), contiguous :: holes(:, :)
+      integer :: n
+
+      do n = 1, size(holes, 2)
+         z(holes(1, n), holes(2, n)) = mean_around(z, holes(1, n), holes(2, n))
+      end do
+   end subroutine sweep
+
+   !> Mean of the four neighbours, or of those inside the map.
+   pure real(wp) function mean_around(z, i, j)
+      real(wp), intent(in), contiguous :: z(:, :)
+      integer, intent(in) :: i, j
+      integer, parameter :: step_x(4) = [-1, 1, 0, 0], step_y(4) = [0, 0, -1, 1]
+      integer :: k, n
+
+      if (i > 1 .and. i < size(z, 1) .and. j > 1 .and. j < size(z, 2)) then
+         mean_around = 0.25_wp*(z(i - 1, j) + z(i + 1, j) + z(i, j - 1) + z(i, j + 1))
+         return
+      end if
+      mean_around = 0.0_wp
+      n = 0
+      do k = 1, size(step_x)
+         if (min(i + step_x(k), j + step_y(k)) < 1) cycle
+         if (i + step_x(k) > size(z, 1) .or. j + step_y(k) > size(z, 2)) cycle
+         mean_around = mean_around + z(i + step_x(k), j + step_y(k))
+         n = n + 1
+      end do
+      mean_around = mean_around/real(n, wp)
+   end function mean_around
+
+   !> Sweep over the holes that are still above all their neighbours until there are none.
+   pure subroutine repair(z, holes)
+      real(wp), intent(inout), contiguous :: z(:, :)
+      integer, intent(in), contiguous :: holes(:, :)
+      integer :: n, round, repaired
+
+      do round = 1, most_repairs
+         repaired = 0
+         do n = 1, size(holes, 2)
+            associate (i => holes(1, n), j => holes(2, n))
+               if (.not. is_above_all(z, i, j)) cycle
+               z(i, j) = mean_around(z, i, j)
+               repaired = repaired + 1
+            end associate
+         end do
+         if (repaired == 0) return
+      end do
+   end subroutine repair
+
+   !> Whether a point is above all its neighbours.
+   pure logical function is_above_all(z, i, j)
+      real(wp), intent(in), contiguous :: z(:, :)
+      integer, intent(in) :: i, j
+      integer :: k, l
+
+      is_above_all = .true.
+      do l = max(j - 1, 1), min(j + 1, size(z, 2))
+         do k = max(i - 1, 1), min(i + 1, size(z, 1))
+            if (z(k, l) >= z(i, j) .and. (k /= i .or. l /= j)) is_above_all = .false.
+         end do
+      end do
+   end function is_above_all
+
+end module surface_holes

@@ -1,0 +1,243 @@
+!> Taking the mean plane or a polynomial form out of a map by least squares.
+module surface_level
+   use asperity_error, only: error_type, fatal_error
+   use asperity_kinds, only: wp
+   use asperity_text, only: to_text
+   use surface_height_map, only: height_map, missing_height
+   implicit none
+   private
+   public :: level_plane, remove_form
+
+   !> Highest total degree of a form
+   integer, parameter, public :: highest_degree = 8
+   !> Smallest reciprocal condition number of the normal equations, scaled to a diagonal of ones.
+   !> The first fit errs by up to epsilon over this, relatively, and the second takes out the rest
+   real(wp), parameter :: least_condition = 1.0e-10_wp
+
+   interface
+      !> LAPACK: Cholesky factor of a symmetric positive definite matrix.
+      pure subroutine dpotrf(uplo, n, a, lda, info)
+         import :: wp
+         character, intent(in) :: uplo
+         integer, intent(in) :: n, lda
+         real(wp), intent(inout) :: a(lda, n)
+         integer, intent(out) :: info
+      end subroutine dpotrf
+
+      !> LAPACK: estimate of its reciprocal condition number from that factor.
+      pure subroutine dpocon(uplo, n, a, lda, anorm, rcond, work, iwork, info)
+         import :: wp
+         character, intent(in) :: uplo
+         integer, intent(in) :: n, lda
+         real(wp), intent(in) :: a(lda, n), anorm
+         real(wp), intent(out) :: rcond, work(3*n)
+         integer, intent(out) :: iwork(n), info
+      end subroutine dpocon
+
+      !> LAPACK: solution with that factor.
+      pure subroutine dpotrs(uplo, n, nrhs, a, lda, b, ldb, info)
+         import :: wp
+         character, intent(in) :: uplo
+         integer, intent(in) :: n, nrhs, lda, ldb
+         real(wp), intent(in) :: a(lda, n)
+         real(wp), intent(inout) :: b(ldb, nrhs)
+         integer, intent(out) :: info
+      end subroutine dpotrs
+   end interface
+
+contains
+
+   !> Subtract the least-squares plane of the measured points; where they lie on one line, which
+   !> leaves the plane's tilt across it open, their mean.
+   pure subroutine level_plane(map)
+      !> The map
+      type(height_map), intent(inout) :: map
+      logical :: is_determined
+
+      call subtract_fit(map, 1, is_determined)
+      if (.not. is_determined) call subtract_fit(map, 0, is_determined)
+   end subroutine level_plane
+
+   !> Subtract the least-squares polynomial of the measured points.
+   pure subroutine remove_form(map, degree, error)
+      !> The map; unchanged after an error
+      type(height_map), intent(inout) :: map
+      !> Total degree in x and y, 1 to `highest_degree`
+      integer, intent(in) :: degree
+      !> Set when the degree is not allowed or the measured points do not determine the polynomial
+      type(error_type), allocatable, intent(out) :: error
+      logical :: is_determined
+
+      if (degree < 1 .or. degree > highest_degree) then
+         call fatal_error(error, 'a form of degree '//to_text(degree)//' is not allowed: from 1 '// &
+            'to '//to_text(highest_degree))
+         return
+      end if
+      call subtract_fit(map, degree, is_determined)
+      if (.not. is_determined) call fatal_error(error, map%source//': the measured points do '// &
+         'not determine a form of degree '//to_text(degree))
+   end subroutine remove_form
+
+   !> Subtract the least-squares sum of products P_a(x) P_b(y), a + b <= degree, of Legendre
+   !> polynomials with x and y from -1 to 1 over the map. On a full map of many points they are
+   !> almost orthogonal, so that the normal equations are almost diagonal and as good as any
+   !> other way; holes make them worse, which the condition number tells. Twice: the second time
+   !> takes out what rounding left, of a large offset above all.
+   pure subroutine subtract_fit(map, degree, is_determined)
+      type(height_map), intent(inout) :: map
+      integer, intent(in) :: degree
+      !> Whether the measured points determine the fit; the map is kept otherwise
+      logical, intent(out) :: is_determined
+      real(wp), allocatable :: px(:, :), py(:, :), normal(:, :), right(:, :), scales(:), work(:)
+      integer, allocatable :: a(:), b(:), iwork(:)
+      integer :: terms, i, j, pass, info
+      real(wp) :: condition
+
+      terms = (degree + 1)*(degree + 2)/2
+      allocate (a(terms), b(terms), iwork(terms), normal(terms, terms), right(terms, 1), &
+         scales(terms), work(3*terms), px(size(map%heights, 1), 0:degree), &
+         py(size(map%heights, 2), 0:degree))
+      a(:) = [((i, i=0, degree - j), j=0, degree)]
+      b(:) = [((j, i=0, degree - j), j=0, degree)]
+      call legendre(px)
+      call legendre(py)
+      do pass = 1, 2
+         call sum_products(map%heights, px, py, a, b, normal, right(:, 1), only_right=pass == 2)
+         if (pass == 1) then
+            scales(:) = [(normal(i, i), i=1, terms)]
+            is_determined = all(scales > 0.0_wp)
+            if (.not. is_determined) return
+            scales(:) = 1.0_wp/sqrt(scales)
+            do i = 1, terms
+               normal(:, i) = normal(:, i)*scales*scales(i)
+            end do
+            associate (norm => maxval(sum(abs(normal), 1)))
+               call dpotrf('L', terms, normal, terms, info)
+               is_determined = info == 0
+               if (is_determined) then
+                  call dpocon('L', terms, normal, terms, norm, condition, work, iwork, info)
+                  is_determined = condition >= least_condition
+               end if
+            end associate
+            if (.not. is_determined) return
+         end if
+         right(:, 1) = right(:, 1)*scales
+         call dpotrs('L', terms, 1, normal, terms, right, terms, info)
+         call subtract(map%heights, px, py, a, b, right(:, 1)*scales)
+      end do
+   end subroutine subtract_fit
+
+   !> Sums over the measured points of the products of two terms, lower half, and of a term and
+   !> the height.
+   pure subroutine sum_products(z, px, py, a, b, normal, right, only_right)
+      real(wp), intent(in), contiguous :: z(:, :)
+      !> Polynomials by point and degree from 0
+      real(wp), intent(in) :: px(:, 0:), py(:, 0:)
+      !> Degrees of the terms
+      integer, intent(in) :: a(:), b(:)
+      real(wp), intent(inout) :: normal(:, :), right(:)
+      !> Whether `normal` stays as it is
+      logical, intent(in) :: only_right
+      !> Sums over a row: of heights by polynomial, and of products of two, of a full one as well
+      real(wp) :: row_right(0:ubound(px, 2)), row_normal(0:ubound(px, 2), 0:ubound(px, 2)), &
+         full_normal(0:ubound(px, 2), 0:ubound(px, 2))
+      real(wp) :: height(size(z, 1)), weight(size(z, 1))
+      integer :: i, j, k, l
+      logical :: has_holes
+
+      if (.not. only_right) then
+         normal = 0.0_wp
+         weight = 1.0_wp
+         call sum_pairs(full_normal)
+      end if
+      right = 0.0_wp
+      do j = 1, size(z, 2)
+         has_holes = .false.
+         do i = 1, size(z, 1)
+            if (z(i, j) >= missing_height) has_holes = .true.
+         end do
+         height = z(:, j)
+         if (has_holes) where (height >= missing_height) height = 0.0_wp
+         do k = 0, ubound(px, 2)
+            row_right(k) = dot_product(height, px(:, k))
+         end do
+         do k = 1, size(right)
+            right(k) = right(k) + row_right(a(k))*py(j, b(k))
+         end do
+         if (only_right) cycle
+         row_normal = full_normal
+         if (has_holes) then
+            weight = merge(0.0_wp, 1.0_wp, z(:, j) >= missing_height)
+            call sum_pairs(row_normal)
+         end if
+         do l = 1, size(right)
+            do k = l, size(right)
+               normal(k, l) = normal(k, l) + row_normal(a(k), a(l))*py(j, b(k))*py(j, b(l))
+            end do
+         end do
+      end do
+      do l = 2, size(right)
+         normal(:l - 1, l) = normal(l, :l - 1)
+      end do
+
+   contains
+
+      !> Sums over a row of the products of two polynomials at the points with weight one.
+      pure subroutine sum_pairs(sums)
+         real(wp), intent(out) :: sums(0:, 0:)
+         real(wp) :: weighted(size(weight))
+         integer :: m, n
+
+         do n = 0, ubound(px, 2)
+            weighted = weight*px(:, n)
+            do m = 0, n
+               sums(m, n) = dot_product(weighted, px(:, m))
+               sums(n, m) = sums(m, n)
+            end do
+         end do
+      end subroutine sum_pairs
+
+   end subroutine sum_products
+
+   !> Subtract the sum of terms from the measured points.
+   pure subroutine subtract(z, px, py, a, b, factors)
+      real(wp), intent(inout), contiguous :: z(:, :)
+      real(wp), intent(in) :: px(:, 0:), py(:, 0:)
+      integer, intent(in) :: a(:), b(:)
+      !> Factor of each term
+      real(wp), intent(in) :: factors(:)
+      real(wp) :: form(size(z, 1)), row_factor
+      integer :: i, j, k, l
+
+      do j = 1, size(z, 2)
+         form = 0.0_wp
+         do k = 0, ubound(px, 2)
+            row_factor = 0.0_wp
+            do l = 1, size(factors)
+               if (a(l) == k) row_factor = row_factor + factors(l)*py(j, b(l))
+            end do
+            form = form + row_factor*px(:, k)
+         end do
+         do i = 1, size(z, 1)
+            if (z(i, j) < missing_height) z(i, j) = z(i, j) - form(i)
+         end do
+      end do
+   end subroutine subtract
+
+   !> Legendre polynomials at equidistant points from -1 to 1, by point and degree.
+   pure subroutine legendre(p)
+      real(wp), intent(out) :: p(:, 0:)
+      real(wp) :: x
+      integer :: i, n
+
+      do i = 1, size(p, 1)
+         x = real(2*i - size(p, 1) - 1, wp)/real(size(p, 1) - 1, wp)
+         p(i, 0) = 1.0_wp
+         if (ubound(p, 2) > 0) p(i, 1) = x
+         do n = 1, ubound(p, 2) - 1
+            p(i, n + 1) = (real(2*n + 1, wp)*x*p(i, n) - real(n, wp)*p(i, n - 1))/real(n + 1, wp)
+         end do
+      end do
+   end subroutine legendre
+
+end module surface_level
