@@ -30,6 +30,11 @@ program test_main
    use test_shear_box, only: suite_shear_box
    use test_single_asperity, only: suite_single_asperity
    use test_surface_fourier, only: suite_surface_fourier
+   use test_surface_level, only: suite_surface_level
+   use test_surface_holes, only: suite_surface_holes
+   use test_surface_gaussian_filter, only: suite_surface_gaussian_filter
+   use test_surface_summits, only: suite_surface_summits
+   use test_surface_sum_map, only: suite_surface_sum_map
    use test_tenon_forms, only: suite_tenon_forms
    use test_tenon_energy, only: suite_tenon_energy
    use test_tenon_joint, only: suite_tenon_joint
@@ -82,6 +87,11 @@ program test_main
    call all_suites%addTest(suite_tenon_joint())
    call all_suites%addTest(suite_tenon_solver())
    call all_suites%addTest(suite_surface_fourier())
+   call all_suites%addTest(suite_surface_level())
+   call all_suites%addTest(suite_surface_holes())
+   call all_suites%addTest(suite_surface_gaussian_filter())
+   call all_suites%addTest(suite_surface_summits())
+   call all_suites%addTest(suite_surface_sum_map())
    runner = TestRunner()
    outcome = runner%run(all_suites, SerialContext())
    failed = outcome%failureCount() + outcome%errorCount()

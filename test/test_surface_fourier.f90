@@ -39,8 +39,8 @@ contains
       stream = random_stream(31415_int64)
       do case = 1, size(sizes_x)
          associate (nx => sizes_x(case), ny => sizes_y(case))
-            if (allocated(map)) deallocate (map, spectrum)
-            allocate (map(nx, ny), spectrum(nx/2 + 1, ny))
+            if (allocated(map)) deallocate (map, kept, spectrum)
+            allocate (map(nx, ny), kept(nx, ny), spectrum(nx/2 + 1, ny))
             do j = 1, ny
                do i = 1, nx
                   map(i, j) = stream%uniform(-1.0_wp, 1.0_wp)

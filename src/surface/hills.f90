@@ -105,17 +105,19 @@ contains
    pure subroutine follow(hill, points, tops)
       integer, intent(in) :: points
       integer, intent(inout) :: hill(points)
-      integer, intent(inout) :: tops(:)
+      integer, intent(out) :: tops(:)
       integer :: n, place, number, next
 
       do n = 1, points
-         if (hill(n) == 0) cycle
+         if (hill(n) > 0) tops(hill(n)) = n
+      end do
+      do n = 1, points
+         if (hill(n) >= 0) cycle
          place = n
          do while (hill(place) < 0)
             place = -hill(place)
          end do
          number = hill(place)
-         tops(number) = place
          place = n
          do while (hill(place) < 0)
             next = -hill(place)

@@ -1,8 +1,8 @@
 !> Filling missing points: a membrane across each hole, held by the points around it.
 !>
 !> Every filled height is the mean of its neighbours' heights, up to rounding and the iteration's
-!> end, and a mean is above none of all its neighbours: no summits arise in holes, nor pits. At the
-!> border the neighbours there are count. Starting values come from the same problem on a map of
+!> end, and a mean is neither above nor below all of them: no summits arise in holes, nor pits. At
+!> the border the neighbours there are count. Starting values come from the same problem on a map of
 !> half the points either way, and so on down to a map without holes.
 module surface_holes
    use, intrinsic :: iso_fortran_env, only: int64
@@ -16,7 +16,7 @@ module surface_holes
    !> Sweeps on the full map; each coarser one has twice those of the one before, at a quarter of
    !> the points
    integer, parameter :: fine_sweeps = 16, most_sweeps = 512
-   !> Sweeps to remove the last summits, which the first few do
+   !> Sweeps to remove the last summits and pits, which the first few do
    integer, parameter :: most_repairs = 200
 
 contains
@@ -155,7 +155,7 @@ contains
       mean_around = mean_around/real(n, wp)
    end function mean_around
 
-   !> Sweep over the holes that are still above all their neighbours until there are none.
+   !> Sweep over the holes that are still above or below all their neighbours until there are none.
    pure subroutine repair(z, holes)
       real(wp), intent(inout), contiguous :: z(:, :)
       integer, intent(in), contiguous :: holes(:, :)
@@ -165,7 +165,7 @@ contains
          repaired = 0
          do n = 1, size(holes, 2)
             associate (i => holes(1, n), j => holes(2, n))
-               if (.not. is_above_all(z, i, j)) cycle
+               if (.not. is_extreme(z, i, j)) cycle
                z(i, j) = mean_around(z, i, j)
                repaired = repaired + 1
             end associate
@@ -174,18 +174,23 @@ contains
       end do
    end subroutine repair
 
-   !> Whether a point is above all its neighbours.
-   pure logical function is_above_all(z, i, j)
+   !> Whether a point is above or below all its neighbours.
+   pure logical function is_extreme(z, i, j)
       real(wp), intent(in), contiguous :: z(:, :)
       integer, intent(in) :: i, j
+      logical :: is_above, is_below
       integer :: k, l
 
-      is_above_all = .true.
+      is_above = .true.
+      is_below = .true.
       do l = max(j - 1, 1), min(j + 1, size(z, 2))
          do k = max(i - 1, 1), min(i + 1, size(z, 1))
-            if (z(k, l) >= z(i, j) .and. (k /= i .or. l /= j)) is_above_all = .false.
+            if (k == i .and. l == j) cycle
+            is_above = is_above .and. z(k, l) < z(i, j)
+            is_below = is_below .and. z(k, l) > z(i, j)
          end do
       end do
-   end function is_above_all
+      is_extreme = is_above .or. is_below
+   end function is_extreme
 
 end module surface_holes

@@ -1,0 +1,204 @@
+!> Levelling and removal of form: what is added comes out again, what is left is orthogonal to it.
+module test_surface_level
+   use, intrinsic :: iso_fortran_env, only: int64
+   use asperity_error, only: error_type
+   use asperity_kinds, only: wp
+   use asperity_text, only: to_text
+   use funit, only: assertEqual, assertFalse, assertGreaterThan, assertLessThan, assertTrue, &
+      TestMethod, TestSuite
+   use map_cases, only: flat_map, kept_map, punch_holes, random_map
+   use measurements, only: record
+   use random_inputs, only: random_stream
+   use surface_height_map, only: height_map, missing_height
+   use surface_level, only: highest_degree, level_plane, remove_form
+   implicit none
+   private
+   public :: suite_surface_level
+
+   integer(int64), parameter :: seed = 20250601_int64
+
+contains
+
+   function suite_surface_level() result(suite)
+      type(TestSuite) :: suite
+
+      suite = TestSuite('surface_level')
+      call suite%addTest(TestMethod('a plane with an offset comes out again', test_plane))
+      call suite%addTest(TestMethod('what is left is orthogonal to the plane', test_orthogonal))
+      call suite%addTest(TestMethod('points on one line lose their mean', test_line))
+      call suite%addTest(TestMethod('forms of every degree come out again', test_forms))
+      call suite%addTest(TestMethod('a form of lower degree leaves the rest', test_lower))
+      call suite%addTest(TestMethod('refused degrees and maps', test_refused))
+   end function suite_surface_level
+
+   !> An offset of 1e3 rounds heights to 1e-13; twice as much or so may be left after the fit.
+   subroutine test_plane()
+      type(random_stream) :: stream
+      type(height_map) :: map, bare
+      integer :: i, j
+
+      stream = random_stream(seed)
+      call random_map(bare, stream, 37, 23, 0.1_wp, 0.25_wp)
+      call punch_holes(bare, stream, 0.2_wp)
+      map = bare
+      do j = 1, 23
+         do i = 1, 37
+            if (map%heights(i, j) < missing_height) map%heights(i, j) = map%heights(i, j) &
+               + 1000.0_wp + 0.3_wp*i - 0.7_wp*j
+         end do
+      end do
+      call level_plane(map)
+      call level_plane(bare)
+      call assertLessThan(maxval(abs(map%heights - bare%heights)), 5.0e-13_wp)
+      call assertTrue(all(map%heights >= missing_height .eqv. bare%heights >= missing_height), &
+         message='missing points stay')
+   end subroutine test_plane
+
+   subroutine test_orthogonal()
+      type(random_stream) :: stream
+      type(height_map) :: map
+      real(wp) :: sums(3)
+      integer :: i, j
+
+      stream = random_stream(seed + 1)
+      call random_map(map, stream, 41, 17, 1.0_wp, 1.0_wp)
+      call punch_holes(map, stream, 0.5_wp)
+      call level_plane(map)
+      sums = 0.0_wp
+      do j = 1, 17
+         do i = 1, 41
+            if (map%heights(i, j) < missing_height) &
+               sums = sums + map%heights(i, j)*[1.0_wp, real(i, wp)/41.0_wp, real(j, wp)/17.0_wp]
+         end do
+      end do
+      ! some 350 heights of magnitude one, each rounded to 1e-16
+      call assertLessThan(maxval(abs(sums)), 1.0e-12_wp)
+   end subroutine test_orthogonal
+
+   subroutine test_line()
+      type(height_map) :: map
+      integer :: i
+
+      call flat_map(map, 9, 7, 1.0_wp, 1.0_wp)
+      map%heights = missing_height
+      map%heights(:, 4) = [(real(i, wp), i=1, 9)]
+      call level_plane(map)
+      call assertLessThan(maxval(abs(map%heights(:, 4) - [(real(i - 5, wp), i=1, 9)])), 1.0e-14_wp)
+      call assertEqual(54, count(map%heights >= missing_height))
+   end subroutine test_line
+
+   !> Polynomials of magnitude up to some hundred: what is left is their rounding, 1e-13, times
+   !> what extrapolation into the corners that the holes cut off costs.
+   subroutine test_forms()
+      type(random_stream) :: stream
+      type(height_map) :: map, bare
+      type(error_type), allocatable :: error
+      real(wp) :: worst
+      integer :: degree
+
+      stream = random_stream(seed + 2)
+      worst = 0.0_wp
+      do degree = 1, highest_degree
+         call random_map(bare, stream, 31, 40, 0.01_wp, 0.02_wp)
+         call punch_holes(bare, stream, 0.15_wp)
+         bare%heights(:9, :12) = missing_height
+         map = bare
+         call add_polynomial(map, stream, degree)
+         call remove_form(map, degree, error)
+         call assertFalse(allocated(error))
+         call remove_form(bare, degree, error)
+         call assertFalse(allocated(error))
+         worst = max(worst, maxval(abs(map%heights - bare%heights)))
+         call assertTrue(all(map%heights >= missing_height .eqv. bare%heights >= missing_height))
+      end do
+      call record('a form of any degree is left by, of 100', worst)
+      call assertLessThan(worst, 1.0e-11_wp)
+   end subroutine test_forms
+
+   !> Add a random polynomial, its terms up to 10 each.
+   subroutine add_polynomial(map, stream, degree)
+      type(height_map), intent(inout) :: map
+      type(random_stream), intent(inout) :: stream
+      integer, intent(in) :: degree
+      real(wp) :: factor
+      integer :: a, b, i, j
+
+      do b = 0, degree
+         do a = 0, degree - b
+            factor = stream%uniform(-10.0_wp, 10.0_wp)
+            do j = 1, size(map%heights, 2)
+               do i = 1, size(map%heights, 1)
+                  if (map%heights(i, j) >= missing_height) cycle
+                  map%heights(i, j) = map%heights(i, j) + factor &
+                     *(2.0_wp*i/size(map%heights, 1) - 1.0_wp)**a &
+                     *(2.0_wp*j/size(map%heights, 2) - 1.0_wp)**b
+               end do
+            end do
+         end do
+      end do
+   end subroutine add_polynomial
+
+   !> x^3 less its fit of degree 2 is x^3 - c x with c = sum x^4/sum x^2, x about the middle.
+   subroutine test_lower()
+      type(height_map) :: map
+      type(error_type), allocatable :: error
+      real(wp) :: x(11), expected(11)
+      integer :: i, j
+
+      call flat_map(map, 11, 6, 1.0_wp, 1.0_wp)
+      x = [(real(i - 6, wp), i=1, 11)]
+      do j = 1, 6
+         map%heights(:, j) = x**3
+      end do
+      expected = x**3 - x*sum(x**4)/sum(x**2)
+      call remove_form(map, 2, error)
+      call assertFalse(allocated(error))
+      do j = 1, 6
+         call assertLessThan(maxval(abs(map%heights(:, j) - expected)), 1.0e-11_wp)
+      end do
+      call assertGreaterThan(maxval(abs(map%heights)), 10.0_wp)
+   end subroutine test_lower
+
+   subroutine test_refused()
+      type(random_stream) :: stream
+      type(height_map) :: map
+      type(error_type), allocatable :: error
+      real(wp), allocatable :: kept(:, :)
+
+      stream = random_stream(seed + 3)
+      call random_map(map, stream, 12, 8, 1.0_wp, 1.0_wp)
+      allocate (kept, source=map%heights)
+      call remove_form(map, 0, error)
+      call check('a form of degree 0 is not allowed: from 1 to 8')
+      call remove_form(map, highest_degree + 1, error)
+      call check('a form of degree 9 is not allowed: from 1 to 8')
+      ! eight rows are one too few for the ninth power
+      call remove_form(map, 8, error)
+      call check('test map: the measured points do not determine a form of degree 8')
+      map%heights(4:, :) = missing_height
+      kept = map%heights
+      call remove_form(map, 3, error)
+      call check('test map: the measured points do not determine a form of degree 3')
+      call remove_form(map, 2, error)
+      call assertFalse(allocated(error), message='three columns determine degree 2')
+      map%heights = missing_height
+      kept = map%heights
+      call remove_form(map, 1, error)
+      call check('test map: the measured points do not determine a form of degree 1')
+      call level_plane(map)
+      call assertTrue(kept_map(map, kept), message='nothing to level')
+
+   contains
+
+      subroutine check(expected)
+         character(len=*), intent(in) :: expected
+
+         call assertTrue(allocated(error), message=expected)
+         if (allocated(error)) call assertEqual(expected, error%message)
+         call assertTrue(kept_map(map, kept), message='changed: '//expected// &
+            to_text(size(map%heights)))
+      end subroutine check
+
+   end subroutine test_refused
+
+end module test_surface_level
