@@ -138,7 +138,8 @@ contains
       do l = 1, size(z, 2)
          do k = 1, size(z, 1)
             w = weight(k - i, cutoff_x)*weight(l - j, cutoff_y)
-            terms = [1.0_wp, (k - i)/cutoff_x, (l - j)/cutoff_y, (k - i)*(l - j)/(cutoff_x*cutoff_y)]
+            terms(:3) = [1.0_wp, (k - i)/cutoff_x, (l - j)/cutoff_y]
+            terms(4) = terms(2)*terms(3)
             do n = 1, 4
                system(:, n) = system(:, n) + w*terms(n)*terms
             end do

@@ -253,6 +253,8 @@ contains
                saddles(i)%height = real(i, wp)
             case (4)
                saddles(i)%height = real(min(i, n - i), wp)
+            case default
+               saddles(i)%height = 0.0_wp
             end select
          end do
          if (kind == 5) call make_median_fail(saddles)

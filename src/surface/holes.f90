@@ -1,21 +1,21 @@
 !> Filling missing points: a membrane across each hole, held by the points around it.
 !>
 !> Every filled height is the mean of its neighbours' heights, up to rounding and the iteration's
-!> end, and a mean is neither above nor below all of them: no summits arise in holes, nor pits. At
-!> the border the neighbours there are count. Starting values come from the same problem on a map of
-!> half the points either way, and so on down to a map without holes.
+!> end, and a mean is neither above nor below all of them: no summits arise in holes, nor pits.
+!> Starting values come from the same problem on a map of half the points either way, and so on
+!> down to a map without holes.
 module surface_holes
-   use, intrinsic :: iso_fortran_env, only: int64
+   use, intrinsic :: iso_fortran_env, only: int64, int8
    use asperity_error, only: error_type, fatal_error
    use asperity_kinds, only: wp
    use surface_height_map, only: height_map, missing_height
+   use surface_membrane, only: mean_around, relax
    implicit none
    private
    public :: fill_missing, missing_share
 
-   !> Sweeps on the full map; each coarser one has twice those of the one before, at a quarter of
-   !> the points
-   integer, parameter :: fine_sweeps = 16, most_sweeps = 512
+   !> Rounds over all grids, each of which leaves less than half of the error before it
+   integer, parameter :: coarse_rounds = 1, fine_rounds = 6
    !> Sweeps to remove the last summits and pits, which the first few do
    integer, parameter :: most_repairs = 200
 
@@ -38,19 +38,20 @@ contains
       type(error_type), allocatable, intent(out) :: error
 
       if (all(map%heights >= missing_height)) then
-         call fatal_error(error, map%source//': every point is missing, so nothing tells how to '// &
-            'fill them')
+         call fatal_error(error, map%source//': every point is missing, so nothing tells how '// &
+            'to fill them')
          return
       end if
-      call fill(map%heights, fine_sweeps)
+      call fill(map%heights, fine_rounds)
    end subroutine fill_missing
 
    !> Fill an array of heights, one of them measured at least.
-   pure recursive subroutine fill(z, sweeps)
+   pure recursive subroutine fill(z, rounds)
       real(wp), intent(inout), contiguous :: z(:, :)
-      !> Sweeps here
-      integer, intent(in) :: sweeps
-      real(wp), allocatable :: coarse(:, :)
+      !> Rounds over this grid and all coarser ones
+      integer, intent(in) :: rounds
+      real(wp), allocatable :: coarse(:, :), load(:)
+      integer(int8), allocatable :: is_hole(:, :)
       integer, allocatable :: holes(:, :)
       integer :: i, j, n
 
@@ -71,13 +72,19 @@ contains
          end do
       end do
       call coarsen(z, coarse)
-      call fill(coarse, min(2*sweeps, most_sweeps))
+      call fill(coarse, coarse_rounds)
       do n = 1, size(holes, 2)
          z(holes(1, n), holes(2, n)) = interpolated(coarse, holes(1, n), holes(2, n))
       end do
       deallocate (coarse)
-      do i = 1, sweeps
-         call sweep(z, holes)
+      allocate (load(size(holes, 2)), is_hole(size(z, 1), size(z, 2)))
+      load = 0.0_wp
+      is_hole = 0_int8
+      do n = 1, size(holes, 2)
+         is_hole(holes(1, n), holes(2, n)) = 1_int8
+      end do
+      do i = 1, rounds
+         call relax(z, is_hole, holes, load)
       end do
       call repair(z, holes)
    end subroutine fill
@@ -121,39 +128,6 @@ contains
       interpolated = 0.0625_wp*(9.0_wp*coarse(k, l) + 3.0_wp*(coarse(k2, l) + coarse(k, l2)) &
          + coarse(k2, l2))
    end function interpolated
-
-   !> Set each hole in turn to the mean of its neighbours.
-   pure subroutine sweep(z, holes)
-      real(wp), intent(inout), contiguous :: z(:, :)
-      integer, intent(in), contiguous :: holes(:, :)
-      integer :: n
-
-      do n = 1, size(holes, 2)
-         z(holes(1, n), holes(2, n)) = mean_around(z, holes(1, n), holes(2, n))
-      end do
-   end subroutine sweep
-
-   !> Mean of the four neighbours, or of those inside the map.
-   pure real(wp) function mean_around(z, i, j)
-      real(wp), intent(in), contiguous :: z(:, :)
-      integer, intent(in) :: i, j
-      integer, parameter :: step_x(4) = [-1, 1, 0, 0], step_y(4) = [0, 0, -1, 1]
-      integer :: k, n
-
-      if (i > 1 .and. i < size(z, 1) .and. j > 1 .and. j < size(z, 2)) then
-         mean_around = 0.25_wp*(z(i - 1, j) + z(i + 1, j) + z(i, j - 1) + z(i, j + 1))
-         return
-      end if
-      mean_around = 0.0_wp
-      n = 0
-      do k = 1, size(step_x)
-         if (min(i + step_x(k), j + step_y(k)) < 1) cycle
-         if (i + step_x(k) > size(z, 1) .or. j + step_y(k) > size(z, 2)) cycle
-         mean_around = mean_around + z(i + step_x(k), j + step_y(k))
-         n = n + 1
-      end do
-      mean_around = mean_around/real(n, wp)
-   end function mean_around
 
    !> Sweep over the holes that are still above or below all their neighbours until there are none.
    pure subroutine repair(z, holes)

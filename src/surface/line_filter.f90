@@ -228,13 +228,12 @@ contains
       end do
    end subroutine filter_by_fourier
 
-   !> Free what the filter holds.
+   !> Free the plans, which would not go with the variable.
    subroutine delete_line_filter(filter)
       !> The filter
       type(line_filter), intent(inout) :: filter
 
       call delete_line_transform(filter%transform)
-      filter = line_filter()
    end subroutine delete_line_filter
 
 end module surface_line_filter
