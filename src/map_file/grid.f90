@@ -1,0 +1,118 @@
+!> Finds the regular grid that coordinates are on, in any order and with rounded figures.
+module map_file_grid
+   use asperity_kinds, only: wp
+   use asperity_text, only: to_text
+   implicit none
+   private
+   public :: find_grid
+
+   !> Coordinates closer than this share of the largest gap are one, as rounding leaves them
+   real(wp), parameter :: same = 1.0e-4_wp
+   !> Largest distance from a grid line, in steps
+   real(wp), parameter :: tolerance = 0.05_wp
+   !> Grid lines that may be without any point, for one that has some
+   integer, parameter :: most_empty = 2
+
+contains
+
+   !> Find the grid. `reason` is set when there is none.
+   pure subroutine find_grid(values, places, points, step, reason)
+      !> Coordinates, each once
+      real(wp), intent(in) :: values(:)
+      !> Number of the grid line of each, from one
+      integer, intent(out) :: places(:)
+      !> Number of grid lines, and their distance
+      integer, intent(out) :: points
+      real(wp), intent(out) :: step
+      !> Why there is none
+      character(len=:), allocatable, intent(out) :: reason
+      integer, allocatable :: order(:)
+      real(wp), allocatable :: lines(:)
+      integer :: i, n
+      real(wp) :: largest, smallest, place, count
+
+      points = 0
+      step = 0.0_wp
+      places = 0
+      allocate (order(size(values)))
+      call sort(values, order)
+      largest = 0.0_wp
+      do i = 2, size(order)
+         largest = max(largest, values(order(i)) - values(order(i - 1)))
+      end do
+      allocate (lines(size(values)))
+      n = 0
+      do i = 1, size(order)
+         if (n > 0) then
+            if (values(order(i)) - lines(max(n, 1)) <= same*largest) cycle
+         end if
+         n = n + 1
+         lines(n) = values(order(i))
+      end do
+      if (n < 2) then
+         reason = 'all are the same'
+         return
+      end if
+      smallest = minval(lines(2:n) - lines(:n - 1))
+      count = 0.0_wp
+      do i = 2, n
+         count = count + anint((lines(i) - lines(i - 1))/smallest)
+      end do
+      if (count + 1.0_wp > real(most_empty, wp)*n) then
+         reason = 'distances of neighbours from '//to_text(smallest, 5)//' to '// &
+            to_text(largest, 5)//' are on no grid'
+         return
+      end if
+      points = nint(count) + 1
+      step = (lines(n) - lines(1))/count
+      do i = 1, size(values)
+         place = (values(i) - lines(1))/step
+         places(i) = nint(place) + 1
+         if (abs(place - anint(place)) <= tolerance) cycle
+         reason = to_text(values(i), 9)//' is not on a grid with the step '//to_text(step, 9)
+         return
+      end do
+   end subroutine find_grid
+
+   !> Numbers of values in their order, by heap sort.
+   pure subroutine sort(values, order)
+      real(wp), intent(in) :: values(:)
+      integer, intent(out) :: order(:)
+      integer :: i, last, moved
+
+      do i = 1, size(values)
+         order(i) = i
+      end do
+      do i = size(values)/2, 1, -1
+         call sift(values, order, i, size(values))
+      end do
+      do last = size(values), 2, -1
+         moved = order(last)
+         order(last) = order(1)
+         order(1) = moved
+         call sift(values, order, 1, last - 1)
+      end do
+   end subroutine sort
+
+   pure subroutine sift(values, order, first, last)
+      real(wp), intent(in) :: values(:)
+      integer, intent(inout) :: order(:)
+      integer, intent(in) :: first, last
+      integer :: root, child, moved
+
+      root = first
+      moved = order(root)
+      do
+         child = 2*root
+         if (child > last) exit
+         if (child < last) then
+            if (values(order(child)) < values(order(child + 1))) child = child + 1
+         end if
+         if (.not. values(moved) < values(order(child))) exit
+         order(root) = order(child)
+         root = child
+      end do
+      order(root) = moved
+   end subroutine sift
+
+end module map_file_grid

@@ -1,0 +1,38 @@
+!> Memory for a map.
+module map_file_new_map
+   use, intrinsic :: iso_fortran_env, only: int64
+   use asperity_error, only: computation_error, error_type, fatal_error
+   use asperity_text, only: to_text
+   use map_file_byte_source, only: byte_source
+   use map_file_places, only: count_text
+   use surface_height_map, only: fewest_points, height_map
+   implicit none
+   private
+   public :: allocate_heights
+
+contains
+
+   !> Allocate the heights of a map of nx x ny points, whose product is a default integer.
+   pure subroutine allocate_heights(source, nx, ny, map, error)
+      !> The file
+      type(byte_source), intent(in) :: source
+      !> Points along x and y
+      integer(int64), intent(in) :: nx, ny
+      !> The map
+      type(height_map), intent(inout) :: map
+      !> Set when it is too narrow, or there is not enough memory
+      type(error_type), allocatable, intent(out) :: error
+      integer :: status
+
+      if (min(nx, ny) < fewest_points) then
+         call fatal_error(error, source%name//': '//count_text(nx)//' x '//count_text(ny)// &
+            ' points are no map: at least '//to_text(fewest_points)//' are needed either way')
+         return
+      end if
+      allocate (map%heights(nx, ny), stat=status)
+      if (status /= 0) call fatal_error(error, source%name//': there is not enough memory for '// &
+         count_text(nx)//' x '//count_text(ny)//' points, '//count_text(8_int64*nx*ny)// &
+         ' bytes: cut the map', computation_error)
+   end subroutine allocate_heights
+
+end module map_file_new_map

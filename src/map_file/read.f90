@@ -1,0 +1,159 @@
+!> Reads height maps. The format is recognised by what a file contains, not by its name.
+module map_file_read
+   use, intrinsic :: iso_c_binding, only: c_loc
+   use, intrinsic :: iso_fortran_env, only: int64
+   use asperity_error, only: error_type
+   use map_file_byte_source, only: byte_source, close_source, open_source, progress_report, &
+      read_at, start_lines, use_bytes
+   use map_file_matrix, only: read_matrix
+   use map_file_places, only: map_error
+   use map_file_sdf, only: read_binary_sdf, read_text_sdf
+   use map_file_sur, only: read_sur
+   use map_file_text_header, only: read_text_header, text_header
+   use map_file_units, only: map_hints
+   use map_file_x3p, only: read_x3p
+   use map_file_xyz, only: read_xyz
+   use surface_height_map, only: check_height_map, height_map
+   implicit none
+   private
+   public :: map_hints, progress_report, read_height_map, read_height_map_bytes
+
+   integer, parameter :: looked_at = 512
+   character(len=*), parameter :: known = 'heights are read from SDF, X3P and SUR files, and from '// &
+      'text with three columns x, y, z or with a matrix'
+
+contains
+
+   !> Read the height map of a file.
+   subroutine read_height_map(path, hints, map, error, progress)
+      !> Path of the file
+      character(len=*), intent(in) :: path
+      !> What the user says of a file that does not say it itself
+      type(map_hints), intent(in) :: hints
+      !> The map
+      type(height_map), intent(out) :: map
+      !> Set when there is no sound map in it; names file and place
+      type(error_type), allocatable, intent(out) :: error
+      !> Hears how far the reading is
+      procedure(progress_report), optional :: progress
+      type(byte_source), target :: source
+
+      call open_source(source, path, error, progress)
+      if (.not. allocated(error)) call read_source(source, hints, map, error)
+      call close_source(source)
+   end subroutine read_height_map
+
+   !> Read a height map from the bytes of a file in memory.
+   subroutine read_height_map_bytes(name, bytes, hints, map, error, block_length)
+      !> Name for messages
+      character(len=*), intent(in) :: name
+      !> The bytes
+      character(len=*), intent(in), target :: bytes
+      !> What the user says of a file that does not say it itself
+      type(map_hints), intent(in) :: hints
+      !> The map
+      type(height_map), intent(out) :: map
+      !> Set when there is no sound map in it; names place
+      type(error_type), allocatable, intent(out) :: error
+      !> Bytes handled at once, for tests
+      integer, intent(in), optional :: block_length
+      type(byte_source), target :: source
+
+      call use_bytes(source, name, bytes, block_length)
+      call read_source(source, hints, map, error)
+      call close_source(source)
+   end subroutine read_height_map_bytes
+
+   !> Recognise the format and read.
+   subroutine read_source(source, hints, map, error)
+      type(byte_source), intent(inout), target :: source
+      type(map_hints), intent(in) :: hints
+      type(height_map), intent(inout) :: map
+      type(error_type), allocatable, intent(out) :: error
+      character(len=looked_at), target :: head
+      integer :: n
+
+      map%source = source%name
+      map%format = ''
+      if (source%size == 0_int64) then
+         call map_error(error, source, 'is empty')
+         return
+      end if
+      head = ''
+      n = int(min(source%size, int(looked_at, int64)))
+      call read_at(source, 0_int64, c_loc(head), int(n, int64), error)
+      if (allocated(error)) return
+      if (head(:4) == 'PK'//achar(3)//achar(4) .or. head(:4) == 'PK'//achar(5)//achar(6)) then
+         map%format = 'X3P (ISO 25178-72)'
+         call read_x3p(source, hints, map, error)
+      else if (head(:12) == 'DIGITAL SURF' .or. head(:12) == 'DSCOMPRESSED') then
+         map%format = 'SUR (Digital Surf)'
+         call read_sur(source, head(:2) == 'DS', hints, map, error)
+      else if (head(2:5) == 'ISO-' .or. head(2:5) == 'BCR-') then
+         call read_sdf(source, head(:8), hints, map, error)
+      else
+         call read_text(source, head(:n), hints, map, error)
+      end if
+      if (.not. allocated(error)) call check_height_map(map, error)
+      if (allocated(error) .and. allocated(map%heights)) deallocate (map%heights)
+   end subroutine read_source
+
+   subroutine read_sdf(source, version, hints, map, error)
+      type(byte_source), intent(inout), target :: source
+      character(len=8), intent(in) :: version
+      type(map_hints), intent(in) :: hints
+      type(height_map), intent(inout) :: map
+      type(error_type), allocatable, intent(out) :: error
+      logical :: is_bcr
+
+      is_bcr = version(2:4) == 'BCR'
+      select case (version)
+      case ('aISO-1.0', 'aISO-2.0', 'aBCR-1.0', 'AISO-1.0', 'ABCR-1.0')
+         map%format = 'SDF text (ISO 25178-71)'
+         call read_text_sdf(source, is_bcr, hints, map, error)
+      case ('bISO-1.0', 'bISO-2.0', 'bBCR-1.0', 'BISO-1.0', 'BBCR-1.0')
+         map%format = 'SDF binary (ISO 25178-71)'
+         call read_binary_sdf(source, is_bcr, version(6:) == '2.0', hints, map, error)
+      case default
+         call map_error(error, source, 'begins as an SDF file of an unknown version: known are '// &
+            'aISO-1.0, bISO-1.0, aISO-2.0, bISO-2.0, aBCR-1.0 and bBCR-1.0')
+      end select
+   end subroutine read_sdf
+
+   subroutine read_text(source, head, hints, map, error)
+      type(byte_source), intent(inout), target :: source
+      character(len=*), intent(in) :: head
+      type(map_hints), intent(in) :: hints
+      type(height_map), intent(inout) :: map
+      type(error_type), allocatable, intent(out) :: error
+      type(text_header) :: header
+      integer(int64) :: mark
+      integer :: i
+
+      if (index(head, char(255)//char(254)) == 1 .or. index(head, char(254)//char(255)) == 1) then
+         call map_error(error, source, 'is text in UTF-16: save it as UTF-8 or ASCII')
+         return
+      end if
+      do i = 1, len(head)
+         select case (ichar(head(i:i)))
+         case (0:8, 14:31)
+            call map_error(error, source, 'is in no format that is known: '//known)
+            return
+         end select
+      end do
+      mark = 0_int64
+      if (index(head, char(239)//char(187)//char(191)) == 1) mark = 3_int64
+      call start_lines(source, mark, error)
+      if (allocated(error)) return
+      call read_text_header(source, header, error)
+      if (allocated(error)) return
+      if (header%fields == 3_int64 .and. all(header%sizes == 0_int64)) then
+         map%format = 'text of x, y, z'
+         call read_xyz(source, header, hints, map, error)
+      else
+         map%format = 'text of a matrix'
+         call read_matrix(source, header, hints, map, error)
+      end if
+   end subroutine read_text
+
+end module map_file_read

@@ -1,0 +1,76 @@
+!> Keys and values of headers.
+module map_file_words
+   use asperity_kinds, only: wp
+   use map_file_numbers, only: number_found, read_number
+   implicit none
+   private
+   public :: number_in, plain_key, split_at
+
+contains
+
+   !> The number at the beginning of a text, and what follows it.
+   pure subroutine number_in(text, value, is_number, rest)
+      !> The text
+      character(len=*), intent(in) :: text
+      !> The number
+      real(wp), intent(out) :: value
+      !> Whether there is one
+      logical, intent(out) :: is_number
+      !> What follows it, without blanks around
+      character(len=:), allocatable, intent(out) :: rest
+      character(len=1) :: letters(len(text))
+      integer :: at, i, status
+
+      do i = 1, len(text)
+         letters(i) = text(i:i)
+      end do
+      at = verify(text//'x', ' '//achar(9))
+      call read_number(letters, at, len(text), value, status)
+      is_number = status == number_found
+      rest = ''
+      if (is_number) rest = trim(adjustl(text(at:)))
+   end subroutine number_in
+
+   !> A key in lower case, without blanks, underscores and marks of comments.
+   pure subroutine plain_key(text, key)
+      !> As it stands in the file
+      character(len=*), intent(in) :: text
+      !> To compare
+      character(len=:), allocatable, intent(out) :: key
+      character(len=1) :: c
+      integer :: i
+
+      key = ''
+      do i = 1, len(text)
+         c = text(i:i)
+         if (scan(c, ' _#%"!'''//achar(9)) > 0) cycle
+         if (c >= 'A' .and. c <= 'Z') c = achar(iachar(c) + 32)
+         key = key//c
+      end do
+   end subroutine plain_key
+
+   !> Split a line into a key and a value at the first of some marks; the key is empty without one.
+   pure subroutine split_at(text, marks, key, value, place)
+      !> The line
+      character(len=*), intent(in) :: text
+      !> Characters that may stand between
+      character(len=*), intent(in) :: marks
+      !> The key, plain
+      character(len=:), allocatable, intent(out) :: key
+      !> The value, without blanks around
+      character(len=:), allocatable, intent(out) :: value
+      !> Where the value begins in the line
+      integer, intent(out) :: place
+      integer :: mark
+
+      mark = scan(text, marks)
+      key = ''
+      value = ''
+      place = 1
+      if (mark == 0) return
+      call plain_key(text(:mark - 1), key)
+      place = mark + verify(text(mark + 1:)//'x', ' '//achar(9))
+      if (place <= len(text)) value = trim(text(place:))
+   end subroutine split_at
+
+end module map_file_words

@@ -1,0 +1,187 @@
+!> Height maps as the bytes of a file: SDF with every bit, or text with 17 figures.
+module map_file_write
+   use, intrinsic :: iso_fortran_env, only: int16, int32, int64
+   use asperity_error, only: error_type, fatal_error
+   use asperity_kinds, only: wp
+   use asperity_text, only: to_text
+   use surface_height_map, only: check_height_map, height_map, missing_height
+   implicit none
+   private
+   public :: height_map_bytes
+
+   !> mm of a metre, and the scale that makes numbers of it mm
+   real(wp), parameter :: metre = 1.0e3_wp, millimetre = 1.0e-3_wp
+   character(len=*), parameter :: line_end = achar(10)
+   integer(int64), parameter :: number_width = 24_int64
+
+contains
+
+   !> The bytes of a file of a map.
+   subroutine height_map_bytes(map, ending, bytes, error)
+      !> The map
+      type(height_map), intent(in) :: map
+      !> `sdf`: binary, ISO 25178-71, m; `xyz`: lines x y z, mm; `csv`: a matrix with a header, mm
+      character(len=*), intent(in) :: ending
+      !> The file
+      character(len=:), allocatable, intent(out) :: bytes
+      !> Set when the map is not sound, or the ending is unknown
+      type(error_type), allocatable, intent(out) :: error
+
+      bytes = ''
+      call check_height_map(map, error)
+      if (allocated(error)) return
+      select case (ending)
+      case ('sdf')
+         call write_sdf(map, bytes)
+      case ('xyz')
+         call write_xyz(map, bytes)
+      case ('csv')
+         call write_csv(map, bytes)
+      case default
+         call fatal_error(error, 'height maps are not written as '//ending//': allowed are sdf, '// &
+            'xyz and csv')
+      end select
+   end subroutine height_map_bytes
+
+   subroutine write_sdf(map, bytes)
+      type(height_map), intent(in) :: map
+      character(len=:), allocatable, intent(inout) :: bytes
+      character(len=:), allocatable :: head
+      character(len=8) :: piece
+      integer(int64) :: at
+      integer :: i, j
+      logical :: is_small
+
+      associate (nx => size(map%heights, 1), ny => size(map%heights, 2))
+         is_small = max(nx, ny) < 65536
+         head = 'bISO-1.0asperity  '//repeat('0', 24)
+         if (is_small) then
+            head = head//short(nx)//short(ny)
+         else
+            head(6:6) = '2'
+            head = head//transfer(int(nx, int32), '1234')//transfer(int(ny, int32), '1234')
+         end if
+      end associate
+      ! neither compressed nor checked, doubles
+      head = head//double(scale_of(map%step_x))//double(scale_of(map%step_y))//double(millimetre)// &
+         double(-1.0_wp)//achar(0)//achar(7)//achar(0)
+      deallocate (bytes)
+      allocate (character(len=len(head) + 8_int64*size(map%heights, kind=int64)) :: bytes)
+      bytes(:len(head)) = head
+      at = len(head)
+      do j = 1, size(map%heights, 2)
+         do i = 1, size(map%heights, 1)
+            piece = double(map%heights(i, j))
+            if (map%heights(i, j) >= missing_height) piece = double(-huge(1.0_wp))
+            bytes(at + 1:at + 8) = piece
+            at = at + 8_int64
+         end do
+      end do
+   end subroutine write_sdf
+
+   pure function double(value) result(bytes)
+      real(wp), intent(in) :: value
+      character(len=8) :: bytes
+
+      bytes = transfer(value, bytes)
+   end function double
+
+   pure function short(value) result(bytes)
+      integer, intent(in) :: value
+      character(len=2) :: bytes
+
+      bytes = transfer(int(merge(value, value - 65536, value < 32768), int16), bytes)
+   end function short
+
+   !> The length in m that comes back as the step, or as close to it as can be.
+   pure real(wp) function scale_of(step)
+      real(wp), intent(in) :: step
+      real(wp) :: tried
+      integer :: i
+
+      scale_of = step/metre
+      do i = -1, 1
+         tried = step/metre + i*spacing(step/metre)
+         if (abs(tried*metre - step) < abs(scale_of*metre - step)) scale_of = tried
+      end do
+   end function scale_of
+
+   subroutine write_xyz(map, bytes)
+      type(height_map), intent(in) :: map
+      character(len=:), allocatable, intent(inout) :: bytes
+      character(len=40), allocatable :: x(:)
+      character(len=:), allocatable :: y
+      integer(int64) :: used
+      integer :: i, j
+
+      allocate (x(size(map%heights, 1)))
+      do i = 1, size(x)
+         x(i) = to_text((i - 1)*map%step_x)
+      end do
+      used = 0_int64
+      call add(bytes, used, '# x [mm] y [mm] z [mm]'//line_end)
+      do j = 1, size(map%heights, 2)
+         y = ' '//to_text((j - 1)*map%step_y)//' '
+         do i = 1, size(map%heights, 1)
+            call add(bytes, used, trim(x(i)))
+            call add(bytes, used, y)
+            call add_height(bytes, used, map%heights(i, j))
+            call add(bytes, used, line_end)
+         end do
+      end do
+      bytes = bytes(:used)
+   end subroutine write_xyz
+
+   subroutine write_csv(map, bytes)
+      type(height_map), intent(in) :: map
+      character(len=:), allocatable, intent(inout) :: bytes
+      integer(int64) :: used
+      integer :: i, j
+
+      used = 0_int64
+      call add(bytes, used, '# Heights, a line for each y, the first at y = 0'//line_end// &
+         '# step_x: '//to_text(map%step_x)//' mm'//line_end// &
+         '# step_y: '//to_text(map%step_y)//' mm'//line_end// &
+         '# height unit: mm'//line_end)
+      do j = 1, size(map%heights, 2)
+         do i = 1, size(map%heights, 1)
+            if (i > 1) call add(bytes, used, ',')
+            call add_height(bytes, used, map%heights(i, j))
+         end do
+         call add(bytes, used, line_end)
+      end do
+      bytes = bytes(:used)
+   end subroutine write_csv
+
+   !> Append a height with 17 figures.
+   subroutine add_height(bytes, used, height)
+      character(len=:), allocatable, intent(inout) :: bytes
+      integer(int64), intent(inout) :: used
+      real(wp), intent(in) :: height
+      character(len=number_width) :: text
+
+      if (height >= missing_height) then
+         call add(bytes, used, 'NaN')
+      else
+         write (text, '(es24.16e3)') height
+         call add(bytes, used, trim(adjustl(text)))
+      end if
+   end subroutine add_height
+
+   !> Append text, whose room doubles when it is used up.
+   subroutine add(bytes, used, text)
+      character(len=:), allocatable, intent(inout) :: bytes
+      integer(int64), intent(inout) :: used
+      character(len=*), intent(in) :: text
+      character(len=:), allocatable :: larger
+
+      if (used + len(text) > len(bytes, kind=int64)) then
+         allocate (character(len=max(4096_int64, 2_int64*(used + len(text)))) :: larger)
+         larger(:used) = bytes(:used)
+         call move_alloc(larger, bytes)
+      end if
+      bytes(used + 1:used + len(text)) = text
+      used = used + len(text)
+   end subroutine add
+
+end module map_file_write

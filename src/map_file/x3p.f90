@@ -1,0 +1,230 @@
+!> Reads X3P files (ISO 25178-72): a zip archive with main.xml, a member with the numbers, x
+!> fastest and their little end first, and maybe one with a bit for each that says whether it is
+!> valid, the lowest bit first. zip's own checksums are verified, those in main.xml are not needed.
+module map_file_x3p
+   use, intrinsic :: iso_c_binding, only: c_loc
+   use, intrinsic :: iso_fortran_env, only: int64, int8
+   use asperity_error, only: error_type
+   use asperity_kinds, only: wp
+   use map_file_byte_source, only: byte_source, memory_of, report_progress
+   use map_file_heights, only: byte_buffer, bytes_of, decode, height_message, scale_heights
+   use map_file_new_map, only: allocate_heights
+   use map_file_places, only: count_text, fits_memory, map_error
+   use map_file_units, only: map_hints
+   use map_file_x3p_header, only: check_x3p_header, read_x3p_header, x3p_header
+   use map_file_zip, only: close_member, close_zip, find_member, open_member, open_zip, &
+      read_member, zip_archive, zip_member
+   use surface_height_map, only: height_map, missing_height
+   implicit none
+   private
+   public :: read_x3p
+
+   !> Most bytes that one packed byte can hold, rounded up; of main.xml and of numbers
+   integer(int64), parameter :: xml_ratio = 100_int64, largest_ratio = 1100_int64
+   integer(int64), parameter :: some_xml = 2_int64**20
+
+contains
+
+   !> Read a file.
+   subroutine read_x3p(source, hints, map, error)
+      !> The file
+      type(byte_source), intent(inout), target :: source
+      !> What the user says
+      type(map_hints), intent(in) :: hints
+      !> The map
+      type(height_map), intent(inout) :: map
+      !> Set when it cannot be read
+      type(error_type), allocatable, intent(out) :: error
+      type(zip_archive) :: archive
+
+      call open_zip(archive, source, memory_of(source), error)
+      if (.not. allocated(error)) call read_archive(archive, source, hints, map, error)
+      call close_zip(archive)
+   end subroutine read_x3p
+
+   subroutine read_archive(archive, source, hints, map, error)
+      type(zip_archive), intent(in) :: archive
+      type(byte_source), intent(inout), target :: source
+      type(map_hints), intent(in) :: hints
+      type(height_map), intent(inout) :: map
+      type(error_type), allocatable, intent(out) :: error
+      type(x3p_header) :: header
+      type(zip_member), target :: member
+      real(wp) :: factor, zero
+      integer :: kind
+
+      call find_member(archive, source, 'main.xml', member, error)
+      if (allocated(error)) return
+      if (member%size > some_xml + xml_ratio*source%size) then
+         call map_error(error, source, 'main.xml: '//count_text(member%size)//' bytes are packed '// &
+            'in it, more than any surface needs: it is not unpacked')
+         return
+      end if
+      call open_member(archive, source, member, error)
+      if (.not. allocated(error)) call read_x3p_header(source, member, header, error)
+      call close_member(member)
+      if (allocated(error)) return
+      call check_x3p_header(source, header, hints, map, kind, factor, zero, error)
+      if (allocated(error)) return
+      if (header%points == '') then
+         call read_list(source, header, factor, zero, map, error)
+         return
+      end if
+      call find_member(archive, source, plain_name(header%points), member, error)
+      if (allocated(error)) return
+      call fits_memory(source, header%sizes(1), header%sizes(2), &
+         min(member%size, member%packed*largest_ratio)/bytes_of(kind), 0_int64, error)
+      if (allocated(error)) return
+      if (member%size /= header%sizes(1)*header%sizes(2)*bytes_of(kind)) then
+         call map_error(error, source, member%name//': '//count_text(member%size)//' bytes, main.xml '// &
+            'promises '//count_text(header%sizes(1))//' x '//count_text(header%sizes(2))// &
+            ' points of '//count_text(bytes_of(kind))//' bytes')
+         return
+      end if
+      call allocate_heights(source, header%sizes(1), header%sizes(2), map, error)
+      if (allocated(error)) return
+      call open_member(archive, source, member, error)
+      if (.not. allocated(error)) call read_rows(source, member, kind, factor, zero, map, error)
+      call close_member(member)
+      if (allocated(error) .or. header%valid == '') return
+      call find_member(archive, source, plain_name(header%valid), member, error)
+      if (.not. allocated(error)) call open_member(archive, source, member, error)
+      if (.not. allocated(error)) call read_validity(source, member, map, error)
+      call close_member(member)
+   end subroutine read_archive
+
+   !> Name of a member: some programs write ./ before it, or \ within.
+   pure function plain_name(link) result(name)
+      character(len=*), intent(in) :: link
+      character(len=:), allocatable :: name
+      integer :: i
+
+      name = link
+      do i = 1, len(name)
+         if (name(i:i) == '\') name(i:i) = '/'
+      end do
+      if (index(name, './') == 1) name = name(3:)
+   end function plain_name
+
+   !> Read the numbers of a member; one byte more is asked for, as zip's checksum is compared at the
+   !> end.
+   subroutine read_rows(source, member, kind, factor, zero, map, error)
+      type(byte_source), intent(inout) :: source
+      type(zip_member), intent(inout) :: member
+      integer, intent(in) :: kind
+      real(wp), intent(in) :: factor, zero
+      type(height_map), intent(inout) :: map
+      type(error_type), allocatable, intent(out) :: error
+      type(byte_buffer), target :: buffer
+      character(len=:), allocatable :: message
+      integer(int64) :: done
+      integer :: bad, j
+
+      allocate (buffer%bytes(size(map%heights, 1)*bytes_of(kind)))
+      do j = 1, size(map%heights, 2)
+         call read_member(source, member, c_loc(buffer%bytes), size(buffer%bytes, kind=int64), done, &
+            error)
+         if (allocated(error)) return
+         if (done < size(buffer%bytes)) exit
+         associate (row => map%heights(:, j))
+            call decode(buffer, kind, row)
+            call scale_heights(row, factor, zero, bad)
+            if (bad > 0) then
+               call height_message(row(bad), factor, message)
+               call map_error(error, source, member%name//': byte '//count_text(member%done - done + &
+                  (bad - 1)*bytes_of(kind))//': '//message)
+               return
+            end if
+         end associate
+         call report_progress(source, int(real(source%size, wp)*j/size(map%heights, 2), int64))
+      end do
+      if (j > size(map%heights, 2)) call read_member(source, member, c_loc(buffer%bytes), 1_int64, &
+         done, error)
+      if (allocated(error)) return
+      if (j <= size(map%heights, 2) .or. done > 0_int64) call map_error(error, source, &
+         member%name//': byte '//count_text(member%done)//': the points do not end where the '// &
+         'archive says: get the file once more')
+   end subroutine read_rows
+
+   !> Take away the points that are not valid.
+   subroutine read_validity(source, member, map, error)
+      type(byte_source), intent(in) :: source
+      type(zip_member), intent(inout) :: member
+      type(height_map), intent(inout) :: map
+      type(error_type), allocatable, intent(out) :: error
+      integer(int8), target :: bytes(4096)
+      integer(int64) :: at, done, needed
+      integer :: i, j, nx
+
+      nx = size(map%heights, 1)
+      needed = (size(map%heights, kind=int64) + 7_int64)/8_int64
+      if (member%size /= needed) then
+         call map_error(error, source, member%name//': '//count_text(member%size)//' bytes, for '// &
+            count_text(size(map%heights, kind=int64))//' points there must be '//count_text(needed))
+         return
+      end if
+      done = 0_int64
+      i = 0
+      j = 1
+      do at = 0_int64, size(map%heights, kind=int64) - 1_int64
+         if (mod(at, 8_int64*size(bytes)) == 0_int64) then
+            call read_member(source, member, c_loc(bytes), size(bytes, kind=int64), done, error)
+            if (allocated(error)) return
+         end if
+         i = i + 1
+         if (i > nx) then
+            i = 1
+            j = j + 1
+         end if
+         if (mod(at, 8_int64*size(bytes))/8_int64 >= done) then
+            call map_error(error, source, member%name//': ends at byte '//count_text(member%done)// &
+               ' of '//count_text(needed)//': get the file once more')
+            return
+         end if
+         if (.not. btest(bytes(mod(at, 8_int64*size(bytes))/8_int64 + 1), int(mod(at, 8_int64)))) &
+            map%heights(i, j) = missing_height
+      end do
+   end subroutine read_validity
+
+   !> Take the heights out of main.xml.
+   subroutine read_list(source, header, factor, zero, map, error)
+      type(byte_source), intent(in) :: source
+      type(x3p_header), intent(inout) :: header
+      real(wp), intent(in) :: factor, zero
+      type(height_map), intent(inout) :: map
+      type(error_type), allocatable, intent(out) :: error
+      character(len=:), allocatable :: message
+      real(wp), allocatable :: values(:)
+      integer :: bad, chunk, i, j, k, length
+
+      call fits_memory(source, header%sizes(1), header%sizes(2), header%list%count, 0_int64, error)
+      if (allocated(error)) return
+      if (header%list%count /= header%sizes(1)*header%sizes(2)) then
+         call map_error(error, source, 'main.xml: '//count_text(header%list%count)//' heights, it '// &
+            'promises '//count_text(header%sizes(1))//' x '//count_text(header%sizes(2)))
+         return
+      end if
+      call allocate_heights(source, header%sizes(1), header%sizes(2), map, error)
+      if (allocated(error)) return
+      i = 0
+      j = 1
+      do chunk = 1, header%list%chunks
+         call header%list%take(chunk, values, length)
+         call scale_heights(values(:length), factor, zero, bad)
+         if (bad > 0) then
+            call height_message(values(bad), factor, message)
+            call map_error(error, source, 'main.xml: Datum: '//message)
+            return
+         end if
+         do k = 1, length
+            i = i + 1
+            if (i > size(map%heights, 1)) then
+               i = 1
+               j = j + 1
+            end if
+            map%heights(i, j) = values(k)
+         end do
+      end do
+   end subroutine read_list
+
+end module map_file_x3p

@@ -1,0 +1,240 @@
+!> Reads an XML member of a zip archive as a stream of elements with their texts, by libxml2's
+!> reader: without network, without document types, and so without entities to expand.
+module map_file_xml
+   use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_f_pointer, c_funloc, c_funptr, &
+      c_int, c_loc, c_null_ptr, c_ptr, c_size_t
+   use, intrinsic :: iso_fortran_env, only: int64
+   use asperity_error, only: error_type
+   use map_file_byte_source, only: byte_source
+   use map_file_places, only: count_text, map_error
+   use map_file_zip, only: read_member, zip_member
+   implicit none
+   private
+   public :: close_xml, next_text, open_xml, xml_reader
+
+   !> Neither network, errors on the screen nor warnings there
+   integer(c_int), parameter :: options = 2048_c_int + 32_c_int + 64_c_int
+   !> Kinds of nodes
+   integer(c_int), parameter :: is_element = 1_c_int, is_text = 3_c_int, is_cdata = 4_c_int, &
+      is_reference = 5_c_int, is_document_type = 10_c_int, is_end = 15_c_int
+   integer, parameter :: deepest = 16, longest_name = 64, longest_text = 1024
+
+   !> What the callback of libxml2 reads from.
+   type :: stream_type
+      type(zip_member), pointer :: member => null()
+      type(byte_source), pointer :: source => null()
+   end type stream_type
+
+   !> A reader of elements.
+   type :: xml_reader
+      !> Names of the elements around, without the root, such as /Record1/Axes
+      character(len=:), allocatable :: path
+      !> Text of the element that has just ended
+      character(len=:), allocatable :: text
+      !> Line of it
+      integer :: line = 0
+      character(len=longest_name), private :: names(deepest) = ''
+      integer, private :: depth = 0
+      type(c_ptr), private :: handle = c_null_ptr
+      type(stream_type), pointer, private :: stream => null()
+   end type xml_reader
+
+   interface
+      type(c_ptr) function c_reader_for_io(read, close, context, url, encoding, options) &
+         bind(c, name='xmlReaderForIO')
+         import :: c_funptr, c_int, c_ptr
+         implicit none
+         type(c_funptr), value :: read, close
+         type(c_ptr), value :: context, url, encoding
+         integer(c_int), value :: options
+      end function c_reader_for_io
+      integer(c_int) function c_reader_read(reader) bind(c, name='xmlTextReaderRead')
+         import :: c_int, c_ptr
+         implicit none
+         type(c_ptr), value :: reader
+      end function c_reader_read
+      integer(c_int) function c_node_type(reader) bind(c, name='xmlTextReaderNodeType')
+         import :: c_int, c_ptr
+         implicit none
+         type(c_ptr), value :: reader
+      end function c_node_type
+      integer(c_int) function c_is_empty(reader) bind(c, name='xmlTextReaderIsEmptyElement')
+         import :: c_int, c_ptr
+         implicit none
+         type(c_ptr), value :: reader
+      end function c_is_empty
+      type(c_ptr) function c_local_name(reader) bind(c, name='xmlTextReaderConstLocalName')
+         import :: c_ptr
+         implicit none
+         type(c_ptr), value :: reader
+      end function c_local_name
+      type(c_ptr) function c_value(reader) bind(c, name='xmlTextReaderConstValue')
+         import :: c_ptr
+         implicit none
+         type(c_ptr), value :: reader
+      end function c_value
+      integer(c_int) function c_line(reader) bind(c, name='xmlTextReaderGetParserLineNumber')
+         import :: c_int, c_ptr
+         implicit none
+         type(c_ptr), value :: reader
+      end function c_line
+      subroutine c_free_reader(reader) bind(c, name='xmlFreeTextReader')
+         import :: c_ptr
+         implicit none
+         type(c_ptr), value :: reader
+      end subroutine c_free_reader
+      integer(c_size_t) function c_strlen(text) bind(c, name='strlen')
+         import :: c_ptr, c_size_t
+         implicit none
+         type(c_ptr), value :: text
+      end function c_strlen
+   end interface
+
+contains
+
+   !> Begin to read a member that is open; both must stay where they are.
+   subroutine open_xml(reader, source, member, error)
+      !> The reader; close it with `close_xml`
+      type(xml_reader), intent(out) :: reader
+      !> The file
+      type(byte_source), intent(in), target :: source
+      !> The member
+      type(zip_member), intent(in), target :: member
+      !> Set when there is no memory for it
+      type(error_type), allocatable, intent(out) :: error
+      type(c_ptr) :: address
+
+      reader%path = ''
+      reader%text = ''
+      allocate (reader%stream)
+      address = c_loc(source)
+      call c_f_pointer(address, reader%stream%source)
+      address = c_loc(member)
+      call c_f_pointer(address, reader%stream%member)
+      reader%handle = c_reader_for_io(c_funloc(read_some), c_funloc(close_nothing), &
+         c_loc(reader%stream), c_null_ptr, c_null_ptr, options)
+      if (.not. c_associated(reader%handle)) call map_error(error, source, 'libxml2 cannot read '// &
+         member%name)
+   end subroutine open_xml
+
+   !> Called by libxml2 for more bytes.
+   integer(c_int) function read_some(context, to, length) bind(c)
+      type(c_ptr), value :: context, to
+      integer(c_int), value :: length
+      type(stream_type), pointer :: stream
+      type(error_type), allocatable :: error
+      integer(int64) :: done
+
+      call c_f_pointer(context, stream)
+      call read_member(stream%source, stream%member, to, int(length, int64), done, error)
+      read_some = int(done, c_int)
+      if (allocated(error)) read_some = -1_c_int
+   end function read_some
+
+   !> Called by libxml2 when it needs no more bytes.
+   integer(c_int) function close_nothing(context) bind(c)
+      type(c_ptr), value :: context
+
+      close_nothing = 0_c_int
+      if (.not. c_associated(context)) close_nothing = -1_c_int
+   end function close_nothing
+
+   !> Go to the next element's end; then `path` and `text` are its own.
+   subroutine next_text(reader, found, error)
+      !> The reader
+      type(xml_reader), intent(inout) :: reader
+      !> False after the last
+      logical, intent(out) :: found
+      !> Set when it is no sound XML
+      type(error_type), allocatable, intent(out) :: error
+      integer(c_int) :: status
+      character(len=:), allocatable :: piece
+
+      found = .false.
+      do
+         status = c_reader_read(reader%handle)
+         reader%line = int(c_line(reader%handle))
+         if (status == 0_c_int) return
+         if (status < 0_c_int) then
+            call xml_error(reader, 'is no sound XML: it was cut off or damaged', error)
+            return
+         end if
+         select case (c_node_type(reader%handle))
+         case (is_element)
+            reader%text = ''
+            call get_string(c_local_name(reader%handle), longest_name, piece)
+            if (reader%depth >= deepest) then
+               call xml_error(reader, 'has elements within more than 16 others', error)
+               return
+            end if
+            reader%depth = reader%depth + 1
+            reader%names(reader%depth) = piece
+            call set_path(reader)
+            found = c_is_empty(reader%handle) == 1_c_int
+            if (found) reader%depth = reader%depth - 1
+            if (found) return
+         case (is_text, is_cdata)
+            call get_string(c_value(reader%handle), longest_text, piece)
+            if (len(reader%text) + len(piece) < longest_text) reader%text = reader%text//piece
+         case (is_end)
+            call set_path(reader)
+            reader%depth = reader%depth - 1
+            found = .true.
+            return
+         case (is_document_type, is_reference)
+            call xml_error(reader, 'has a document type or entities, which X3P has not: they are '// &
+               'not read, as they could be used for attacks', error)
+            return
+         end select
+      end do
+   end subroutine next_text
+
+   subroutine set_path(reader)
+      type(xml_reader), intent(inout) :: reader
+      integer :: i
+
+      reader%path = ''
+      do i = 2, reader%depth
+         reader%path = reader%path//'/'//trim(reader%names(i))
+      end do
+   end subroutine set_path
+
+   !> Copy a string of C, at most so many characters.
+   subroutine get_string(from, longest, text)
+      type(c_ptr), intent(in) :: from
+      integer, intent(in) :: longest
+      character(len=:), allocatable, intent(out) :: text
+      character(kind=c_char), pointer :: letters(:)
+      integer :: i, n
+
+      text = ''
+      if (.not. c_associated(from)) return
+      n = int(min(c_strlen(from), int(longest, c_size_t)))
+      call c_f_pointer(from, letters, [n])
+      text = repeat(' ', n)
+      do i = 1, n
+         text(i:i) = letters(i)
+      end do
+   end subroutine get_string
+
+   !> Set `error` to a fault at the current line.
+   subroutine xml_error(reader, message, error)
+      type(xml_reader), intent(in) :: reader
+      character(len=*), intent(in) :: message
+      type(error_type), allocatable, intent(out) :: error
+
+      call map_error(error, reader%stream%source, reader%stream%member%name//':'// &
+         count_text(int(reader%line, int64))//': '//message)
+   end subroutine xml_error
+
+   !> Close a reader.
+   subroutine close_xml(reader)
+      !> The reader
+      type(xml_reader), intent(inout) :: reader
+
+      if (c_associated(reader%handle)) call c_free_reader(reader%handle)
+      reader%handle = c_null_ptr
+      if (associated(reader%stream)) deallocate (reader%stream)
+   end subroutine close_xml
+
+end module map_file_xml

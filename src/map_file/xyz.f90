@@ -1,0 +1,227 @@
+!> Reads points x, y, z from text, in any order, and puts them on the grid that they are on.
+!>
+!> While reading, a point takes 12 bytes: its height and the numbers of its x and y among those
+!> that differ. They are given back while the map fills, so that both together stay below three
+!> times the map.
+module map_file_xyz
+   use, intrinsic :: iso_fortran_env, only: int32, int64
+   use asperity_error, only: error_type
+   use asperity_kinds, only: wp
+   use asperity_text, only: to_text
+   use map_file_axis, only: axis_type, most_coordinates, number_of_coordinate
+   use map_file_byte_source, only: byte_source, next_line
+   use map_file_fields, only: field_error, field_missing, field_number, read_field
+   use map_file_grid, only: find_grid
+   use map_file_heights, only: height_message, scale_heights
+   use map_file_new_map, only: allocate_heights
+   use map_file_number_store, only: number_store
+   use map_file_places, only: count_text, line_error, map_error
+   use map_file_text_header, only: text_header
+   use map_file_units, only: map_hints, settle_step, settle_unit
+   use surface_height_map, only: height_map, missing_height
+   implicit none
+   private
+   public :: read_xyz
+
+   !> Grid points for a point of the file: fewer would take more memory than the map deserves
+   integer(int64), parameter :: most_sparse = 4_int64
+   !> Largest coordinate of either sign, in the units of the file
+   real(wp), parameter :: largest_coordinate = 1.0e15_wp
+
+contains
+
+   !> Read the points, from the current line on.
+   subroutine read_xyz(source, header, hints, map, error)
+      !> The file
+      type(byte_source), intent(inout), target :: source
+      !> What its header says
+      type(text_header), intent(in) :: header
+      !> What the user says
+      type(map_hints), intent(in) :: hints
+      !> The map
+      type(height_map), intent(inout) :: map
+      !> Set when it cannot be read
+      type(error_type), allocatable, intent(out) :: error
+      type(axis_type) :: axes(2)
+      type(number_store) :: store
+      integer(int64) :: points
+      real(wp) :: unit, factor
+
+      call settle_unit(source%name, 'coordinates', '--lateral-unit', header%lateral_unit, &
+         hints%lateral_unit, unit, error)
+      if (allocated(error)) return
+      call settle_unit(source%name, 'heights', '--height-unit', header%height_unit, &
+         hints%height_unit, factor, error)
+      if (allocated(error)) return
+      call read_points(source, header, factor, axes, store, points, error)
+      if (allocated(error)) return
+      call fill_map(source, axes, points, unit, hints, store, map, error)
+   end subroutine read_xyz
+
+   !> Read all points; heights in mm.
+   subroutine read_points(source, header, factor, axes, store, points, error)
+      type(byte_source), intent(inout), target :: source
+      type(text_header), intent(in) :: header
+      real(wp), intent(in) :: factor
+      type(axis_type), intent(inout) :: axes(2)
+      type(number_store), intent(inout) :: store
+      integer(int64), intent(out) :: points
+      type(error_type), allocatable, intent(out) :: error
+      real(wp) :: values(3)
+      integer :: at, fields(4), i, kinds(3), numbers(2), bad
+      logical :: found, is_last
+      character(len=:), allocatable :: message
+
+      points = 0_int64
+      found = .true.
+      lines: do while (found)
+         at = source%first
+         is_last = .false.
+         do i = 1, 3
+            fields(i) = at
+            if (.not. is_last) then
+               call read_field(source%block, at, source%last, header%separator, values(i), kinds(i), &
+                  is_last)
+               if (kinds(i) > field_missing) then
+                  call field_error(error, source, at, kinds(i))
+                  return
+               end if
+               if (i < 3 .and. kinds(i) == field_missing) then
+                  ! an empty line has one field, without a number
+                  if (i == 1 .and. is_last .and. at > source%last) then
+                     call next_line(source, found, error)
+                     if (allocated(error)) return
+                     cycle lines
+                  end if
+                  call line_error(error, source, fields(i), 'a coordinate is missing: leave the '// &
+                     'line out, or write NaN for its height')
+                  return
+               end if
+            end if
+            if (is_last .neqv. i == 3) exit
+         end do
+         if (i <= 3) then
+            call line_error(error, source, fields(min(i, 3)), 'this line has not three fields, x, '// &
+               'y and z, as the first one has')
+            return
+         end if
+         do i = 1, 2
+            if (abs(values(i)) > largest_coordinate) then
+               call line_error(error, source, fields(i), 'coordinates beyond 1e15 are not allowed')
+               return
+            end if
+            call number_of_coordinate(axes(i), values(i), numbers(i))
+            if (numbers(i) > 0) cycle
+            call line_error(error, source, fields(i), 'more than '//to_text(most_coordinates)// &
+               ' different values of '//merge('x', 'y', i == 1)//': the points are on no grid, '// &
+               'or the map is too large for text: resample it, or save it as SDF')
+            return
+         end do
+         points = points + 1_int64
+         if (points > huge(1)) then
+            call line_error(error, source, source%first, 'at most 2147483647 points are read: cut '// &
+               'the map')
+            return
+         end if
+         if (header%has_marker) then
+            if (.not. abs(values(3) - header%marker) > 0.0_wp) kinds(3) = field_missing
+         end if
+         if (kinds(3) == field_number) then
+            call scale_heights(values(3:3), factor, 0.0_wp, bad)
+            if (bad > 0) then
+               call height_message(values(3), factor, message)
+               call line_error(error, source, fields(3), message)
+               return
+            end if
+            call store%add_placed(values(3), ior(ishft(int(numbers(2) - 1, int32), 16), &
+               int(numbers(1) - 1, int32)))
+         end if
+         call next_line(source, found, error)
+         if (allocated(error)) return
+      end do lines
+   end subroutine read_points
+
+   !> Find the grid and put the points on it.
+   subroutine fill_map(source, axes, points, unit, hints, store, map, error)
+      type(byte_source), intent(in) :: source
+      type(axis_type), intent(in) :: axes(2)
+      integer(int64), intent(in) :: points
+      real(wp), intent(in) :: unit
+      type(map_hints), intent(in) :: hints
+      type(number_store), intent(inout) :: store
+      type(height_map), intent(inout) :: map
+      type(error_type), allocatable, intent(out) :: error
+      integer, allocatable :: columns(:), rows(:)
+      integer(int64) :: nx, ny
+      real(wp) :: steps(2)
+
+      allocate (columns(axes(1)%count), rows(axes(2)%count))
+      call find_one('x', axes(1)%values(:axes(1)%count), columns, nx, steps(1))
+      if (allocated(error)) return
+      call find_one('y', axes(2)%values(:axes(2)%count), rows, ny, steps(2))
+      if (allocated(error)) return
+      if (nx*ny > most_sparse*points) then
+         call map_error(error, source, 'the points are on no grid: '//count_text(points)//' points '// &
+            'on '//count_text(nx)//' x '//count_text(ny)//' lines, at least every '// &
+            to_text(int(most_sparse))//'th place must be taken: resample the map')
+         return
+      end if
+      call settle_step(source%name, 'x', steps(1)*unit, hints%step_x, map%step_x, error)
+      if (allocated(error)) return
+      call settle_step(source%name, 'y', steps(2)*unit, hints%step_y, map%step_y, error)
+      if (allocated(error)) return
+      call allocate_heights(source, nx, ny, map, error)
+      if (allocated(error)) return
+      map%heights = missing_height
+      call unload(source, store, axes, columns, rows, map, error)
+
+   contains
+
+      subroutine find_one(name, values, places, lines, step)
+         character(len=*), intent(in) :: name
+         real(wp), intent(in) :: values(:)
+         integer, intent(out) :: places(:)
+         integer(int64), intent(out) :: lines
+         real(wp), intent(out) :: step
+         character(len=:), allocatable :: reason
+         integer :: n
+
+         call find_grid(values, places, n, step, reason)
+         lines = n
+         if (allocated(reason)) call map_error(error, source, 'the points are on no regular grid '// &
+            'in '//name//': '//reason//'; resample the map to equal steps')
+      end subroutine find_one
+
+   end subroutine fill_map
+
+   !> Move the heights to their places.
+   subroutine unload(source, store, axes, columns, rows, map, error)
+      type(byte_source), intent(in) :: source
+      type(number_store), intent(inout) :: store
+      type(axis_type), intent(in) :: axes(2)
+      integer, intent(in) :: columns(:), rows(:)
+      type(height_map), intent(inout) :: map
+      type(error_type), allocatable, intent(out) :: error
+      real(wp), allocatable :: values(:)
+      integer(int32), allocatable :: places(:)
+      integer :: chunk, k, length, x, y
+
+      do chunk = 1, store%chunks
+         call store%take(chunk, values, length, places)
+         do k = 1, length
+            x = iand(places(k), 65535_int32) + 1
+            y = ishft(places(k), -16) + 1
+            associate (height => map%heights(columns(x), rows(y)))
+               if (height < missing_height .and. abs(height - values(k)) > 0.0_wp) then
+                  call map_error(error, source, 'two points at x = '//to_text(axes(1)%values(x), 9)// &
+                     ', y = '//to_text(axes(2)%values(y), 9)//' with different heights, '// &
+                     to_text(height, 9)//' and '//to_text(values(k), 9)//' mm: leave one out')
+                  return
+               end if
+               height = values(k)
+            end associate
+         end do
+      end do
+   end subroutine unload
+
+end module map_file_xyz

@@ -1,0 +1,240 @@
+!> Reads members of a zip archive by libzip: a file's, or that of a memory.
+module map_file_zip
+   use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_int, c_int16_t, c_int32_t, &
+      c_int64_t, c_null_char, c_null_ptr, c_ptr
+   use, intrinsic :: iso_fortran_env, only: int64
+   use asperity_error, only: error_type
+   use map_file_byte_source, only: byte_source
+   use map_file_places, only: count_text, map_error
+   implicit none
+   private
+   public :: close_member, close_zip, find_member, open_member, open_zip, read_member, zip_archive, &
+      zip_member
+
+   integer(c_int), parameter :: read_only = 16_c_int
+   integer(c_int64_t), parameter :: has_size = 4_c_int64_t, has_packed_size = 8_c_int64_t
+
+   !> An archive that is open.
+   type :: zip_archive
+      private
+      type(c_ptr) :: handle = c_null_ptr
+   end type zip_archive
+
+   !> A member of it.
+   type :: zip_member
+      !> Name in the archive
+      character(len=:), allocatable :: name
+      !> Bytes unpacked and packed
+      integer(int64) :: size = 0_int64, packed = 0_int64
+      !> Bytes read so far
+      integer(int64) :: done = 0_int64
+      integer(c_int64_t), private :: place = -1_c_int64_t
+      type(c_ptr), private :: handle = c_null_ptr
+   end type zip_member
+
+   !> The structure zip_stat of zip.h.
+   type, bind(c) :: zip_stat_type
+      integer(c_int64_t) :: valid = 0_c_int64_t
+      type(c_ptr) :: name = c_null_ptr
+      integer(c_int64_t) :: place = 0_c_int64_t, size = 0_c_int64_t, packed = 0_c_int64_t
+      integer(c_int64_t) :: time = 0_c_int64_t
+      integer(c_int32_t) :: crc = 0_c_int32_t
+      integer(c_int16_t) :: method = 0_c_int16_t, encryption = 0_c_int16_t
+      integer(c_int32_t) :: flags = 0_c_int32_t
+   end type zip_stat_type
+
+   interface
+      type(c_ptr) function c_zip_open(path, flags, status) bind(c, name='zip_open')
+         import :: c_char, c_int, c_ptr
+         implicit none
+         character(kind=c_char), intent(in) :: path(*)
+         integer(c_int), value :: flags
+         integer(c_int), intent(out) :: status
+      end function c_zip_open
+      type(c_ptr) function c_zip_source_buffer_create(bytes, length, is_freed, error) &
+         bind(c, name='zip_source_buffer_create')
+         import :: c_int, c_int64_t, c_ptr
+         implicit none
+         type(c_ptr), value :: bytes
+         integer(c_int64_t), value :: length
+         integer(c_int), value :: is_freed
+         type(c_ptr), value :: error
+      end function c_zip_source_buffer_create
+      subroutine c_zip_source_free(source) bind(c, name='zip_source_free')
+         import :: c_ptr
+         implicit none
+         type(c_ptr), value :: source
+      end subroutine c_zip_source_free
+      type(c_ptr) function c_zip_open_from_source(source, flags, error) &
+         bind(c, name='zip_open_from_source')
+         import :: c_int, c_ptr
+         implicit none
+         type(c_ptr), value :: source
+         integer(c_int), value :: flags
+         type(c_ptr), value :: error
+      end function c_zip_open_from_source
+      subroutine c_zip_discard(archive) bind(c, name='zip_discard')
+         import :: c_ptr
+         implicit none
+         type(c_ptr), value :: archive
+      end subroutine c_zip_discard
+      integer(c_int64_t) function c_zip_name_locate(archive, name, flags) &
+         bind(c, name='zip_name_locate')
+         import :: c_char, c_int32_t, c_int64_t, c_ptr
+         implicit none
+         type(c_ptr), value :: archive
+         character(kind=c_char), intent(in) :: name(*)
+         integer(c_int32_t), value :: flags
+      end function c_zip_name_locate
+      integer(c_int) function c_zip_stat_index(archive, place, flags, stat) &
+         bind(c, name='zip_stat_index')
+         import :: c_int, c_int32_t, c_int64_t, c_ptr, zip_stat_type
+         implicit none
+         type(c_ptr), value :: archive
+         integer(c_int64_t), value :: place
+         integer(c_int32_t), value :: flags
+         type(zip_stat_type), intent(inout) :: stat
+      end function c_zip_stat_index
+      type(c_ptr) function c_zip_fopen_index(archive, place, flags) bind(c, name='zip_fopen_index')
+         import :: c_int32_t, c_int64_t, c_ptr
+         implicit none
+         type(c_ptr), value :: archive
+         integer(c_int64_t), value :: place
+         integer(c_int32_t), value :: flags
+      end function c_zip_fopen_index
+      integer(c_int64_t) function c_zip_fread(file, to, count) bind(c, name='zip_fread')
+         import :: c_int64_t, c_ptr
+         implicit none
+         type(c_ptr), value :: file, to
+         integer(c_int64_t), value :: count
+      end function c_zip_fread
+      integer(c_int) function c_zip_fclose(file) bind(c, name='zip_fclose')
+         import :: c_int, c_ptr
+         implicit none
+         type(c_ptr), value :: file
+      end function c_zip_fclose
+   end interface
+
+contains
+
+   !> Open an archive.
+   subroutine open_zip(archive, source, memory, error)
+      !> The archive; close it with `close_zip`
+      type(zip_archive), intent(out) :: archive
+      !> The file, for its name and size
+      type(byte_source), intent(in) :: source
+      !> The bytes that stand for a file, a null pointer for a file
+      type(c_ptr), intent(in) :: memory
+      !> Set when it is no sound archive
+      type(error_type), allocatable, intent(out) :: error
+      type(c_ptr) :: buffer
+      integer(c_int) :: status
+
+      status = 0_c_int
+      if (c_associated(memory)) then
+         buffer = c_zip_source_buffer_create(memory, source%size, 0_c_int, c_null_ptr)
+         if (c_associated(buffer)) then
+            archive%handle = c_zip_open_from_source(buffer, read_only, c_null_ptr)
+            if (.not. c_associated(archive%handle)) call c_zip_source_free(buffer)
+         end if
+      else
+         archive%handle = c_zip_open(source%name//c_null_char, read_only, status)
+      end if
+      if (.not. c_associated(archive%handle)) call map_error(error, source, 'begins as a zip '// &
+         'archive, such as X3P, and is no sound one: it was cut off or damaged; get it once more')
+   end subroutine open_zip
+
+   !> Close an archive.
+   subroutine close_zip(archive)
+      !> The archive
+      type(zip_archive), intent(inout) :: archive
+
+      if (c_associated(archive%handle)) call c_zip_discard(archive%handle)
+      archive%handle = c_null_ptr
+   end subroutine close_zip
+
+   !> Find a member by name and ask for its sizes.
+   subroutine find_member(archive, source, name, member, error)
+      !> The archive
+      type(zip_archive), intent(in) :: archive
+      !> The file, for messages
+      type(byte_source), intent(in) :: source
+      !> Name in the archive
+      character(len=*), intent(in) :: name
+      !> The member
+      type(zip_member), intent(out) :: member
+      !> Set when there is none
+      type(error_type), allocatable, intent(out) :: error
+      type(zip_stat_type) :: stat
+      integer(c_int) :: status
+
+      member%name = name
+      member%place = c_zip_name_locate(archive%handle, name//c_null_char, 0_c_int32_t)
+      if (member%place < 0_c_int64_t) then
+         call map_error(error, source, 'the archive has no member '//name//': this is no X3P '// &
+            'file, or it is incomplete')
+         return
+      end if
+      status = c_zip_stat_index(archive%handle, member%place, 0_c_int32_t, stat)
+      if (status /= 0_c_int .or. iand(stat%valid, has_size) == 0_c_int64_t .or. &
+         iand(stat%valid, has_packed_size) == 0_c_int64_t .or. stat%size < 0_c_int64_t .or. &
+         stat%packed < 0_c_int64_t) then
+         call map_error(error, source, 'the archive does not say the size of '//name)
+         return
+      end if
+      member%size = stat%size
+      member%packed = stat%packed
+   end subroutine find_member
+
+   !> Begin to read a member.
+   subroutine open_member(archive, source, member, error)
+      !> The archive
+      type(zip_archive), intent(in) :: archive
+      !> The file, for messages
+      type(byte_source), intent(in) :: source
+      !> The member; close it with `close_member`
+      type(zip_member), intent(inout) :: member
+      !> Set when it cannot be unpacked
+      type(error_type), allocatable, intent(out) :: error
+
+      member%handle = c_zip_fopen_index(archive%handle, member%place, 0_c_int32_t)
+      member%done = 0_int64
+      if (.not. c_associated(member%handle)) call map_error(error, source, member%name// &
+         ' cannot be unpacked: it is encrypted, damaged or packed in an unusual way')
+   end subroutine open_member
+
+   !> Read bytes of a member. `error` is set when they are damaged.
+   subroutine read_member(source, member, to, count, done, error)
+      !> The file, for messages
+      type(byte_source), intent(in) :: source
+      !> The member
+      type(zip_member), intent(inout) :: member
+      !> Where they go
+      type(c_ptr), intent(in) :: to
+      !> How many are wanted
+      integer(int64), intent(in) :: count
+      !> How many there were: fewer at its end
+      integer(int64), intent(out) :: done
+      !> Set when it is damaged
+      type(error_type), allocatable, intent(out) :: error
+
+      done = c_zip_fread(member%handle, to, count)
+      if (done < 0_int64) then
+         done = 0_int64
+         call map_error(error, source, member%name//': byte '//count_text(member%done)// &
+            ': the packed bytes are damaged: get the file once more')
+      end if
+      member%done = member%done + done
+   end subroutine read_member
+
+   !> Close a member.
+   subroutine close_member(member)
+      !> The member
+      type(zip_member), intent(inout) :: member
+      integer(c_int) :: status
+
+      if (c_associated(member%handle)) status = c_zip_fclose(member%handle)
+      member%handle = c_null_ptr
+   end subroutine close_member
+
+end module map_file_zip
