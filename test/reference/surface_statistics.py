@@ -33,6 +33,20 @@ def level(z, step_x, step_y, degree=1):
     return z - columns @ weights
 
 
+def smoothed(z, cutoff_x, cutoff_y):
+    """The Gaussian filter of ISO 16610-61 on a full map, cutoffs in steps. At its ends the value is
+    that of the line fitted with the weights that are left, along x and then along y."""
+    return lines(z.shape[0], cutoff_y) @ z @ lines(z.shape[1], cutoff_x).T
+
+
+def lines(points, cutoff):
+    """Matrix of the filter of lines of so many points."""
+    away = np.arange(points)[None, :] - np.arange(points)[:, None]
+    weight = np.exp(-math.pi*away**2/(math.log(2)/math.pi*cutoff**2))
+    moment = [(weight*away**p).sum(axis=1, keepdims=True) for p in range(3)]
+    return weight*(moment[2] - moment[1]*away)/(moment[0]*moment[2] - moment[1]**2)
+
+
 def shifted(z, dj, di):
     """z at the neighbour (j + dj, i + di), nan outside."""
     around = np.full((z.shape[0] + 2, z.shape[1] + 2), np.nan)

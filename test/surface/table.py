@@ -15,6 +15,9 @@ class Table:
 
     def __init__(self):
         self.rows = []
+        # Load, gap/Sq, real area over nominal, then pressures over the load: Gaussian law by
+        # Nayak's route and by the paper's, summits with one radius, with their own, dependent ones
+        self.contact = []
 
     def compare(self, where, quantity, asperity, other, value, low, high, reason):
         """One value of asperity beside another program's; low <= asperity/value - 1 <= high.
@@ -50,4 +53,11 @@ class Table:
             if reason != "same definition":
                 lines.append(f"| {quantity} | {where} | {asperity:.4g} | {other} | {value:.4g} | "
                              f"{100*off:+.2f} % | {reason} |")
+        if self.contact:
+            lines += ["", "| pressure, MPa | mean gap/Sq | real area | Gaussian law, Nayak's route | "
+                      "the paper's route | sum, one radius | sum, own radii | with interaction and "
+                      "elliptic summits |", "|---|---|---|---|---|---|---|---|"]
+            lines += [f"| {load:g} | {gap:.2f} | {100*area:.2f} % | "
+                      + " | ".join(f"{ratio:.2f}" for ratio in ratios) + " |"
+                      for load, gap, area, *ratios in self.contact]
         return "\n".join(lines) + "\n"
