@@ -1,0 +1,143 @@
+"""Elastic contact of a map with a plane: tamaas' boundary elements against asperity's law.
+
+The map is pressed without friction against an elastic half-space, periodic in both directions.
+The separation is the mean gap, that of the mean planes of the two deformed faces: it is what a
+finite-element model sees, whose faces move with the bulk. Heights and lengths in mm, E* in MPa.
+"""
+
+import maps
+import numpy as np
+import surface_statistics
+import tamaas
+from surface_statistics import derivatives, summits
+from table import check
+
+# E*, MPa, of the paper's first pair; a hardness that nothing reaches
+MODULUS, HARDNESS = 297.0, 1e9
+# Mean pressures, MPa: from a few contacts to a tenth of the area
+LOADS = (0.01, 0.03, 0.1, 0.3, 1.0)
+
+# 1/r of a point force on a square cell, less its mean: the force on itself is felt as this/side
+OWN_IMAGE = -3.900264920001956
+
+
+class Plane:
+    """tamaas' solver of one map; heights[j, i] with the same step both ways."""
+
+    def __init__(self, heights, step, modulus, tolerance=1e-8):
+        size = [heights.shape[1]*step, heights.shape[0]*step]
+        model = tamaas.ModelFactory.createModel(tamaas.model_type.basic_2d, size,
+                                                list(heights.shape[::-1]))
+        model.E, model.nu = modulus, 0.0
+        # model and map are kept: the solver only refers to them
+        self.model, self.heights = model, np.ascontiguousarray(heights)
+        self.solver = tamaas.PolonskyKeerRey(model, self.heights, tolerance)
+        self.solver.max_iter = 3000
+
+    def press(self, pressure):
+        """(mean gap, share of points in contact) at a mean pressure."""
+        self.solver.solve(pressure)
+        return (float(np.mean(self.model["gap"])),
+                float(np.mean(np.asarray(self.model.traction) > 0)))
+
+
+class Summits:
+    """The summits of a levelled map as independent Hertzian contacts, and as dependent ones."""
+
+    def __init__(self, heights, step, modulus):
+        top = summits(heights)
+        _, _, z_xx, z_yy, z_xy = (d[top] for d in derivatives(heights, step, step))
+        self.height = heights[top]
+        self.mean_curvature = -(z_xx + z_yy)/2
+        self.gauss_curvature = np.sqrt(np.maximum(z_xx*z_yy - z_xy**2, 1e-12))
+        self.modulus = modulus
+        self.area = (heights.shape[0] - 2)*(heights.shape[1] - 2)*step**2
+        self.cell = heights.size*step**2
+        self.influence = self.influences(top, step)
+
+    def influences(self, top, step):
+        """Displacement at each summit by a unit force at each, mean displacement zero."""
+        n_y, n_x = top.shape
+        q = 2*np.pi*np.hypot(np.fft.fftfreq(n_y)[:, None], np.fft.fftfreq(n_x)[None, :])/step
+        q[0, 0] = np.inf
+        kernel = np.fft.ifft2(2/(self.modulus*q)).real/step**2
+        j, i = np.nonzero(top)
+        found = kernel[(j[:, None] - j) % n_y, (i[:, None] - i) % n_x]
+        np.fill_diagonal(found, OWN_IMAGE/(np.pi*self.modulus*np.sqrt(n_x*n_y)*step))
+        return found
+
+    def independent(self, separation, radius=None):
+        """Pressure by asperity's law: no summit knows of another. Each has its own radius, or all
+        have the one given."""
+        radius = 1/self.mean_curvature if radius is None else radius
+        overlap = np.maximum(self.height - separation, 0)
+        return 4/3*self.modulus*np.sum(np.sqrt(radius)*overlap**1.5)/self.area
+
+    def dependent(self, separation):
+        """Pressure when each force displaces every summit, as far from a point force; summits are
+        not round, and harder for it, as the curvature's geometric mean says."""
+        overlap = self.height - separation
+        factor = 4/3*self.modulus/np.sqrt(self.gauss_curvature)
+        approach = np.maximum(overlap, 0)
+        for _ in range(200):
+            depth = np.maximum(approach, 0)
+            slope = self.influence*(1.5*factor*np.sqrt(depth))
+            change = np.linalg.solve(np.eye(len(depth)) + slope,
+                                     overlap - approach - self.influence @ (factor*depth**1.5))
+            approach = approach + change
+            if abs(change).max() < 1e-12*abs(overlap).max():
+                break
+        return np.sum(factor*np.maximum(approach, 0)**1.5)/self.cell
+
+
+def paraboloid(points, step, radius, modulus, pressure):
+    """(mean gap by tamaas, by Hertz and the displacement of its images, approach) of one
+    paraboloid in a periodic cell."""
+    x = (np.arange(points) - points//2)*step
+    z = -(x[None, :]**2 + x[:, None]**2)/(2*radius)
+    gap, _ = Plane(z - z.mean(), step, modulus, 1e-9).press(pressure)
+    force = pressure*(points*step)**2
+    approach = (force/(4/3*modulus*np.sqrt(radius)))**(2/3)
+    own = OWN_IMAGE*force/(np.pi*modulus*points*step)
+    return gap, -z.mean() - approach - own, approach
+
+
+def compare_contact(program, table):
+    """The same map pressed elastically by both, and the sum over its summits a second time."""
+    gap, expected, approach = paraboloid(256, 2e-3, 0.5, MODULUS, 0.03)
+    check("contact: mean gap of one paraboloid is that of Hertz",
+          abs(gap - expected) < 1e-3*approach,
+          f"{abs(gap - expected)/approach:.1e} of the approach off")
+    m = maps.Map("contact", "", maps.gaussian(512, 512, 16, 16, seed=21), 2.0, 2.0, True,
+                 maps.write_sdf_binary, "sdf")
+    path = program.write(m)
+    heights = surface_statistics.level(m.heights*1e-3, 2e-3, 2e-3)
+    plane, found = Plane(heights, 2e-3, MODULUS), Summits(heights, 2e-3, MODULUS)
+    values = program.values(path)
+    pressed = [(load, *plane.press(load)) for load in LOADS]
+    separations = [d - values["summit_plane"] for _, d, _ in pressed]
+    law = program.run(path, "--verify", "--route", "nayak", "--modulus", str(MODULUS),
+                      "--hardness", str(HARDNESS), "--separation",
+                      ",".join(map(repr, separations)))["law"]
+    share_before = 2.0
+    for i, (load, d, area) in enumerate(pressed):
+        where = f"contact at {load} MPa"
+        own, mean = law["pressure_own_radii"][i], law["pressure_summits"][i]
+        for name, ours, theirs in (("its own radius", own, found.independent(d)),
+                                   ("one radius", mean,
+                                    found.independent(d, values["radius_nayak"]))):
+            check(f"{where}: sum over summits with {name}", abs(ours/theirs - 1) < 1e-9,
+                  f"{ours:.10g} MPa, a second time {theirs:.10g}")
+        check(f"{where}: the sum is below tamaas, the more the higher the load",
+              own/load < min(share_before, 1), f"{own/load:.3f} of it")
+        share_before = own/load
+        dependent = found.dependent(d)/load
+        check(f"{where}: most of the rest is interaction and roundness",
+              abs(dependent - 1) < 0.2, f"{dependent:.3f} of tamaas with both")
+        table.contact.append((load, d/values["sq"], area, law["pressure_nayak"][i]/load,
+                              law["pressure_paper"][i]/load, mean/load, own/load, dependent))
+    light = [row for row in table.contact if row[2] < 0.02]
+    check("contact: own radii within a quarter while less than 2 % of the area touches",
+          len(light) >= 3 and all(0.75 < row[6] <= 1 for row in light))
+    check("contact: the Gaussian integral within a fifth there",
+          all(0.8 < row[3] < 1.2 for row in light))
