@@ -3,8 +3,8 @@ module app_help
    use asperity_version, only: version
    use app_keys, only: belongs, command_curve, command_deck_shear, command_deck_tenon, &
       command_hysteresis, command_pairs, command_press, command_shear, command_surface, &
-      command_table, command_tenon, keys, kind_choice, kind_file, kind_integer, kind_list, kind_logical, &
-      kind_real, kind_sweep, kind_text, n_keys, option_name
+      command_table, command_tenon, keys, kind_choice, kind_file, kind_integer, kind_list, &
+      kind_logical, kind_real, kind_sweep, kind_text, n_keys, option_name
    use app_strings, only: escaped, newline
    use app_text_buffer, only: text_buffer
    implicit none

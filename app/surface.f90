@@ -2,11 +2,10 @@
 module app_surface
    use asperity, only: computation_error, error_type, normal_properties, wp
    use asperity_error, only: fatal_error
-   use asperity_text, only: to_text
    use map_file_write, only: height_map_bytes
    use surface_analysis, only: analyse_surface, analysis_settings, most_tiles, &
       surface_analysis_type
-   use surface_height_map, only: height_map, missing_points
+   use surface_height_map, only: height_map
    use surface_remarks, only: find_remarks, map_facts, remark_type
    use app_keys, only: command_surface, find_key
    use app_progress, only: clear_steps, show_stage
@@ -17,7 +16,7 @@ module app_surface
    use app_surface_maps, only: check_map_options, get_map, prepare_map
    use app_surface_pair, only: analyse_pair
    use app_surface_plot, only: surface_script
-   use app_surface_tables, only: law_parameters_table, parameter_table
+   use app_surface_tables, only: law_parameters_table, map_table, parameter_table
    use app_surface_verify, only: add_summit_curve, law_curves
    implicit none
    private
@@ -66,9 +65,12 @@ contains
       report%shows_table = .false.
       report%first_rows = [1, report%table%rows + 1]
       allocate (report%important(report%table%rows), source=.true.)
-      allocate (report%more(size(more) + 2))
-      report%more(3:) = more
-      report%more(1) = named_table('', 'Parameters; half widths of 95 % intervals; values of '// &
+      allocate (report%more(size(more) + 3))
+      report%more(4:) = more
+      report%more(1) = named_table('', '', report%table)
+      if (has_map) report%more(1) = named_table('map', 'The map', &
+         map_table(map, title(map), analysis%summits))
+      report%more(2) = named_table('', 'Parameters; half widths of 95 % intervals; values of '// &
          'every second and every fourth point', report%table, columns_shown=6)
       call add_law(report, map, analysis, error)
    end subroutine report_surface
@@ -92,6 +94,7 @@ contains
          call show_stage('writing the map')
          call height_map_bytes(map, ending(report%settings%text_of('map')), &
             report%decks(2)%text, error)
+         if (allocated(error)) error%message = '--map: '//error%message
          if (allocated(error)) return
       end if
       associate (values => analysis%values(:, 1), s => report%settings)
@@ -102,20 +105,20 @@ contains
          call set_law(s, values, route, properties, error)
          if (allocated(error)) return
          report%decks(1)%text = surface_case(s, values, analysis%uncertainty, route)
-         report%more(2)%name = 'law'
-         report%more(2)%columns_shown = 9
-         call law_curves(s, values, report%more(2)%table)
+         report%more(3)%name = 'law'
+         report%more(3)%columns_shown = 9
+         call law_curves(s, values, report%more(3)%table)
          if (verifies) then
             call show_stage('summing the law over summits')
-            call add_summit_curve(report%more(2)%table, analysis, properties, route, remarks, error)
+            call add_summit_curve(report%more(3)%table, analysis, properties, route, remarks, error)
             if (allocated(error)) return
-            report%more(2)%title = 'The law on this map: Gaussian integral by either route, '// &
+            report%more(3)%title = 'The law on this map: Gaussian integral by either route, '// &
                'and sums over its summits (route '//route//')'
             report%remarks = [report%remarks, remarks]
          end if
          if (s%given('plot')) report%picture_data = surface_script(map, values, &
             pack(analysis%summits%height, analysis%summits%is_peak .or. route == 'nayak'), &
-            report%more(2)%table, title(map))
+            report%more(3)%table, title(map))
       end associate
    end subroutine add_law
 
@@ -141,7 +144,7 @@ contains
       type(map_facts) :: facts
       type(remark_type), allocatable :: found(:)
       type(string_type), allocatable :: lines(:)
-      integer :: i, missing
+      integer :: i
 
       if (.not. has_map) return
       facts%step_x = map%step_x
@@ -151,27 +154,20 @@ contains
       facts%peaks = real(count(analysis%summits%is_peak), wp)
       call find_remarks(analysis%values(:, 1), analysis%uncertainty, facts, found, &
          analysis%values(:, 2))
-      allocate (lines(size(found) + 1))
-      missing = missing_points(map)
-      lines(1)%text = title(map)//': '//to_text(size(map%heights, 1))//' x '// &
-         to_text(size(map%heights, 2))//' points, step '//to_text(map%step_x, 4)//' x '// &
-         to_text(map%step_y, 4)//' mm, '//to_text(missing)//' missing, '// &
-         to_text(size(analysis%summits%height))//' summits, '//to_text(nint(facts%peaks))// &
-         ' peaks.'
+      allocate (lines(size(found)))
       do i = 1, size(found)
-         lines(i + 1)%text = found(i)%text
+         lines(i)%text = found(i)%text
       end do
       report%remarks = [lines, report%remarks]
    end subroutine add_remarks
 
-   !> Where the map comes from, and its format.
+   !> Where the map comes from.
    pure function title(map) result(text)
       type(height_map), intent(in) :: map
       character(len=:), allocatable :: text
 
       text = quoted(map%source(index(map%source, '/', back=.true.) + 1:))
       text = text(2:len(text) - 1)
-      if (map%format /= '') text = text//' ('//map%format//')'
    end function title
 
    !> The end of a file's name after its last point, in lower case.

@@ -1,6 +1,6 @@
 !> The height maps of `asperity surface`: read or made, prepared as the options say.
 module app_surface_maps
-   use asperity, only: error_type, wp
+   use asperity, only: error_type, find_pair, pair_preset, wp
    use asperity_error, only: fatal_error
    use asperity_text, only: to_text
    use map_file_read, only: map_hints, read_height_map
@@ -20,7 +20,8 @@ module app_surface_maps
    character(len=*), parameter :: made(*) = [character(len=20) :: 'map_points', 'sq', &
       'correlation_length', 'direction', 'spectrum', 'hurst', 'longest_wave', 'shortest_wave', 'ssk', 'sku', &
       'seed']
-   character(len=*), parameter :: read_in(*) = [character(len=20) :: 'lateral_unit', 'height_unit']
+   character(len=*), parameter :: read_in(*) = [character(len=20) :: 'lateral_unit', &
+      'height_unit']
    !> Step of a made map, mm, unless given
    real(wp), parameter :: made_step = 0.01_wp
    !> Correlation length and shortest wave of a made map, steps, unless given
@@ -34,6 +35,7 @@ contains
       type(settings_type), intent(inout) :: settings
       !> Set when options do not fit together
       type(error_type), allocatable, intent(out) :: error
+      type(pair_preset) :: preset
       logical :: pair
 
       pair = settings%of(find_key('pair', command_surface))%switch
@@ -58,8 +60,12 @@ contains
          call refuse_given(settings, made, 'is for --generate', error)
       end if
       if (allocated(error)) return
-      if (settings%given('mirror') .and. .not. pair) &
+      if (settings%given('mirror') .and. .not. pair) then
          call fatal_error(error, '--mirror: is for --pair')
+      else if (settings%given('material')) then
+         call find_pair(settings%text_of('material'), preset, error)
+         if (allocated(error)) error%message = '--material: '//error%message
+      end if
       if (.not. pair) call forget(settings%of(find_key('mirror')))
    end subroutine check_map_options
 

@@ -138,8 +138,8 @@ contains
       call find_gap(map, shares, gap, error)
       if (allocated(error)) return
       named%name = 'gap'
-      named%title = 'Gap at first touch, mean '//to_text(gap%mean, 4)//' mm, standard deviation '// &
-         to_text(gap%sigma, 4)//' mm'
+      named%title = 'Gap at first touch, mean '//to_text(gap%mean, 4)// &
+         ' mm, standard deviation '//to_text(gap%sigma, 4)//' mm'
       named%table = new_table(columns=2, rows=size(shares))
       call named%table%add_numbers('area_share', '-', shares, figures=4)
       call named%table%add_numbers('gap', 'mm', gap%quantiles, figures=4)

@@ -3,17 +3,41 @@ module app_surface_tables
    use asperity, only: wp
    use surface_analysis, only: surface_analysis_type
    use surface_evaluate, only: no_parameter
+   use surface_height_map, only: height_map, missing_points
+   use surface_summits, only: summit_set
    use surface_parameters, only: n_parameters, p_sp, p_summit_plane, parameters
    use app_surface_law, only: has_law, route_places, routes
-   use app_table, only: new_table, no_value, table_type
+   use app_table, only: column_counts, new_table, no_value, table_type
    implicit none
    private
-   public :: parameter_table, law_parameters_table
+   public :: law_parameters_table, map_table, parameter_table
 
    !> Figures of a value, and of an uncertainty, on the terminal
    integer, parameter :: value_figures = 4, uncertainty_figures = 2
 
 contains
+
+   !> What the map is, in one row.
+   pure function map_table(map, name, summits) result(table)
+      !> The map as it was analysed
+      type(height_map), intent(in) :: map
+      !> Its name
+      character(len=*), intent(in) :: name
+      !> Its summits
+      type(summit_set), intent(in) :: summits
+      type(table_type) :: table
+
+      table = new_table(columns=9, rows=1)
+      call table%add_texts('map', [name])
+      call table%add_texts('format', [map%format])
+      call table%add_codes('points_x', column_counts, [size(map%heights, 1)])
+      call table%add_codes('points_y', column_counts, [size(map%heights, 2)])
+      call table%add_numbers('step_x', 'mm', [map%step_x], figures=value_figures)
+      call table%add_numbers('step_y', 'mm', [map%step_y], figures=value_figures)
+      call table%add_codes('missing', column_counts, [missing_points(map)])
+      call table%add_codes('summits', column_counts, [size(summits%height)])
+      call table%add_codes('peaks', column_counts, [count(summits%is_peak)])
+   end function map_table
 
    !> One row a parameter: value, half width of its 95 % interval, and the values at multiples of
    !> the step.
