@@ -90,7 +90,8 @@ contains
    end function extremes
 
    !> x^2 - y^2 is the mean of its four neighbours everywhere, so the membrane should be it. Across
-   !> a hole of 40 points it ranges over 800: the iteration's end leaves less than a percent.
+   !> a hole of 40 points it ranges over 800. Six rounds, each of which halves the error at least,
+   !> leave a thousandth of a start that is off by a twentieth.
    subroutine test_saddle()
       type(height_map) :: map
       type(error_type), allocatable :: error

@@ -18,8 +18,8 @@ module surface_gaussian_filter
    private
    public :: filter_long, filter_short
 
-   !> Lines filtered at a time
-   integer, parameter :: block_lines = 16
+   !> Lines filtered at a time, and their points unless one line has more
+   integer, parameter :: most_lines = 16, most_points = 2**20
    !> Shortest cutoff, in steps: the shortest wave that a map has
    real(wp), parameter :: shortest_cutoff = 2.0_wp
 
@@ -132,9 +132,11 @@ contains
       real(wp), intent(in) :: cutoff
       real(real32), intent(inout), contiguous, optional :: weights(:, :)
       type(line_filter) :: filter
-      real(wp) :: block(size(z, 1), block_lines)
-      integer :: first, last
+      real(wp), allocatable :: block(:, :)
+      integer :: first, last, block_lines
 
+      block_lines = max(1, min(most_lines, most_points/size(z, 1)))
+      allocate (block(size(z, 1), block_lines))
       call new_line_filter(filter, size(z, 1), block_lines, cutoff, .not. present(weights))
       do first = 1, size(z, 2), block_lines
          last = min(first + block_lines - 1, size(z, 2))
@@ -156,9 +158,11 @@ contains
       real(wp), intent(in) :: cutoff
       real(real32), intent(inout), contiguous, optional :: weights(:, :)
       type(line_filter) :: filter
-      real(wp) :: block(size(z, 2), block_lines)
-      integer :: first, last, j
+      real(wp), allocatable :: block(:, :)
+      integer :: first, last, block_lines, j
 
+      block_lines = max(1, min(most_lines, most_points/size(z, 2)))
+      allocate (block(size(z, 2), block_lines))
       call new_line_filter(filter, size(z, 2), block_lines, cutoff, .not. present(weights))
       do first = 1, size(z, 1), block_lines
          last = min(first + block_lines - 1, size(z, 1))

@@ -74,12 +74,13 @@ contains
       integer, allocatable, intent(out) :: hill(:, :), tops(:)
       !> With room for all saddles
       type(saddle_type), allocatable, intent(out) :: saddles(:)
-      real(wp) :: rows(0:size(z, 1) + 1, 0:2)
+      real(wp), allocatable :: rows(:, :)
       integer :: i, j, n_tops, n_saddles, higher, highest
 
       allocate (hill(size(z, 1), size(z, 2)))
       n_tops = 0
       n_saddles = 0
+      allocate (rows(0:size(z, 1) + 1, 0:2))
       call start_rows(z, rows)
       do j = 1, size(z, 2)
          call next_row(z, j, rows)
@@ -135,10 +136,11 @@ contains
       type(saddle_type), intent(inout) :: saddles(:)
       !> Their number
       integer, intent(out) :: n
-      real(wp) :: rows(0:size(z, 1) + 1, 0:2)
+      real(wp), allocatable :: rows(:, :)
       integer :: i, j, k, higher, first
 
       n = 0
+      allocate (rows(0:size(z, 1) + 1, 0:2))
       call start_rows(z, rows)
       do j = 1, size(z, 2)
          call next_row(z, j, rows)
@@ -237,10 +239,10 @@ contains
    !> Before the first row: `nothing`, and the first row as the next.
    pure subroutine start_rows(z, rows)
       real(wp), intent(in), contiguous :: z(:, :)
-      real(wp), intent(out) :: rows(0:, 0:)
+      real(wp), intent(inout) :: rows(0:, 0:)
 
       rows = nothing
-      rows(1:size(z, 1), 2) = merge(z(:, 1), nothing, z(:, 1) < missing_height)
+      call read_row(z, 1, rows(:, 2))
    end subroutine start_rows
 
    !> Move on to a row: the one before it, itself and the one after, with `nothing` around the map
@@ -256,11 +258,20 @@ contains
          rows(i, 1) = rows(i, 2)
          rows(i, 2) = nothing
       end do
-      if (j == size(z, 2)) return
-      do i = 1, size(z, 1)
-         if (z(i, j + 1) < missing_height) rows(i, 2) = z(i, j + 1)
-      end do
+      if (j < size(z, 2)) call read_row(z, j + 1, rows(:, 2))
    end subroutine next_row
+
+   !> The measured heights of a row.
+   pure subroutine read_row(z, j, row)
+      real(wp), intent(in), contiguous :: z(:, :)
+      integer, intent(in) :: j
+      real(wp), intent(inout) :: row(0:)
+      integer :: i
+
+      do i = 1, size(z, 1)
+         if (z(i, j) < missing_height) row(i) = z(i, j)
+      end do
+   end subroutine read_row
 
    !> Which neighbours are higher, a bit each in turn.
    pure integer function higher_neighbours(rows, i)

@@ -141,14 +141,15 @@ contains
       !> Sums over a row: of heights by polynomial, and of products of two, of a full one as well
       real(wp) :: row_right(0:ubound(px, 2)), row_normal(0:ubound(px, 2), 0:ubound(px, 2)), &
          full_normal(0:ubound(px, 2), 0:ubound(px, 2))
-      real(wp) :: height(size(z, 1)), weight(size(z, 1))
+      real(wp), allocatable :: height(:), weight(:), weighted(:)
       integer :: i, j, k, l
       logical :: has_holes
 
+      allocate (height(size(z, 1)), weight(size(z, 1)), weighted(size(z, 1)))
       if (.not. only_right) then
          normal = 0.0_wp
          weight = 1.0_wp
-         call sum_pairs(full_normal)
+         call sum_pairs(px, weight, weighted, full_normal)
       end if
       right = 0.0_wp
       do j = 1, size(z, 2)
@@ -156,7 +157,7 @@ contains
          do i = 1, size(z, 1)
             if (z(i, j) >= missing_height) has_holes = .true.
          end do
-         height = z(:, j)
+         height(:) = z(:, j)
          if (has_holes) where (height >= missing_height) height = 0.0_wp
          do k = 0, ubound(px, 2)
             row_right(k) = dot_product(height, px(:, k))
@@ -168,7 +169,7 @@ contains
          row_normal = full_normal
          if (has_holes) then
             weight = merge(0.0_wp, 1.0_wp, z(:, j) >= missing_height)
-            call sum_pairs(row_normal)
+            call sum_pairs(px, weight, weighted, row_normal)
          end if
          do l = 1, size(right)
             do k = l, size(right)
@@ -179,25 +180,24 @@ contains
       do l = 2, size(right)
          normal(:l - 1, l) = normal(l, :l - 1)
       end do
-
-   contains
-
-      !> Sums over a row of the products of two polynomials at the points with weight one.
-      pure subroutine sum_pairs(sums)
-         real(wp), intent(out) :: sums(0:, 0:)
-         real(wp) :: weighted(size(weight))
-         integer :: m, n
-
-         do n = 0, ubound(px, 2)
-            weighted = weight*px(:, n)
-            do m = 0, n
-               sums(m, n) = dot_product(weighted, px(:, m))
-               sums(n, m) = sums(m, n)
-            end do
-         end do
-      end subroutine sum_pairs
-
    end subroutine sum_products
+
+   !> Sums over a row of the products of two polynomials by weight.
+   pure subroutine sum_pairs(px, weight, weighted, sums)
+      real(wp), intent(in) :: px(:, 0:), weight(:)
+      !> To work in
+      real(wp), intent(inout) :: weighted(:)
+      real(wp), intent(out) :: sums(0:, 0:)
+      integer :: m, n
+
+      do n = 0, ubound(px, 2)
+         weighted = weight*px(:, n)
+         do m = 0, n
+            sums(m, n) = dot_product(weighted, px(:, m))
+            sums(n, m) = sums(m, n)
+         end do
+      end do
+   end subroutine sum_pairs
 
    !> Subtract the sum of terms from the measured points.
    pure subroutine subtract(z, px, py, a, b, factors)
@@ -206,9 +206,11 @@ contains
       integer, intent(in) :: a(:), b(:)
       !> Factor of each term
       real(wp), intent(in) :: factors(:)
-      real(wp) :: form(size(z, 1)), row_factor
+      real(wp), allocatable :: form(:)
+      real(wp) :: row_factor
       integer :: i, j, k, l
 
+      allocate (form(size(z, 1)))
       do j = 1, size(z, 2)
          form = 0.0_wp
          do k = 0, ubound(px, 2)
