@@ -1,0 +1,62 @@
+!> Exact statistics of the summits of an isotropic Gaussian surface (Nayak 1971), from the spectral
+!> moments m0, m2, m4 of its profiles. Derived in docs/surface_theory.md.
+module surface_nayak
+   use asperity_kinds, only: wp
+   use asperity_properties, only: pi
+   implicit none
+   private
+   public :: nayak_summits, summit_curvature_density
+
+   !> Share of m0/alpha by which the variance of summit heights is below m0: 0.896806
+   real(wp), parameter, public :: summit_constant = &
+      1.0_wp - 3.0_wp*sqrt(3.0_wp) + 16.0_wp/pi
+   !> Smallest alpha of an isotropic Gaussian surface
+   real(wp), parameter, public :: alpha_min = 1.5_wp
+
+   !> Statistics of summits; heights are above the mean plane of the surface.
+   type, public :: nayak_type
+      !> Bandwidth parameter m0 m4/m2^2
+      real(wp) :: alpha = 0.0_wp
+      !> Summits per area, 1/mm^2
+      real(wp) :: density = 0.0_wp
+      !> Mean and standard deviation of their mean curvature, 1/mm
+      real(wp) :: curvature = 0.0_wp, curvature_sigma = 0.0_wp
+      !> Mean height, mm, and variance of heights, mm^2; below zero where alpha < 0.8968
+      real(wp) :: height = 0.0_wp, variance = 0.0_wp
+   end type nayak_type
+
+contains
+
+   !> Statistics of the summits. No surface has alpha below 1.5, but the formulas go on.
+   pure elemental function nayak_summits(m0, m2, m4) result(summits)
+      !> Mean square height, mm^2
+      real(wp), intent(in) :: m0
+      !> Mean square slope of profiles
+      real(wp), intent(in) :: m2
+      !> Mean square curvature of profiles, 1/mm^2
+      real(wp), intent(in) :: m4
+      type(nayak_type) :: summits
+      real(wp), parameter :: mean_x = 8.0_wp/3.0_wp*sqrt(1.5_wp/pi), &
+         mean_x_2 = 2.0_wp*sqrt(3.0_wp) + 1.0_wp/3.0_wp
+
+      summits%alpha = (m0/m2)*(m4/m2)
+      summits%density = (m4/m2)/(6.0_wp*pi*sqrt(3.0_wp))
+      summits%curvature = 8.0_wp/3.0_wp*sqrt(m4/pi)
+      summits%curvature_sigma = sqrt(2.0_wp*m4/3.0_wp*(mean_x_2 - mean_x**2))
+      summits%height = 4.0_wp*m2/sqrt(pi*m4)
+      summits%variance = m0 - summit_constant*m2*(m2/m4)
+   end function nayak_summits
+
+   !> Probability density of x = kappa sqrt(3/(2 m4)), kappa the mean curvature at a summit.
+   pure elemental real(wp) function summit_curvature_density(x) result(density)
+      !> Scaled curvature; no summit has one below zero
+      real(wp), intent(in) :: x
+      real(wp) :: x2
+
+      density = 0.0_wp
+      if (.not. x > 0.0_wp) return
+      x2 = x*x
+      density = 2.0_wp*sqrt(3.0_wp/(2.0_wp*pi))*exp(-0.5_wp*x2)*(x2 - 1.0_wp + exp(-x2))
+   end function summit_curvature_density
+
+end module surface_nayak

@@ -1,0 +1,80 @@
+!> How sure the parameters of a map are: each is evaluated again with one tile of the map left out
+!> at a time (delete-one-group jackknife), and the scatter of the results says how far parameters of
+!> other maps of the same face would lie from it.
+module surface_uncertainty
+   use asperity_kinds, only: wp
+   use surface_evaluate, only: no_parameter, parameters_of
+   use surface_parameters, only: n_parameters, p_direction, p_sp, p_sv, p_sz
+   use surface_student, only: student_factor
+   use surface_sums, only: summed, surface_sums_type
+   implicit none
+   private
+   public :: jackknife, uncertainties
+
+   !> Share of maps within the stated uncertainty
+   real(wp), parameter, public :: confidence = 0.95_wp
+   !> Half width of the interval of a direction that is not known at all, deg
+   real(wp), parameter :: any_direction = 90.0_wp
+
+contains
+
+   !> Half widths of the 95 % intervals of all parameters, by Student's t for one degree of freedom
+   !> less than tiles with inner points. What the tiles have in common is not in it: the plane, the
+   !> form and the height of pruning are those of the whole map.
+   pure subroutine uncertainties(sums, cell_area, uncertainty)
+      !> Sums over the tiles
+      type(surface_sums_type), intent(in) :: sums(:)
+      !> Area of one inner point, step_x step_y, mm^2
+      real(wp), intent(in) :: cell_area
+      !> Half widths in the order of the table; `no_parameter` where there is none: for extremes,
+      !> for what does not exist on every remainder, for fewer than two tiles
+      real(wp), intent(out) :: uncertainty(n_parameters)
+      real(wp), allocatable :: left(:, :), weights(:)
+      real(wp) :: whole(n_parameters)
+      integer, allocatable :: tiles(:)
+      integer :: i
+
+      uncertainty = no_parameter
+      tiles = pack([(i, i=1, size(sums))], sums%inner > 0.0_wp)
+      if (size(tiles) < 2) return
+      call parameters_of(summed(sums), cell_area, whole)
+      allocate (left(n_parameters, size(tiles)))
+      do i = 1, size(tiles)
+         call parameters_of(summed(sums, tiles(i)), cell_area, left(:, i))
+      end do
+      weights = sums(tiles)%inner/sum(sums(tiles)%inner)
+      call jackknife(whole, left, weights, uncertainty)
+      where (uncertainty < no_parameter) &
+         uncertainty = student_factor(confidence, size(tiles) - 1)*sqrt(uncertainty)
+      if (uncertainty(p_direction) < no_parameter) &
+         uncertainty(p_direction) = min(uncertainty(p_direction), any_direction)
+   end subroutine uncertainties
+
+   !> Variances of all parameters from their values with one tile left out, for tiles of unequal
+   !> size (Busing, Meijer & van der Leeden 1999).
+   pure subroutine jackknife(whole, left, weights, variance)
+      !> Values of all tiles together
+      real(wp), intent(in) :: whole(n_parameters)
+      !> Values without one tile each, (parameter, tile)
+      real(wp), intent(in) :: left(:, :)
+      !> Shares of the tiles in the map, of sum 1
+      real(wp), intent(in) :: weights(:)
+      !> Variances; `no_parameter` where there is none
+      real(wp), intent(out) :: variance(n_parameters)
+      real(wp) :: change(size(weights)), bias
+      integer :: p
+
+      variance = no_parameter
+      do p = 1, n_parameters
+         if (p == p_sz .or. p == p_sp .or. p == p_sv) cycle
+         if (max(whole(p), maxval(left(p, :))) >= no_parameter) cycle
+         change = left(p, :) - whole(p)
+         if (p == p_direction) change = modulo(change + 90.0_wp, 180.0_wp) - 90.0_wp
+         bias = sum((1.0_wp - weights)*change)
+         ! pseudo-values whole - (1/weight - 1) change about their estimate whole - bias
+         change = bias - (1.0_wp - weights)/weights*change
+         variance(p) = sum(change**2*weights/(1.0_wp - weights))/size(weights)
+      end do
+   end subroutine jackknife
+
+end module surface_uncertainty
