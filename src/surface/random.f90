@@ -6,14 +6,14 @@ module surface_random
    use asperity_properties, only: pi
    implicit none
    private
-   public :: random_type, new_random, fill_normal
+   public :: random_type, new_random, next_uniform, fill_normal
 
    integer(int64), parameter :: modulus_1 = 4294967087_int64, modulus_2 = 4294944443_int64
    integer(int64), parameter :: low_32 = 4294967295_int64
 
    !> State of one stream.
    type :: random_type
-      private
+      !> Last three numbers of the two recurrences; neither all zero
       integer(int64) :: a(3) = 1_int64, b(3) = 1_int64
    end type random_type
 
@@ -51,7 +51,9 @@ contains
 
    !> A number above 0 and below 1.
    pure subroutine next_uniform(stream, x)
+      !> The stream
       type(random_type), intent(inout) :: stream
+      !> The number
       real(wp), intent(out) :: x
       integer(int64) :: p, q
 
