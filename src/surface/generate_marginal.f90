@@ -48,9 +48,8 @@ contains
       real(wp), intent(in) :: ssk, sku
       !> Set where no function has them
       type(error_type), allocatable, intent(out) :: error
-      real(wp) :: target(2), reached, side
+      integer, parameter :: n_steps(3) = [3, 12, 40]
       integer :: i
-      integer, parameter :: n_steps = 40
       logical :: is_found
 
       if (abs(ssk) < 1.0e-12_wp .and. abs(sku - 3.0_wp) < 1.0e-12_wp) return
@@ -62,18 +61,9 @@ contains
       end if
       marginal%is_gaussian = .false.
       marginal%sign = sign(1.0_wp, ssk)
-      ! from the Gaussian distribution to the one asked for in small steps, Newton at each, on one
-      ! side of the lognormal distributions; where s is small, ssk = 3 a and sku - 3 = 16 a^2 + d
-      side = sku - 3.0_wp - lognormal_excess(abs(ssk))
-      side = sign(max(abs(side), least_side), side)
-      marginal%a = abs(ssk)/(3*n_steps)
-      marginal%d = side/n_steps
-      do i = 1, n_steps
-         reached = real(i, wp)/n_steps
-         target(1) = abs(ssk)*reached
-         target(2) = lognormal_excess(target(1)) + side*reached*room(target(1))/room(abs(ssk))
-         call solve(marginal, target, is_found)
-         if (.not. is_found) exit
+      do i = 1, size(n_steps)
+         call follow(marginal, abs(ssk), sku, n_steps(i), is_found)
+         if (is_found) exit
       end do
       if (.not. is_found) then
          call fatal_error(error, 'ssk = '//to_text(ssk)//' with sku = '//to_text(sku)// &
@@ -83,6 +73,31 @@ contains
       end if
       call expand(marginal)
    end subroutine new_marginal
+
+   !> Go from the Gaussian distribution to the one asked for in steps, Newton's method at each, on
+   !> one side of the lognormal distributions.
+   pure subroutine follow(marginal, skewness, sku, n_steps, is_found)
+      type(marginal_type), intent(inout) :: marginal
+      real(wp), intent(in) :: skewness, sku
+      integer, intent(in) :: n_steps
+      logical, intent(out) :: is_found
+      real(wp) :: target(2), reached, side
+      integer :: i
+
+      is_found = .false.
+      side = sku - 3.0_wp - lognormal_excess(skewness)
+      side = sign(max(abs(side), least_side), side)
+      ! where s is small, the skewness is 3 a and the kurtosis 3 + 16 a^2 + d
+      marginal%a = skewness/(3*n_steps)
+      marginal%d = side/n_steps
+      do i = 1, n_steps
+         reached = real(i, wp)/n_steps
+         target(1) = skewness*reached
+         target(2) = lognormal_excess(target(1)) + side*reached*room(target(1))/room(skewness)
+         call solve(marginal, target, is_found)
+         if (.not. is_found) return
+      end do
+   end subroutine follow
 
    !> Kurtosis less 3 of the lognormal distribution of a skewness.
    pure real(wp) function lognormal_excess(skewness) result(excess)

@@ -1,0 +1,210 @@
+!> Two rough faces as one: the equivalent surface against a plane, and what aligned maps of both say
+!> of the gap between them. The gap of two faces is that of their sum against a plane, so squares of
+!> heights, slopes and curvatures add as far as the faces are not correlated.
+module surface_pair
+   use asperity_error, only: error_type, fatal_error
+   use asperity_kinds, only: wp
+   use asperity_text, only: to_text
+   use surface_evaluate, only: no_parameter, parameters_of, values_of_moments
+   use surface_height_map, only: height_map, missing_height
+   use surface_parameters, only: n_parameters, p_m0, p_m2, p_m4, p_sdq, p_sigma_paper, p_sq
+   use surface_student, only: student_factor
+   use surface_sums, only: summed, surface_sums_type
+   use surface_uncertainty, only: confidence, jackknife
+   implicit none
+   private
+   public :: combine_values, map_correlation, pair_uncertainties, sum_of_maps
+
+   !> Difference of steps, over the step, that counts as none
+   real(wp), parameter :: same_step = 1.0e-6_wp
+
+contains
+
+   !> Parameters of the equivalent surface of a pair: m0, m2 and m4 of the equivalent isotropic
+   !> surfaces added, all that follows from them, and sq and the paper's sigma of the two. Others
+   !> have no rule: `no_parameter`.
+   pure subroutine combine_values(values_1, values_2, values)
+      !> Values of the two faces, in the order of the table
+      real(wp), intent(in) :: values_1(n_parameters), values_2(n_parameters)
+      !> Values of the pair
+      real(wp), intent(out) :: values(n_parameters)
+      integer, parameter :: squares(3) = [p_m0, p_m2, p_m4]
+      integer, parameter :: roots(3) = [p_sq, p_sdq, p_sigma_paper]
+      integer :: i
+
+      values = no_parameter
+      do i = 1, size(squares)
+         associate (a => values_1(squares(i)), b => values_2(squares(i)))
+            if (max(a, b) < no_parameter) values(squares(i)) = a + b
+         end associate
+         associate (a => values_1(roots(i)), b => values_2(roots(i)))
+            if (max(a, b) < no_parameter) values(roots(i)) = hypot(a, b)
+         end associate
+      end do
+      call values_of_moments(values)
+   end subroutine combine_values
+
+   !> Half widths of the 95 % intervals of `combine_values`: the jackknife of each face with the
+   !> other one whole, whose variances add; Student's t for degrees of freedom by Welch and
+   !> Satterthwaite, rounded down.
+   pure subroutine pair_uncertainties(sums_1, cell_area_1, sums_2, cell_area_2, uncertainty)
+      !> Sums over the tiles of each face
+      type(surface_sums_type), intent(in) :: sums_1(:), sums_2(:)
+      !> Area of one inner point of each, mm^2
+      real(wp), intent(in) :: cell_area_1, cell_area_2
+      !> Half widths in the order of the table; `no_parameter` where there is none
+      real(wp), intent(out) :: uncertainty(n_parameters)
+      real(wp) :: variance_1(n_parameters), variance_2(n_parameters), total
+      integer :: degrees_1, degrees_2, degrees, p
+
+      uncertainty = no_parameter
+      call vary_one(sums_1, cell_area_1, sums_2, cell_area_2, variance_1, degrees_1)
+      call vary_one(sums_2, cell_area_2, sums_1, cell_area_1, variance_2, degrees_2)
+      if (min(degrees_1, degrees_2) < 1) return
+      do p = 1, n_parameters
+         if (max(variance_1(p), variance_2(p)) >= no_parameter) cycle
+         total = variance_1(p) + variance_2(p)
+         uncertainty(p) = 0.0_wp
+         if (.not. total > 0.0_wp) cycle
+         degrees = int(1.0_wp/((variance_1(p)/total)**2/degrees_1 &
+            + (variance_2(p)/total)**2/degrees_2) + 1.0e-9_wp)
+         uncertainty(p) = student_factor(confidence, degrees)*sqrt(total)
+      end do
+   end subroutine pair_uncertainties
+
+   !> Variances of the pair's values from leaving out tiles of the first face.
+   pure subroutine vary_one(sums, cell_area, others, other_area, variance, degrees)
+      type(surface_sums_type), intent(in) :: sums(:), others(:)
+      real(wp), intent(in) :: cell_area, other_area
+      real(wp), intent(out) :: variance(n_parameters)
+      integer, intent(out) :: degrees
+      real(wp) :: other(n_parameters), one(n_parameters), whole(n_parameters)
+      real(wp), allocatable :: left(:, :)
+      integer, allocatable :: tiles(:)
+      integer :: i
+
+      variance = no_parameter
+      tiles = pack([(i, i=1, size(sums))], sums%inner > 0.0_wp)
+      degrees = size(tiles) - 1
+      if (degrees < 1) return
+      call parameters_of(summed(others), other_area, other)
+      call parameters_of(summed(sums), cell_area, one)
+      call combine_values(one, other, whole)
+      allocate (left(n_parameters, size(tiles)))
+      do i = 1, size(tiles)
+         call parameters_of(summed(sums, tiles(i)), cell_area, one)
+         call combine_values(one, other, left(:, i))
+      end do
+      call jackknife(whole, left, sums(tiles)%inner/sum(sums(tiles)%inner), variance)
+   end subroutine vary_one
+
+   !> Heights of two aligned maps added, the second one turned over to face the first. The gap at a
+   !> distance of the mean planes is the distance less this sum, whose highest point touches first.
+   !> A point missing from either is missing.
+   pure subroutine sum_of_maps(map_1, map_2, mirror, map, error)
+      !> Maps of the same points and steps, each seen from outside its own material
+      type(height_map), intent(in) :: map_1, map_2
+      !> How the second is turned over: about the y axis, which reverses `x`, about the x axis,
+      !> which reverses `y`, or `none` when it was recorded from the side of the first
+      character(len=*), intent(in) :: mirror
+      !> The sum
+      type(height_map), intent(out) :: map
+      !> Set when the maps do not fit each other
+      type(error_type), allocatable, intent(out) :: error
+      real(wp) :: other
+      integer :: i, j, nx, ny
+
+      call check_pair(map_1, map_2, mirror, error)
+      if (allocated(error)) return
+      nx = size(map_1%heights, 1)
+      ny = size(map_1%heights, 2)
+      map%step_x = map_1%step_x
+      map%step_y = map_1%step_y
+      map%source = map_1%source//' + '//map_2%source
+      map%format = ''
+      allocate (map%heights(nx, ny))
+      do j = 1, ny
+         do i = 1, nx
+            other = map_2%heights(merge(nx + 1 - i, i, mirror == 'x'), &
+               merge(ny + 1 - j, j, mirror == 'y'))
+            map%heights(i, j) = missing_height
+            if (max(map_1%heights(i, j), other) < missing_height) &
+               map%heights(i, j) = map_1%heights(i, j) + other
+         end do
+      end do
+   end subroutine sum_of_maps
+
+   !> Correlation coefficient of the heights of two aligned maps, the second one turned over; 0
+   !> where one of them is flat. Moments add only without it: m0 of the pair is m0_1 + m0_2
+   !> + 2 correlation sqrt(m0_1 m0_2).
+   pure subroutine map_correlation(map_1, map_2, mirror, correlation, error)
+      !> Maps as for `sum_of_maps`
+      type(height_map), intent(in) :: map_1, map_2
+      !> `x`, `y` or `none`
+      character(len=*), intent(in) :: mirror
+      !> Coefficient, -1 to 1
+      real(wp), intent(out) :: correlation
+      !> Set when the maps do not fit each other
+      type(error_type), allocatable, intent(out) :: error
+      real(wp) :: a, b, first(2), second(2), product, points
+      integer :: i, j, nx, ny
+
+      correlation = 0.0_wp
+      call check_pair(map_1, map_2, mirror, error)
+      if (allocated(error)) return
+      nx = size(map_1%heights, 1)
+      ny = size(map_1%heights, 2)
+      points = 0.0_wp
+      first = 0.0_wp
+      second = 0.0_wp
+      product = 0.0_wp
+      do j = 1, ny
+         do i = 1, nx
+            a = map_1%heights(i, j)
+            b = map_2%heights(merge(nx + 1 - i, i, mirror == 'x'), &
+               merge(ny + 1 - j, j, mirror == 'y'))
+            if (max(a, b) >= missing_height) cycle
+            points = points + 1.0_wp
+            first = first + [a, b]
+            second = second + [a*a, b*b]
+            product = product + a*b
+         end do
+      end do
+      if (.not. points > 0.0_wp) return
+      first = first/points
+      second = second/points - first**2
+      if (minval(second) > 0.0_wp) correlation = &
+         max(-1.0_wp, min(1.0_wp, &
+         (product/points - first(1)*first(2))/sqrt(second(1))/sqrt(second(2))))
+   end subroutine map_correlation
+
+   !> Refuse maps that do not lie point on point.
+   pure subroutine check_pair(map_1, map_2, mirror, error)
+      type(height_map), intent(in) :: map_1, map_2
+      character(len=*), intent(in) :: mirror
+      type(error_type), allocatable, intent(out) :: error
+      real(wp) :: steps(2, 2)
+
+      steps = reshape([map_1%step_x, map_1%step_y, map_2%step_x, map_2%step_y], [2, 2])
+      if (all(mirror /= ['x   ', 'y   ', 'none'])) then
+         call fatal_error(error, 'mirror = '//trim(mirror)//' is not known: give x, y or none')
+      else if (any(shape(map_1%heights) /= shape(map_2%heights))) then
+         call fatal_error(error, 'the maps have different points, '//trim(size_text(map_1))//' in '// &
+            map_1%source//' and '//trim(size_text(map_2))//' in '//map_2%source// &
+            ': only maps that lie point on point have a gap')
+      else if (any(abs(steps(:, 1) - steps(:, 2)) > same_step*steps(:, 1))) then
+         call fatal_error(error, 'the maps have different steps, '//to_text(steps(1, 1), 8)// &
+            ' x '//to_text(steps(2, 1), 8)//' mm in '//map_1%source//' and '// &
+            to_text(steps(1, 2), 8)//' x '//to_text(steps(2, 2), 8)//' mm in '//map_2%source// &
+            ': only maps that lie point on point have a gap')
+      end if
+   end subroutine check_pair
+
+   pure function size_text(map) result(text)
+      type(height_map), intent(in) :: map
+      character(len=32) :: text
+
+      text = to_text(size(map%heights, 1))//' x '//to_text(size(map%heights, 2))
+   end function size_text
+
+end module surface_pair

@@ -1,0 +1,170 @@
+!> Does the statistical law hold on a real map? The law of one summit summed over the summits found
+!> there, p(d) = (1/A) sum N(z - d), without any assumption on their heights: by one radius for all,
+!> as the law has it, and by the radius of each.
+module surface_verify
+   use asperity_error, only: error_type, fatal_error
+   use asperity_kinds, only: wp
+   use asperity_normal_law, only: evaluate_normal_law, normal_response
+   use asperity_properties, only: normal_properties
+   use asperity_single_asperity, only: asperity_response, evaluate_asperity
+   implicit none
+   private
+   public :: summit_curve, sum_over_summits
+
+   !> Pressures at each separation. The gap of one summit to another is not in any of them.
+   type :: summit_curve
+      !> Separation from the summit mean plane, mm
+      real(wp), allocatable :: separation(:)
+      !> Pressure of the Gaussian law, MPa
+      real(wp), allocatable :: gaussian(:)
+      !> Pressure of the summits, MPa, with the mean radius, with that of each
+      real(wp), allocatable :: mean_radius(:), own_radius(:)
+      !> Standard errors of these two as samples of independent summits, MPa
+      real(wp), allocatable :: mean_radius_error(:), own_radius_error(:)
+      !> Summits in contact per area, 1/mm^2, of the map and of the Gaussian law
+      real(wp), allocatable :: contact_density(:), gaussian_density(:)
+      !> Real area over nominal area, with the mean radius, and by the Gaussian law
+      real(wp), allocatable :: area_fraction(:), gaussian_area(:)
+      !> Summits without a radius, as their curvature is not above zero; they take the mean one
+      integer :: without_radius = 0
+   end type summit_curve
+
+contains
+
+   !> Sum the law of one summit over summits.
+   pure subroutine sum_over_summits(properties, heights, curvatures, area, separations, curve, error)
+      !> The pair: radius is the mean one, eta and sigma are for the Gaussian law
+      type(normal_properties), intent(in) :: properties
+      !> Heights of the summits above the summit mean plane, mm
+      real(wp), intent(in) :: heights(:)
+      !> Their mean curvatures, 1/mm
+      real(wp), intent(in) :: curvatures(:)
+      !> Area they were found on, mm^2
+      real(wp), intent(in) :: area
+      !> Separations of the rigid plane from the summit mean plane, mm
+      real(wp), intent(in) :: separations(:)
+      !> Result
+      type(summit_curve), intent(out) :: curve
+      !> Set when there is nothing to sum
+      type(error_type), allocatable, intent(out) :: error
+      integer, allocatable :: order(:)
+      real(wp), allocatable :: z(:), ratio(:)
+      type(normal_response) :: law
+      integer :: i, n
+
+      if (size(heights) == 0 .or. .not. area > 0.0_wp) then
+         call fatal_error(error, 'there are no summits to sum over: the map shows none')
+         return
+      else if (size(heights) /= size(curvatures)) then
+         call fatal_error(error, 'summits have as many heights as curvatures')
+         return
+      end if
+      order = rising_order(heights)
+      z = heights(order)
+      ! radius over mean radius
+      allocate (ratio(size(z)), source=1.0_wp)
+      do i = 1, size(z)
+         if (curvatures(order(i))*properties%radius > tiny(1.0_wp)) then
+            ratio(i) = 1.0_wp/(curvatures(order(i))*properties%radius)
+         else
+            curve%without_radius = curve%without_radius + 1
+         end if
+      end do
+      n = size(separations)
+      curve%separation = separations
+      allocate (curve%gaussian(n), curve%gaussian_density(n), curve%gaussian_area(n), &
+         curve%mean_radius(n), curve%own_radius(n), curve%mean_radius_error(n), &
+         curve%own_radius_error(n), curve%contact_density(n), curve%area_fraction(n))
+      do i = 1, n
+         law = evaluate_normal_law(properties, separations(i))
+         curve%gaussian(i) = law%pressure
+         curve%gaussian_density(i) = law%contact_density
+         curve%gaussian_area(i) = law%area_fraction
+         call sum_at(properties, z, ratio, area, separations(i), curve%mean_radius(i), &
+            curve%own_radius(i), curve%mean_radius_error(i), curve%own_radius_error(i), &
+            curve%contact_density(i), curve%area_fraction(i))
+      end do
+   end subroutine sum_over_summits
+
+   !> Sums at one separation, over summits in rising order.
+   pure subroutine sum_at(properties, z, ratio, area, d, mean_radius, own_radius, mean_error, &
+         own_error, density, area_fraction)
+      type(normal_properties), intent(in) :: properties
+      real(wp), intent(in) :: z(:), ratio(:), area, d
+      real(wp), intent(out) :: mean_radius, own_radius, mean_error, own_error, density, &
+         area_fraction
+      type(asperity_response) :: summit
+      real(wp) :: sums(2), squares(2), areas, force
+      integer :: i
+
+      sums = 0.0_wp
+      squares = 0.0_wp
+      areas = 0.0_wp
+      do i = size(z), 1, -1
+         if (.not. z(i) > d) exit
+         summit = evaluate_asperity(properties, z(i) - d)
+         areas = areas + summit%area
+         sums(1) = sums(1) + summit%force
+         squares(1) = squares(1) + summit%force**2
+         ! w1 and w2 are as the radius, forces at equal w/w1 as its square, at every stage
+         summit = evaluate_asperity(properties, (z(i) - d)/ratio(i))
+         force = summit%force*ratio(i)**2
+         sums(2) = sums(2) + force
+         squares(2) = squares(2) + force**2
+      end do
+      density = real(size(z) - i, wp)/area
+      mean_radius = sums(1)/area
+      own_radius = sums(2)/area
+      mean_error = sqrt(squares(1))/area
+      own_error = sqrt(squares(2))/area
+      area_fraction = areas/area
+   end subroutine sum_at
+
+   !> Places of numbers in rising order, by merging.
+   pure function rising_order(values) result(order)
+      real(wp), intent(in) :: values(:)
+      integer, allocatable :: order(:)
+      integer, allocatable :: other(:)
+      integer :: i, j, k, n, width, first, middle, last
+
+      n = size(values)
+      order = [(i, i=1, n)]
+      allocate (other(n))
+      width = 1
+      do while (width < n)
+         do first = 1, n, 2*width
+            middle = min(first + width, n + 1)
+            last = min(first + 2*width, n + 1)
+            i = first
+            j = middle
+            do k = first, last - 1
+               if (j >= last) then
+                  other(k) = order(i)
+                  i = i + 1
+               else if (i >= middle) then
+                  other(k) = order(j)
+                  j = j + 1
+               else if (values(order(j)) < values(order(i))) then
+                  other(k) = order(j)
+                  j = j + 1
+               else
+                  other(k) = order(i)
+                  i = i + 1
+               end if
+            end do
+         end do
+         call swap(order, other)
+         width = 2*width
+      end do
+   end function rising_order
+
+   pure subroutine swap(a, b)
+      integer, allocatable, intent(inout) :: a(:), b(:)
+      integer, allocatable :: c(:)
+
+      call move_alloc(a, c)
+      call move_alloc(b, a)
+      call move_alloc(c, b)
+   end subroutine swap
+
+end module surface_verify
