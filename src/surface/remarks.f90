@@ -23,7 +23,7 @@ module surface_remarks
    !> Peaks from which their mean is worth something
    real(wp), parameter :: enough_peaks = 20.0_wp
    !> Waves that a tile must hold, and steps that the shortest waves must span
-   real(wp), parameter :: enough_waves = 2.0_wp, enough_steps = 6.0_wp
+   real(wp), parameter :: enough_waves = 1.0_wp, enough_steps = 6.0_wp
 
    !> What is known of the map besides its values.
    type, public :: map_facts

@@ -19,9 +19,10 @@ module surface_uncertainty
 contains
 
    !> Half widths of the 95 % intervals of all parameters, by Student's t for one degree of freedom
-   !> less than tiles with inner points. What the tiles have in common is not in it: the plane, the
-   !> form and the height of pruning are those of the whole map.
-   pure subroutine uncertainties(sums, cell_area, uncertainty)
+   !> less than tiles with inner points. What the tiles have in common, the plane, the form and the
+   !> height of pruning, is not seen by leaving one out. For pruning it can be added: it is a share
+   !> of sz, an extreme, which differs much from map to map.
+   pure subroutine uncertainties(sums, cell_area, uncertainty, raised, rise)
       !> Sums over the tiles
       type(surface_sums_type), intent(in) :: sums(:)
       !> Area of one inner point, step_x step_y, mm^2
@@ -29,6 +30,10 @@ contains
       !> Half widths in the order of the table; `no_parameter` where there is none: for extremes,
       !> for what does not exist on every remainder, for fewer than two tiles
       real(wp), intent(out) :: uncertainty(n_parameters)
+      !> Sums over the tiles with the height of pruning `rise` times as high
+      type(surface_sums_type), intent(in), optional :: raised(:)
+      !> Factor of that height, other than 1; 1.1, say
+      real(wp), intent(in), optional :: rise
       real(wp), allocatable :: left(:, :), weights(:)
       real(wp) :: whole(n_parameters)
       integer, allocatable :: tiles(:)
@@ -44,11 +49,32 @@ contains
       end do
       weights = sums(tiles)%inner/sum(sums(tiles)%inner)
       call jackknife(whole, left, weights, uncertainty)
+      if (present(raised) .and. present(rise)) &
+         call add_pruning(sums(tiles), summed(raised), rise, cell_area, whole, uncertainty)
       where (uncertainty < no_parameter) &
          uncertainty = student_factor(confidence, size(tiles) - 1)*sqrt(uncertainty)
       if (uncertainty(p_direction) < no_parameter) &
          uncertainty(p_direction) = min(uncertainty(p_direction), any_direction)
    end subroutine uncertainties
+
+   !> Add to the variances of what depends on pruning that of the logarithm of sz times the square
+   !> of the slope by it. The largest of many heights scatters as the largest of fewer does, as far
+   !> as heights end exponentially (Gumbel): the tiles show by how much.
+   pure subroutine add_pruning(sums, raised, rise, cell_area, whole, variance)
+      type(surface_sums_type), intent(in) :: sums(:), raised
+      real(wp), intent(in) :: rise, cell_area, whole(n_parameters)
+      real(wp), intent(inout) :: variance(n_parameters)
+      real(wp) :: other(n_parameters), scatter
+      integer :: n
+
+      n = size(sums)
+      if (.not. (whole(p_sz) > 0.0_wp .and. whole(p_sz) < no_parameter)) return
+      call parameters_of(raised, cell_area, other)
+      scatter = (sum((sums%highest - sum(sums%highest)/n)**2) &
+         + sum((sums%lowest - sum(sums%lowest)/n)**2))/(n - 1)/whole(p_sz)**2
+      where (max(variance, whole, other) < no_parameter) &
+         variance = variance + scatter*((other - whole)/log(rise))**2
+   end subroutine add_pruning
 
    !> Variances of all parameters from their values with one tile left out, for tiles of unequal
    !> size (Busing, Meijer & van der Leeden 1999).
