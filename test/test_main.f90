@@ -35,6 +35,8 @@ program test_main
    use test_surface_gaussian_filter, only: suite_surface_gaussian_filter
    use test_surface_summits, only: suite_surface_summits
    use test_surface_sum_map, only: suite_surface_sum_map
+   use test_surface_chain, only: suite_surface_chain
+   use test_surface_pair, only: suite_surface_pair
    use test_surface_random, only: suite_surface_random
    use test_surface_statistics, only: suite_surface_statistics
    use test_tenon_forms, only: suite_tenon_forms
@@ -86,6 +88,8 @@ program test_main
    call all_suites%addTest(suite_hysteresis_records())
    call all_suites%addTest(suite_surface_statistics())
    call all_suites%addTest(suite_surface_random())
+   call all_suites%addTest(suite_surface_pair())
+   call all_suites%addTest(suite_surface_chain())
    call all_suites%addTest(suite_tenon_forms())
    call all_suites%addTest(suite_tenon_energy())
    call all_suites%addTest(suite_tenon_joint())

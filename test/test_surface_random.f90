@@ -340,7 +340,8 @@ contains
       type(surface_settings) :: s
       type(height_map) :: map
       type(error_type), allocatable :: error
-      real(wp) :: found(5, n_seeds)
+      integer, parameter :: n_skewed = 100
+      real(wp) :: found(5, n_skewed)
       integer :: i, k, lag
 
       s%points_x = 64
@@ -351,7 +352,7 @@ contains
       do k = 1, 3
          s%ssk = targets(1, k)
          s%sku = targets(2, k)
-         do i = 1, n_seeds
+         do i = 1, n_skewed
             s%seed = i
             call generate_surface(s, map, error)
             if (allocated(error)) error stop 'test_skewed: '//error%message

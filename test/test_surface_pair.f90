@@ -1,0 +1,381 @@
+!> Two faces as one, the gap between them, the law of one summit summed over summits, and remarks.
+module test_surface_pair
+   use asperity_error, only: error_type
+   use asperity_kinds, only: wp
+   use asperity_normal_law, only: evaluate_normal_law, normal_response
+   use asperity_properties, only: new_normal_properties, normal_properties
+   use asperity_single_asperity, only: asperity_response, evaluate_asperity
+   use funit, only: assertEqual, assertFalse, assertLessThan, assertRelativelyEqual, assertTrue, &
+      TestMethod, TestSuite
+   use measurements, only: record
+   use random_inputs, only: normal_of_pair, random_stream
+   use surface_evaluate, only: no_parameter, parameters_of
+   use surface_gap, only: find_gap, gap_distribution
+   use surface_height_map, only: height_map, missing_height
+   use surface_pair, only: combine_values, map_correlation, pair_uncertainties, sum_of_maps
+   use surface_parameters, only: n_parameters, p_alpha, p_eta_nayak, p_eta_paper, p_m0, p_m2, &
+      p_m2_across, p_m2_along, p_m2_x, p_m2_y, p_m4, p_m4_x, p_m4_y, p_radius_nayak, &
+      p_radius_paper, p_sigma_nayak, p_sigma_paper, p_sku, p_sq, p_ssk, p_summit_plane
+   use surface_random, only: fill_normal, new_random, random_type
+   use surface_remarks, only: find_remarks, map_facts, remark_type
+   use surface_sums, only: surface_sums_type
+   use surface_uncertainty, only: uncertainties
+   use surface_verify, only: sum_over_summits, summit_curve
+   implicit none
+   private
+   public :: suite_surface_pair
+
+   real(wp), parameter :: eps = epsilon(1.0_wp)
+
+contains
+
+   function suite_surface_pair() result(suite)
+      type(TestSuite) :: suite
+
+      suite = TestSuite('surface pair')
+      call suite%addTest(TestMethod('equivalent surface', test_equivalent))
+      call suite%addTest(TestMethod('its uncertainty', test_uncertainty))
+      call suite%addTest(TestMethod('sum of maps', test_sum))
+      call suite%addTest(TestMethod('correlation', test_correlation))
+      call suite%addTest(TestMethod('gap', test_gap))
+      call suite%addTest(TestMethod('gap of a flat map', test_flat))
+      call suite%addTest(TestMethod('sum over Gaussian summits', test_verify))
+      call suite%addTest(TestMethod('sum over summits of own radius', test_own_radius))
+      call suite%addTest(TestMethod('no summits', test_no_summits))
+      call suite%addTest(TestMethod('remarks', test_remarks))
+   end function suite_surface_pair
+
+   !> Moments add; two equal faces have the alpha and the eta of one, its R over sqrt(2) and its
+   !> sigma times sqrt(2).
+   subroutine test_equivalent()
+      real(wp) :: one(n_parameters), two(n_parameters), alone(n_parameters)
+
+      one = no_parameter
+      one([p_m0, p_m2, p_m4, p_sq, p_sigma_paper]) = [0.04_wp, 0.3_wp, 5.0_wp, 0.2_wp, 0.2_wp]
+      one(p_eta_paper) = 7.0_wp
+      call combine_values(one, one, two)
+      call assertRelativelyEqual([0.08_wp, 0.6_wp, 10.0_wp, 0.2_wp*sqrt(2.0_wp)], &
+         two([p_m0, p_m2, p_m4, p_sigma_paper]), 4.0_wp*eps, 'added')
+      call combine_values(one, 0.0_wp*one, alone)
+      call assertRelativelyEqual([1.0_wp, 1.0_wp, sqrt(0.5_wp), sqrt(2.0_wp), sqrt(2.0_wp)], &
+         two([p_alpha, p_eta_nayak, p_radius_nayak, p_sigma_nayak, p_summit_plane]) &
+         /alone([p_alpha, p_eta_nayak, p_radius_nayak, p_sigma_nayak, p_summit_plane]), &
+         8.0_wp*eps, 'of one')
+      call assertTrue(two(p_eta_paper) >= no_parameter, 'no rule for the paper''s eta')
+   end subroutine test_equivalent
+
+   !> For m0 variances add; beside a face without scatter the pair has the half width of the other.
+   subroutine test_uncertainty()
+      type(surface_sums_type) :: a(5), b(5), same(5)
+      real(wp) :: widths(n_parameters), one(n_parameters)
+      integer :: i
+
+      do i = 1, 5
+         a(i)%points = 4.0_wp
+         a(i)%inner = 4.0_wp
+         a(i)%second = real(i*i, wp)
+         b(i) = a(i)
+         b(i)%second = real(modulo(7*i, 5), wp)
+         same(i) = a(i)
+         same(i)%second = 3.0_wp
+      end do
+      call uncertainties(a, 1.0_wp, one)
+      call pair_uncertainties(a, 1.0_wp, same, 1.0_wp, widths)
+      call assertRelativelyEqual(one(p_m0), widths(p_m0), 1.0e-12_wp, 'one scatters')
+      call pair_uncertainties(a, 1.0_wp, a, 1.0_wp, widths)
+      ! eight degrees of freedom against four
+      call assertRelativelyEqual(one(p_m0)*sqrt(2.0_wp)*2.30600_wp/2.77645_wp, widths(p_m0), &
+         1.0e-5_wp, 'both scatter')
+      call pair_uncertainties(a(:1), 1.0_wp, b, 1.0_wp, widths)
+      call assertTrue(all(widths >= no_parameter), 'one tile')
+   end subroutine test_uncertainty
+
+   pure function map_of(heights, step) result(map)
+      real(wp), intent(in) :: heights(:, :), step
+      type(height_map) :: map
+
+      allocate (map%heights, source=heights)
+      map%step_x = step
+      map%step_y = 2.0_wp*step
+      map%source = 'test'
+   end function map_of
+
+   subroutine test_sum()
+      type(height_map) :: a, b, c
+      type(error_type), allocatable :: error
+      real(wp) :: z(6, 5), w(6, 5)
+      integer :: i, j
+
+      do j = 1, 5
+         do i = 1, 6
+            z(i, j) = sin(real(i + 7*j, wp))
+            w(i, j) = cos(real(3*i + j*j, wp))
+         end do
+      end do
+      w(2, 3) = missing_height
+      a = map_of(z, 0.1_wp)
+      b = map_of(w, 0.1_wp)
+      call sum_of_maps(a, b, 'none', c, error)
+      call assertTrue(c%heights(2, 3) >= missing_height, 'missing')
+      c%heights(2, 3) = 0.0_wp
+      z(2, 3) = 0.0_wp
+      w(2, 3) = 0.0_wp
+      call assertEqual(pack(z + w, .true.), pack(c%heights, .true.), 0.0_wp, 'none')
+      a = map_of(z, 0.1_wp)
+      b = map_of(w, 0.1_wp)
+      call sum_of_maps(a, b, 'x', c, error)
+      call assertEqual(pack(z + w(6:1:-1, :), .true.), pack(c%heights, .true.), 0.0_wp, 'x')
+      call sum_of_maps(a, b, 'y', c, error)
+      call assertEqual(pack(z + w(:, 5:1:-1), .true.), pack(c%heights, .true.), 0.0_wp, 'y')
+      call assertFalse(allocated(error), 'no error')
+      call sum_of_maps(a, b, 'z', c, error)
+      call assertTrue(allocated(error), 'mirror')
+      call sum_of_maps(a, map_of(w(:5, :), 0.1_wp), 'x', c, error)
+      call assertTrue(allocated(error), 'points')
+      call sum_of_maps(a, map_of(w, 0.1001_wp), 'x', c, error)
+      call assertTrue(allocated(error), 'steps')
+   end subroutine test_sum
+
+   subroutine test_correlation()
+      type(height_map) :: a, b
+      type(error_type), allocatable :: error
+      real(wp) :: z(20, 20), r
+      integer :: i, j
+
+      do j = 1, 20
+         do i = 1, 20
+            z(i, j) = sin(real(i, wp)*j) + 5.0_wp
+         end do
+      end do
+      a = map_of(z, 0.1_wp)
+      b = map_of(-3.0_wp*z(20:1:-1, :), 0.1_wp)
+      call map_correlation(a, b, 'x', r, error)
+      call assertRelativelyEqual(-1.0_wp, r, 1.0e-12_wp, 'mirrored')
+      call map_correlation(a, b, 'none', r, error)
+      call assertLessThan(abs(r), 0.3_wp, 'not mirrored')
+      b%heights = 1.0_wp
+      call map_correlation(a, b, 'x', r, error)
+      call assertEqual(0.0_wp, r, 1.0e-9_wp, 'flat')
+   end subroutine test_correlation
+
+   !> Heights -i^2 for i = 1 to 10000: quantiles are squares, to a bin of 1e8/65536.
+   subroutine test_gap()
+      real(wp), parameter :: shares(5) = [0.0_wp, 0.1_wp, 0.5_wp, 0.9_wp, 1.0_wp]
+      real(wp) :: z(100, 100)
+      type(gap_distribution) :: gap
+      type(error_type), allocatable :: error
+      integer :: i
+
+      z = reshape([(-real(i, wp)**2, i=1, 10000)], [100, 100])
+      call find_gap(map_of(z, 1.0_wp), shares, gap, error)
+      call assertEqual((shares*1.0e4_wp)**2, gap%quantiles, 1.0e8_wp/65536, 'quantiles')
+      call assertRelativelyEqual([-sum(z)/1.0e4_wp - 1.0_wp, 1.0e8_wp - 1.0_wp], &
+         [gap%mean, gap%largest], 1.0e-12_wp, 'mean and largest')
+      call assertRelativelyEqual(sqrt(sum((z - sum(z)/1.0e4_wp)**2)/1.0e4_wp), gap%sigma, &
+         1.0e-12_wp, 'sigma')
+      call assertRelativelyEqual(1.0_wp, sum(gap%density)*gap%ends(1), 1.0e-12_wp, 'density')
+      z(1:50, :) = missing_height
+      call find_gap(map_of(z, 1.0_wp), [0.5_wp], gap, error)
+      ! what is left are 51 to 100, 151 to 200 ... 9951 to 10000
+      call assertRelativelyEqual(1.0e8_wp - 51.0_wp**2, gap%largest, 1.0e-12_wp, 'missing points')
+      z = missing_height
+      call find_gap(map_of(z, 1.0_wp), [0.5_wp], gap, error)
+      call assertTrue(allocated(error), 'all missing')
+      z = 0.0_wp
+      call find_gap(map_of(z, 1.0_wp), [1.5_wp], gap, error)
+      call assertTrue(allocated(error), 'share')
+   end subroutine test_gap
+
+   subroutine test_flat()
+      real(wp) :: z(10, 10)
+      type(gap_distribution) :: gap
+      type(error_type), allocatable :: error
+
+      z = 3.0_wp
+      call find_gap(map_of(z, 1.0_wp), [0.0_wp, 0.5_wp, 1.0_wp], gap, error)
+      call assertEqual(0.0_wp, [gap%mean, gap%sigma, gap%largest, gap%quantiles], 'no gap')
+   end subroutine test_flat
+
+   !> Over 40000 summits with Gaussian heights the sum is the Gaussian law within 4 of its own
+   !> standard errors, which shrink as they should: at the mean plane to 1 %.
+   subroutine test_verify()
+      integer, parameter :: n = 40000
+      real(wp), parameter :: d(6) = [-2.0_wp, -1.0_wp, 0.0_wp, 1.0_wp, 2.0_wp, 3.0_wp]
+      type(normal_properties) :: p
+      type(random_type) :: stream
+      type(summit_curve) :: curve
+      type(error_type), allocatable :: error
+      real(wp), allocatable :: z(:), curvatures(:)
+      real(wp) :: worst
+
+      p = normal_of_pair('transverse-tangential')
+      allocate (z(n), curvatures(n))
+      call new_random(stream, 5)
+      call fill_normal(stream, z)
+      curvatures = 1.0_wp/p%radius
+      call sum_over_summits(p, p%sigma*z, curvatures, n/p%eta, p%sigma*d, curve, error)
+      worst = maxval(abs(curve%mean_radius - curve%gaussian)/curve%mean_radius_error)
+      call record('surface.verify.standard_errors', worst)
+      call assertLessThan(worst, 4.0_wp, 'pressure')
+      call assertLessThan(curve%mean_radius_error(3)/curve%gaussian(3), 0.01_wp, 'standard error')
+      call assertRelativelyEqual(curve%mean_radius, curve%own_radius, 1.0e-12_wp, 'equal radii')
+      call assertLessThan(maxval(abs(curve%contact_density/curve%gaussian_density - 1.0_wp) &
+         *sqrt(curve%gaussian_density/p%eta*n)), 4.0_wp, 'contact density')
+      call assertEqual(0, curve%without_radius, 'all have a radius')
+   end subroutine test_verify
+
+   !> Against properties of its own for each summit, at all stages; a summit without curvature
+   !> takes the mean radius and is counted.
+   subroutine test_own_radius()
+      real(wp), parameter :: curvatures(5) = [20.0_wp, 3.0_wp, 0.2_wp, 0.0_wp, -1.0_wp]
+      type(normal_properties) :: p, own
+      type(asperity_response) :: summit
+      type(summit_curve) :: curve
+      type(error_type), allocatable :: error
+      real(wp) :: expected(2), radius, z(5), d(4)
+      integer :: i, j
+
+      p = normal_of_pair('transverse-tangential')
+      z = p%sigma*[0.3_wp, -0.5_wp, 1.2_wp, 0.9_wp, 0.1_wp]
+      ! elastic, elasto-plastic and plastic summits
+      d = [z(1) - 0.5_wp*p%w1, z(1) - 5.0_wp*p%w1, z(1) - 200.0_wp*p%w1, 2.0_wp*p%sigma]
+      call sum_over_summits(p, z, curvatures, 2.0_wp, d, curve, error)
+      call assertFalse(allocated(error), 'no error')
+      call assertEqual(2, curve%without_radius, 'without radius')
+      do j = 1, 4
+         expected = 0.0_wp
+         do i = 1, 5
+            radius = p%radius
+            if (curvatures(i) > 0.0_wp) radius = 1.0_wp/curvatures(i)
+            call new_normal_properties(own, p%eta, p%modulus, radius, p%hardness, &
+               p%yield_factor, p%sigma, error, accept_unphysical=.true.)
+            summit = evaluate_asperity(own, z(i) - d(j))
+            expected(1) = expected(1) + 0.5_wp*summit%force
+            summit = evaluate_asperity(p, z(i) - d(j))
+            expected(2) = expected(2) + 0.5_wp*summit%force
+         end do
+         if (j < 4) then
+            call assertRelativelyEqual(expected, [curve%own_radius(j), curve%mean_radius(j)], &
+               1.0e-12_wp, 'pressures')
+         else
+            call assertEqual([0.0_wp, 0.0_wp], [curve%own_radius(j), curve%mean_radius(j)], 'open')
+         end if
+      end do
+   end subroutine test_own_radius
+
+   subroutine test_no_summits()
+      type(summit_curve) :: curve
+      type(error_type), allocatable :: error
+      real(wp) :: none(0)
+
+      call sum_over_summits(normal_of_pair('transverse-tangential'), none, none, 1.0_wp, [0.0_wp], &
+         curve, error)
+      call assertTrue(allocated(error), 'no summits')
+   end subroutine test_no_summits
+
+   !> Each remark is made where it should be, and none on an ordinary surface.
+   subroutine test_remarks()
+      real(wp) :: values(n_parameters), widths(n_parameters), coarse(n_parameters)
+      type(map_facts) :: facts
+
+      call ordinary(values, widths, facts)
+      call expect('', values, widths, facts)
+      facts%peaks = 12.0_wp
+      call expect('few_peaks', values, widths, facts)
+      facts%peaks = 0.0_wp
+      call expect('no_peaks', values, widths, facts)
+      call ordinary(values, widths, facts)
+      values(p_eta_paper) = 2.0_wp*values(p_eta_nayak)
+      call expect('routes', values, widths, facts)
+      widths(p_eta_paper) = 1.2_wp*values(p_eta_nayak)
+      call expect('', values, widths, facts)
+      call ordinary(values, widths, facts)
+      values(p_alpha) = 1.4_wp
+      call expect('alpha', values, widths, facts)
+      call ordinary(values, widths, facts)
+      values(p_ssk) = -0.9_wp
+      call expect('ssk', values, widths, facts)
+      widths(p_ssk) = 1.0_wp
+      call expect('', values, widths, facts)
+      values(p_sku) = 5.0_wp
+      call expect('sku', values, widths, facts)
+      call ordinary(values, widths, facts)
+      values(p_m2_along) = 0.1_wp*values(p_m2_across)
+      call expect('anisotropic', values, widths, facts)
+      call ordinary(values, widths, facts)
+      values(p_sigma_nayak) = 0.9_wp*values(p_sigma_nayak)
+      values([p_eta_nayak, p_eta_paper]) = 0.9_wp*values(p_eta_nayak)
+      call expect('roughness_number', values, widths, facts)
+      call ordinary(values, widths, facts)
+      facts%tile_x = 2.0_wp
+      call expect('few_waves', values, widths, facts)
+      call ordinary(values, widths, facts)
+      facts%step_y = 0.5_wp
+      call expect('resolution', values, widths, facts)
+      call ordinary(values, widths, facts)
+      coarse = values
+      call expect('', values, widths, facts, coarse)
+      coarse(p_eta_nayak) = 1.2_wp*values(p_eta_nayak)
+      call expect('step', values, widths, facts, coarse)
+      ! nothing known is nothing to remark on but the peaks
+      values = no_parameter
+      widths = no_parameter
+      facts%peaks = 0.0_wp
+      call expect('no_peaks', values, widths, facts, values)
+   end subroutine test_remarks
+
+   !> A Gaussian surface of m0 = m2/2 = m4/12 = 1 whose routes agree.
+   subroutine ordinary(values, widths, facts)
+      real(wp), intent(out) :: values(n_parameters), widths(n_parameters)
+      type(map_facts), intent(out) :: facts
+      type(surface_sums_type) :: sums
+
+      sums%points = 1.0_wp
+      sums%second = 1.0_wp
+      sums%fourth = 3.0_wp
+      sums%pairs_x = 1.0_wp
+      sums%pairs_y = 1.0_wp
+      sums%triples_x = 1.0_wp
+      sums%triples_y = 1.0_wp
+      sums%inner = 1.0_wp
+      sums%slope_x = 2.0_wp
+      sums%slope_y = 2.0_wp
+      sums%gradient_xx = 2.0_wp
+      sums%gradient_yy = 2.0_wp
+      sums%curvature_x = 12.0_wp
+      sums%curvature_y = 12.0_wp
+      sums%hessian_xx_xx = 12.0_wp
+      sums%hessian_yy_yy = 12.0_wp
+      sums%hessian_xx_yy = 4.0_wp
+      sums%hessian_xy_xy = 4.0_wp
+      call parameters_of(sums, 1.0_wp, values)
+      values(p_eta_paper) = values(p_eta_nayak)
+      values(p_radius_paper) = values(p_radius_nayak)
+      values(p_sigma_paper) = values(p_sigma_nayak)
+      widths = 0.05_wp*values
+      where (values >= no_parameter) widths = no_parameter
+      widths([p_ssk, p_sku]) = 0.1_wp
+      facts = map_facts(step_x=0.1_wp, step_y=0.1_wp, tile_x=9.0_wp, tile_y=9.0_wp, &
+         peaks=100.0_wp)
+   end subroutine ordinary
+
+   !> The one remark there should be, or none; each ends as a sentence does.
+   subroutine expect(code, values, widths, facts, coarse)
+      character(len=*), intent(in) :: code
+      real(wp), intent(in) :: values(:), widths(:)
+      type(map_facts), intent(in) :: facts
+      real(wp), intent(in), optional :: coarse(:)
+      type(remark_type), allocatable :: remarks(:)
+      integer :: i
+
+      call find_remarks(values, widths, facts, remarks, coarse)
+      call assertEqual(merge(1, 0, len(code) > 0), size(remarks), code//': number of remarks')
+      do i = 1, size(remarks)
+         call assertEqual(code, trim(remarks(i)%code), remarks(i)%text)
+         call assertTrue(index(remarks(i)%text, '.', back=.true.) == len(remarks(i)%text), &
+            remarks(i)%text)
+         call assertEqual(0, index(remarks(i)%text, '1.79'), 'no stand-ins: '//remarks(i)%text)
+      end do
+   end subroutine expect
+
+end module test_surface_pair
