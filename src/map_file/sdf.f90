@@ -1,4 +1,5 @@
-!> Reads surface data files of ISO 25178-71: heights by rows of x, the first at y = 0.
+!> Reads surface data files of ISO 25178-71: heights by rows of x, the first at y = 0. The BCR
+!> proposal left open where the first one is; MountainsMap takes the largest y, and so it is here.
 module map_file_sdf
    use, intrinsic :: iso_c_binding, only: c_loc
    use, intrinsic :: iso_fortran_env, only: int64, int8
@@ -35,7 +36,7 @@ contains
       type(byte_buffer), target :: buffer
       integer(int64) :: offset, width
       real(wp) :: factor
-      integer :: j
+      integer :: j, row
 
       call read_binary_header(source, is_bcr, is_second, header, error)
       if (allocated(error)) return
@@ -54,8 +55,9 @@ contains
       do j = 1, size(map%heights, 2)
          call read_at(source, offset, c_loc(buffer%bytes), header%nx*width, error)
          if (allocated(error)) return
-         call decode(buffer, header%kind, map%heights(:, j))
-         call put_row(source, header, factor, map%heights(:, j), offset, error)
+         row = merge(size(map%heights, 2) + 1 - j, j, is_bcr)
+         call decode(buffer, header%kind, map%heights(:, row))
+         call put_row(source, header, factor, map%heights(:, row), offset, error)
          if (allocated(error)) return
          offset = offset + header%nx*width
       end do
@@ -180,7 +182,7 @@ contains
                call line_error(error, source, before, message)
                return
             end if
-            map%heights(i, j) = value(1)
+            map%heights(i, merge(size(map%heights, 2) + 1 - j, j, header%is_bcr)) = value(1)
             i = i + 1
             if (i > size(map%heights, 1)) then
                i = 1

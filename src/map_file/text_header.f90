@@ -132,11 +132,11 @@ contains
             at = at + 1
          end do
          if (header%separator /= ' ' .and. at <= source%last) at = at + 1
-         if (header%separator /= ' ') cycle
          do while (at <= source%last)
             if (source%block(at) /= ' ' .and. source%block(at) /= tab) exit
             at = at + 1
          end do
+         is_last = at > source%last
       end do
       if (numbers == 0) then
          call read_columns(source, line, header, error)

@@ -2,7 +2,7 @@
 !> reader: without network, without document types, and so without entities to expand.
 module map_file_xml
    use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_f_pointer, c_funloc, c_funptr, &
-      c_int, c_loc, c_null_ptr, c_ptr, c_size_t
+      c_int, c_loc, c_null_funptr, c_null_ptr, c_ptr, c_size_t
    use, intrinsic :: iso_fortran_env, only: int64
    use asperity_error, only: error_type
    use map_file_byte_source, only: byte_source
@@ -78,6 +78,12 @@ module map_file_xml
          implicit none
          type(c_ptr), value :: reader
       end function c_line
+      subroutine c_set_error_handler(context, handler) bind(c, name='xmlSetStructuredErrorFunc')
+         import :: c_funptr, c_ptr
+         implicit none
+         type(c_ptr), value :: context
+         type(c_funptr), value :: handler
+      end subroutine c_set_error_handler
       subroutine c_free_reader(reader) bind(c, name='xmlFreeTextReader')
          import :: c_ptr
          implicit none
@@ -111,6 +117,8 @@ contains
       call c_f_pointer(address, reader%stream%source)
       address = c_loc(member)
       call c_f_pointer(address, reader%stream%member)
+      ! Some faults of encoding would be printed all the same
+      call c_set_error_handler(c_null_ptr, c_funloc(ignore_error))
       reader%handle = c_reader_for_io(c_funloc(read_some), c_funloc(close_nothing), &
          c_loc(reader%stream), c_null_ptr, c_null_ptr, options)
       if (.not. c_associated(reader%handle)) call map_error(error, source, 'libxml2 cannot read '// &
@@ -138,6 +146,13 @@ contains
       close_nothing = 0_c_int
       if (.not. c_associated(context)) close_nothing = -1_c_int
    end function close_nothing
+
+   !> Called by libxml2 with what it would print.
+   subroutine ignore_error(context, fault) bind(c)
+      type(c_ptr), value :: context, fault
+
+      if (c_associated(context) .and. c_associated(fault)) return
+   end subroutine ignore_error
 
    !> Go to the next element's end; then `path` and `text` are its own.
    subroutine next_text(reader, found, error)
@@ -234,6 +249,7 @@ contains
 
       if (c_associated(reader%handle)) call c_free_reader(reader%handle)
       reader%handle = c_null_ptr
+      call c_set_error_handler(c_null_ptr, c_null_funptr)
       if (associated(reader%stream)) deallocate (reader%stream)
    end subroutine close_xml
 

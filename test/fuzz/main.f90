@@ -1,0 +1,179 @@
+!> Feeds damaged files to every reader of height maps, in memory: each must give a sound map or an
+!> error with a message. Built with checks of addresses and undefined behaviour, which stop it.
+!>
+!>     asperity_fuzz [files for each reader [seed]]
+program fuzz_main
+   use, intrinsic :: iso_fortran_env, only: int64, output_unit
+   use asperity_error, only: error_type
+   use asperity_kinds, only: wp
+   use fuzz_mutate, only: dice, mutate
+   use fuzz_seeds, only: add_file, add_written, seed_type, x3p_members
+   use fuzz_zip_writer, only: zip_member_text, zip_of
+   use map_file_read, only: map_hints, read_height_map_bytes
+   use surface_height_map, only: check_height_map, height_map
+   implicit none
+   !> Most seconds for one file, with all the checks; points for a byte
+   real(wp), parameter :: longest = 2.0_wp
+   integer(int64), parameter :: most_points = 1100_int64
+   type(seed_type), allocatable :: seeds(:)
+   integer :: count, passed, failed
+   type(dice) :: chance
+
+   count = argument(1, 1000)
+   chance%state = argument(2, 20240611)
+   write (*, '(a, i0, a, i0)') 'seed ', chance%state, ', files for each reader: ', count
+   passed = 0
+   failed = 0
+
+   allocate (seeds(0))
+   call add_written(seeds, 'sdf')
+   call add_file(seeds, 'surfalize.sdf')
+   call add_file(seeds, 'sdfio_iso_2_0_binary_int16.sdf')
+   call add_file(seeds, 'sdfio_bcr_1_0_binary_uint16.sdf')
+   call run('SDF binary', .false.)
+   call add_file(seeds, 'surfalize_text.sdf')
+   call add_file(seeds, 'sdfio_bcr_1_0_ascii_int32.sdf')
+   call add_file(seeds, 'sdfio_iso_2_0_ascii_binary32.sdf')
+   call run('SDF text', .false.)
+   call add_file(seeds, 'surfalize.sur')
+   call run('SUR', .false.)
+   call add_file(seeds, 'surfalize_packed.sur')
+   call run('SUR, compressed', .false.)
+   call add_file(seeds, 'surfalize.x3p')
+   call add_file(seeds, 'surface_topography_D.x3p')
+   call add_file(seeds, 'surface_topography_I.x3p')
+   call run('X3P', .false.)
+   call run('X3P within zip', .true.)
+   call add_written(seeds, 'xyz')
+   call add_written(seeds, 'names')
+   call run('text of x, y, z', .false.)
+   call add_written(seeds, 'csv')
+   call add_written(seeds, 'esri')
+   call add_written(seeds, 'gwyddion')
+   call add_written(seeds, 'semicolons')
+   call run('text of a matrix', .false.)
+   deallocate (seeds)
+   write (*, '(i0, a, i0, a)') passed, ' passed, ', failed, ' failed'
+   if (failed > 0) stop 1, quiet=.true.
+
+contains
+
+   !> Damage the seeds of one reader and forget them.
+   subroutine run(name, is_within)
+      character(len=*), intent(in) :: name
+      !> Whether the members of an X3P archive are damaged, and not the archive
+      logical, intent(in) :: is_within
+      character(len=:), allocatable :: file, other
+      type(zip_member_text) :: members(3)
+      integer :: i, maps, errors, bad, k
+      real(wp) :: seconds, worst
+
+      other = ''
+      maps = 0
+      errors = 0
+      bad = 0
+      worst = 0.0_wp
+      do i = 1, count
+         if (is_within) then
+            call x3p_members(members, chance%below(5))
+            other = members(1)%bytes
+            if (i > 1) then
+               k = 1
+               if (chance%below(3) == 0) k = 2 + chance%below(2)
+               call mutate(chance, members(k)%bytes, other)
+            end if
+            call zip_of(members, file)
+         else
+            k = 1 + mod(i - 1, size(seeds))
+            file = seeds(k)%bytes
+            other = seeds(1 + chance%below(size(seeds)))%bytes
+            ! the first ones as they are
+            if (i > size(seeds)) call mutate(chance, file, other)
+         end if
+         call check(name, file, i <= max(size(seeds), 1), maps, errors, bad, seconds)
+         worst = max(worst, seconds)
+      end do
+      if (bad > 0 .or. maps == 0) then
+         failed = failed + 1
+      else
+         passed = passed + 1
+      end if
+      write (*, '(2x, a, t24, 4(i0, a), f6.1, a)') name, count, ' files, ', maps, ' maps, ', errors, &
+         ' errors, ', bad, ' faults; longest ', 1.0e3_wp*worst, ' ms'
+      flush (output_unit)
+      seeds = seeds(:0)
+   end subroutine run
+
+   !> Read one file.
+   subroutine check(name, file, must_be_sound, maps, errors, bad, seconds)
+      character(len=*), intent(in) :: name, file
+      logical, intent(in) :: must_be_sound
+      integer, intent(inout) :: maps, errors, bad
+      real(wp), intent(out) :: seconds
+      type(height_map) :: map
+      type(map_hints) :: hints
+      type(error_type), allocatable :: error, unsound
+      integer(int64) :: began, ended, rate
+      logical :: is_fault, is_told
+
+      is_told = chance%below(3) > 0
+      if (index(name, 'text of') == 1 .and. (must_be_sound .or. is_told)) then
+         if (index(file, '[') == 0) then
+            if (index(file, 'unit') == 0) hints%height_unit = 'um'
+            if (index(file, '# ') == 0) hints%lateral_unit = 'mm'
+         end if
+         if (index(file, '1.25;') == 1) then
+            hints%step_x = 0.001_wp
+            hints%step_y = 0.002_wp
+         end if
+      end if
+      call system_clock(began, rate)
+      call read_height_map_bytes('file', file, hints, map, error, 16 + chance%below(300))
+      call system_clock(ended)
+      seconds = real(ended - began, wp)/real(rate, wp)
+      is_fault = seconds > longest
+      if (allocated(error)) then
+         errors = errors + 1
+         is_fault = is_fault .or. len(error%message) < 10 .or. allocated(map%heights)
+         is_fault = is_fault .or. must_be_sound
+         if (must_be_sound) write (*, '(a)') error%message
+      else
+         maps = maps + 1
+         if (.not. allocated(map%heights)) then
+            is_fault = .true.
+         else
+            call check_height_map(map, unsound)
+            is_fault = is_fault .or. allocated(unsound) .or. &
+               size(map%heights, kind=int64) > most_points*len(file)
+         end if
+      end if
+      if (.not. is_fault) return
+      bad = bad + 1
+      if (bad == 1) call keep(file)
+   end subroutine check
+
+   !> Keep a file that shows a fault.
+   subroutine keep(file)
+      character(len=*), intent(in) :: file
+      integer :: unit
+
+      open (newunit=unit, file='fuzz_fault', access='stream', form='unformatted', status='replace')
+      write (unit) file
+      close (unit)
+      write (*, '(a)') '  a fault: the file is kept as fuzz_fault'
+   end subroutine keep
+
+   !> A whole number from the command line.
+   integer function argument(number, usual)
+      integer, intent(in) :: number, usual
+      character(len=20) :: text
+      integer :: status
+
+      argument = usual
+      if (command_argument_count() < number) return
+      call get_command_argument(number, text)
+      read (text, *, iostat=status) argument
+      if (status /= 0 .or. argument < 1) error stop 'the arguments must be whole numbers above 0'
+   end function argument
+
+end program fuzz_main
