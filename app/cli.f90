@@ -5,7 +5,8 @@ module app_cli
    use app_help, only: usage_text
    use app_keys, only: belongs, command_citation, command_curve, command_deck_shear, &
       command_deck_tenon, command_help, command_hysteresis, command_names, command_pairs, &
-      command_press, command_shear, command_table, command_tenon, command_version, find_key
+      command_press, command_shear, command_surface, command_table, command_tenon, &
+      command_version, find_key
    use app_option, only: parse_option
    use app_settings, only: settings_type
    use app_strings, only: nearest_name, quoted, starts_with, string_type
@@ -27,10 +28,10 @@ module app_cli
 
    character(len=*), parameter :: command_words(*) = [character(len=10) :: &
       'curve', 'press', 'shear', 'tenon', 'table', 'deck shear', 'deck tenon', 'hysteresis', &
-      'pairs', 'version', 'help', '--version', '--help', '-h', '--citation']
+      'surface', 'pairs', 'version', 'help', '--version', '--help', '-h', '--citation']
    integer, parameter :: command_codes(*) = [command_curve, command_press, command_shear, &
       command_tenon, command_table, command_deck_shear, command_deck_tenon, command_hysteresis, &
-      command_pairs, &
+      command_surface, command_pairs, &
       command_version, command_help, command_version, command_help, command_help, &
       command_citation]
 
@@ -151,7 +152,12 @@ contains
          if (starts_with(arguments(i)%text, '-')) then
             call parse_option(line%options, line%command, arguments, i, error)
          else if (line%command == command_hysteresis) then
-            call take_record(line, arguments(i)%text, error)
+            call take_file(line, 'record_file', 'record', arguments(i)%text, error)
+         else if (line%command == command_surface &
+               .and. line%options%given('map_file')) then
+            call take_file(line, 'second_map', 'second map', arguments(i)%text, error)
+         else if (line%command == command_surface) then
+            call take_file(line, 'map_file', 'map', arguments(i)%text, error)
          else
             call take_case(line, arguments(i)%text, error)
          end if
@@ -178,18 +184,18 @@ contains
       end if
    end subroutine take_case
 
-   !> The record of `hysteresis`, which is its one argument that is not an option.
-   pure subroutine take_record(line, path, error)
+   !> A file to read that is not an option.
+   pure subroutine take_file(line, name, what, path, error)
       type(command_line_type), intent(inout) :: line
-      character(len=*), intent(in) :: path
+      character(len=*), intent(in) :: name, what, path
       type(error_type), allocatable, intent(out) :: error
 
-      associate (setting => line%options%of(find_key('record_file')))
+      associate (setting => line%options%of(find_key(name)))
          if (setting%given) then
-            call fatal_error(error, quoted(path)//': there is already the record '// &
-               quoted(setting%text)//', only one is taken')
+            call fatal_error(error, quoted(path)//': there is already the '//what//' '// &
+               quoted(setting%text)//', no further one is taken')
          else if (path == '') then
-            call fatal_error(error, 'the name of the record is empty')
+            call fatal_error(error, 'the name of the '//what//' is empty')
          else
             setting%given = .true.
             setting%has_value = .true.
@@ -197,6 +203,6 @@ contains
             setting%text = path
          end if
       end associate
-   end subroutine take_record
+   end subroutine take_file
 
 end module app_cli

@@ -28,8 +28,8 @@ module app_delivery
    end type delivery_type
 
    !> Options that name a file; pictures first since they are most likely to fail
-   character(len=*), parameter :: options(8) = [character(len=8) :: 'plot', 'report', 'csv', &
-      'json', 'points', 'abaqus', 'calculix', 'inp']
+   character(len=*), parameter :: options(10) = [character(len=8) :: 'plot', 'report', 'csv', &
+      'json', 'points', 'abaqus', 'calculix', 'inp', 'case', 'map']
    !> Largest page, characters
    integer, parameter :: largest_page = 64*1024*1024
    !> Path that stands for standard output
@@ -90,6 +90,10 @@ contains
          call check_input(last, line%case_path, 'the case file', error)
          if (.not. allocated(error)) &
             call check_input(last, line%options%text_of('record_file'), 'the record', error)
+         if (.not. allocated(error)) &
+            call check_input(last, line%options%text_of('map_file'), 'the map', error)
+         if (.not. allocated(error)) &
+            call check_input(last, line%options%text_of('second_map'), 'the second map', error)
       end associate
    end subroutine check_collision
 

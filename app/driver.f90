@@ -8,10 +8,10 @@ module app_driver
    use app_delivery, only: deliver, delivery_type, prepare_delivery
    use app_effective, only: case_settings, locate, settled
    use app_help, only: citation_text, help_text, version_text
-   use app_hysteresis, only: report_hysteresis, take_defaults
+   use app_hysteresis, only: report_hysteresis
    use app_keys, only: command_citation, command_curve, command_deck_shear, command_deck_tenon, &
       command_help, command_hysteresis, command_pairs, command_press, command_shear, &
-      command_table, command_tenon, command_version
+      command_surface, command_table, command_tenon, command_version
    use app_law_table, only: report_law_table
    use app_output, only: write_standard_output
    use app_pairs, only: report_pairs
@@ -19,7 +19,8 @@ module app_driver
    use app_print_case, only: case_text
    use app_report, only: report_type
    use app_shear, only: report_shear
-   use app_settings, only: settings_type
+   use app_settings, only: settings_type, take_defaults
+   use app_surface, only: report_surface
    use app_sweep_file, only: close_partial, partial_type
    use app_tenon, only: report_tenon
    use app_tenon_history, only: take_history
@@ -61,7 +62,7 @@ contains
 
       report%command = line%command
       report%settings = line%options
-      if (line%command == command_hysteresis) then
+      if (line%command == command_hysteresis .or. line%command == command_surface) then
          call take_defaults(report%settings)
       else if (line%command /= command_pairs) then
          call case_settings(line%case_path, base, error)
@@ -101,6 +102,8 @@ contains
          if (.not. allocated(error)) call report_tenon_deck(config, report, error)
       case (command_hysteresis)
          call report_hysteresis(report, error)
+      case (command_surface)
+         call report_surface(report, error)
       case default
          call report_pairs(report)
       end select

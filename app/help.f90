@@ -2,8 +2,8 @@
 module app_help
    use asperity_version, only: version
    use app_keys, only: belongs, command_curve, command_deck_shear, command_deck_tenon, &
-      command_hysteresis, command_pairs, command_press, command_shear, command_table, &
-      command_tenon, keys, kind_choice, kind_file, kind_integer, kind_list, kind_logical, &
+      command_hysteresis, command_pairs, command_press, command_shear, command_surface, &
+      command_table, command_tenon, keys, kind_choice, kind_file, kind_integer, kind_list, kind_logical, &
       kind_real, kind_sweep, kind_text, n_keys, option_name
    use app_strings, only: escaped, newline
    use app_text_buffer, only: text_buffer
@@ -24,6 +24,7 @@ contains
          'usage: asperity curve|press|shear|tenon|table [CASE.nml] [options]'//newline// &
          '       asperity deck shear|tenon [CASE.nml] [options]'//newline// &
          '       asperity hysteresis FILE.csv [options]'//newline// &
+         '       asperity surface FILE [FILE --pair] [options]'//newline// &
          '       asperity pairs|version|help [COMMAND]'//newline// &
          'help:  asperity help'
    end function usage_text
@@ -69,6 +70,13 @@ contains
          text = command_help('asperity hysteresis FILE.csv [options]', &
             'Cycles, skeleton, yield and ultimate point, stiffness, energy and damping of a'// &
             newline//'record of displacement and force, or of rotation and moment.', topic)
+      case (command_surface)
+         text = command_help('asperity surface FILE [FILE --pair] [options]'//newline// &
+            '       asperity surface --generate [options]', &
+            'From a scanned surface to the parameters of the law: roughness of a height map'// &
+            newline//'(ISO 25178-2), spectral moments, summits, asperity density, radius and'// &
+            ' sigma (Eqs 28-30),'//newline//'how sure they are, and whether the law holds on'// &
+            ' the map. Reads SDF, X3P, SUR, xyz, asc, csv.', topic)
       case (command_pairs)
          text = command_help('asperity pairs [options]', &
             'Pairs of faces (--pair) and surfaces (--surface) of the paper, in N-mm-MPa.', topic)
@@ -94,6 +102,7 @@ contains
          '  deck tenon input deck of the tenon joint for ABAQUS or CalculiX'//newline// &
          '  hysteresis stiffness, energy and damping of a record of displacement and force'// &
          newline// &
+         '  surface    parameters of the law from a scanned height map'//newline// &
          '  pairs      pairs of faces and surfaces of the paper'//newline// &
          '  version    version, also --version'//newline// &
          '  help       this text; asperity help COMMAND for one command'//newline// &
@@ -126,10 +135,16 @@ contains
          call buffer%line()
          select case (group)
          case (1)
-            call buffer%line('Properties of the faces, also keys of a case file:')
+            if (command == command_surface) then
+               call buffer%line('Properties that a map does not give:')
+            else
+               call buffer%line('Properties of the faces, also keys of a case file:')
+            end if
          case (2)
             if (command == command_hysteresis) then
                call buffer%line('The record:')
+            else if (command == command_surface) then
+               call buffer%line('The map:')
             else
                call buffer%line('The test, also keys of a case file:')
             end if

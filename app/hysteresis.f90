@@ -7,31 +7,18 @@ module app_hysteresis
       hysteresis_result, hysteresis_settings, negative_side, positive_side
    use app_hysteresis_plot, only: hysteresis_script
    use app_hysteresis_tables, only: cycle_table, record_labels, side_table, skeleton_table
-   use app_keys, only: find_key, n_keys
+   use app_keys, only: find_key
    use app_record_file, only: read_record, record_column, record_format
    use app_report, only: report_type
-   use app_settings, only: assign_values, default_settings, setting_type, settings_type
+   use app_settings, only: assign_values, setting_type, settings_type
    use app_strings, only: string_type
    implicit none
    private
-   public :: report_hysteresis, take_defaults
+   public :: report_hysteresis
 
    character(len=*), parameter :: side_names(2) = [character(len=8) :: 'positive', 'negative']
 
 contains
-
-   !> Give every key that was not given as an option its default.
-   pure subroutine take_defaults(settings)
-      !> Options on entry, settings in effect on return
-      type(settings_type), intent(inout) :: settings
-      type(settings_type) :: defaults
-      integer :: key
-
-      defaults = default_settings()
-      do key = 1, n_keys
-         if (.not. settings%of(key)%given) settings%of(key) = defaults%of(key)
-      end do
-   end subroutine take_defaults
 
    !> Read the record and analyse it. `error` is set when either fails.
    subroutine report_hysteresis(report, error)

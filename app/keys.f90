@@ -1,94 +1,40 @@
 !> The one table of everything a user can set. The case-file scanner, the options, the help
 !> texts and `--print-case` all read it, so that none of them can disagree.
 module app_keys
+   use app_key_table, only: all_drawn, all_laws, all_runs, all_tables, command_citation, &
+      command_curve, command_deck_shear, command_deck_tenon, command_help, command_hysteresis, &
+      command_pairs, command_press, command_shear, command_surface, command_table, &
+      command_tenon, command_version, decks, everything, key_type, kind_choice, kind_file, &
+      kind_integer, kind_list, kind_logical, kind_real, kind_request, kind_sweep, kind_text, &
+      moves, records, shears, slides, tabulates, tenons, with_friction
+   use app_surface_keys, only: surface_keys
    implicit none
    private
-   public :: key_type, find_key, option_name, command_names, belongs
-
-   integer, parameter :: name_length = 24, unit_length = 12, default_length = 24
-   integer, parameter :: choices_length = 32, help_length = 84
-
-   !> Commands, as bits of a sum
-   integer, parameter, public :: command_curve = 1, command_press = 2, command_shear = 4, &
-      command_pairs = 8, command_version = 16, command_help = 32, command_citation = 64, &
-      command_hysteresis = 128, command_tenon = 256, command_table = 512, &
-      command_deck_shear = 1024, command_deck_tenon = 2048
-   !> Commands that share keys
-   integer, parameter, public :: shears = command_shear + command_deck_shear, &
-      tenons = command_tenon + command_deck_tenon, decks = command_deck_shear + command_deck_tenon
-   integer, parameter :: all_replays = command_curve + command_press + command_shear + &
-      command_tenon + command_table
-   integer, parameter :: all_runs = all_replays + decks
-   integer, parameter :: with_friction = shears + tenons + command_table
-   integer, parameter :: slides = shears + tenons
-   integer, parameter :: moves = shears + command_tenon
-   integer, parameter :: tabulates = command_table + decks
-   integer, parameter :: records = command_hysteresis + tenons
-   integer, parameter :: all_drawn = all_replays + command_hysteresis
-   integer, parameter :: all_tables = all_drawn + command_pairs
-   integer, parameter :: everything = all_tables + decks + command_version + command_help
-
-   !> Kinds of values
-   enum, bind(c)
-      !> One text
-      enumerator :: kind_text = 1
-      !> One of the texts in `choices`
-      enumerator :: kind_choice
-      !> One real number
-      enumerator :: kind_real
-      !> One whole number
-      enumerator :: kind_integer
-      !> True or false
-      enumerator :: kind_logical
-      !> Real numbers
-      enumerator :: kind_list
-      !> Path of a file that is written; an option only
-      enumerator :: kind_file
-      !> Something asked for; an option only
-      enumerator :: kind_request
-      !> A key and its values, `name=values`; an option only, which may be given again
-      enumerator :: kind_sweep
-   end enum
-   public :: kind_text, kind_choice, kind_real, kind_integer, kind_logical, kind_list, &
-      kind_file, kind_request, kind_sweep
-
-   !> One row of the table.
-   type :: key_type
-      !> Name in case files; the option has `-` for `_`
-      character(len=name_length) :: name
-      !> One of the kinds above
-      integer :: kind
-      !> Unit of the value, blank for none
-      character(len=unit_length) :: unit
-      !> Sum of the commands that it belongs to
-      integer :: commands
-      !> A property of the faces rather than of the test done on them
-      logical :: is_property
-      !> Value when not given, as in a case file; blank when it follows from other values
-      character(len=default_length) :: default
-      !> Values allowed for `kind_choice`, separated by blanks
-      character(len=choices_length) :: choices
-      !> Help text
-      character(len=help_length) :: help
-   end type key_type
+   public :: find_key, option_name, command_names, belongs
+   public :: command_citation, command_curve, command_deck_shear, command_deck_tenon, &
+      command_help, command_hysteresis, command_pairs, command_press, command_shear, &
+      command_surface, command_table, command_tenon, command_version, decks, key_type, &
+      kind_choice, kind_file, kind_integer, kind_list, kind_logical, kind_real, kind_request, &
+      kind_sweep, kind_text, shears, tenons
 
    logical, parameter :: yes = .true., no = .false.
 
-   !> The table; its order is that of help texts, headers and `--print-case`
-   type(key_type), parameter, public :: keys(*) = [ &
+   !> The table; its order is that of help texts, headers and `--print-case`. Two keys are called
+   !> `pair`, of different commands
+   type(key_type), parameter, public :: keys(*) = [surface_keys, &
       key_type('pair', kind_text, '', all_runs, yes, '', '', &
       'pair of faces of the paper; transverse-tangential unless all is given'), &
       key_type('surface', kind_text, '', all_runs, yes, '', '', &
       'surface of Table 2: its eta, radius and sigma in place of the pair''s'), &
       key_type('eta', kind_real, '1/mm^2', all_runs, yes, '', '', &
       'asperity density'), &
-      key_type('modulus', kind_real, 'MPa', all_runs, yes, '', '', &
+      key_type('modulus', kind_real, 'MPa', all_laws, yes, '', '', &
       'equivalent modulus E* of the two faces (Eq. 4)'), &
       key_type('radius', kind_real, 'mm', all_runs, yes, '', '', &
       'summit radius'), &
-      key_type('hardness', kind_real, 'MPa', all_runs, yes, '', '', &
+      key_type('hardness', kind_real, 'MPa', all_laws, yes, '', '', &
       'hardness'), &
-      key_type('yield_factor', kind_real, '', all_runs, yes, '', '', &
+      key_type('yield_factor', kind_real, '', all_laws, yes, '', '', &
       'mean contact pressure at first yield over hardness, 0.05 to 1'), &
       key_type('sigma', kind_real, 'mm', all_runs, yes, '', '', &
       'standard deviation of summit heights'), &
@@ -96,7 +42,7 @@ module app_keys
       'Coulomb friction coefficient mu'), &
       key_type('critical_slip', kind_real, 'mm', with_friction, yes, '', '', &
       'largest elastic slip gcrit'), &
-      key_type('initial_separation', kind_real, 'mm', all_runs, yes, '', '', &
+      key_type('initial_separation', kind_real, 'mm', all_laws, yes, '', '', &
       'separation d0 at zero overclosure; 4 sigma unless given'), &
       key_type('friction_rule', kind_choice, '', slides, yes, 'abaqus', &
       'abaqus dissipative', &
@@ -112,7 +58,7 @@ module app_keys
       'largest elastic slip of the sides; critical_slip unless given'), &
       key_type('accept_unphysical', kind_logical, '', all_runs, yes, 'false', '', &
       'let eta*radius*sigma below 0.0249 pass; results are flagged'), &
-      key_type('separation', kind_list, 'mm', command_curve, no, '', '', &
+      key_type('separation', kind_list, 'mm', command_curve + command_surface, no, '', '', &
       'separations, also from:to:count as an option; 4 sigma to 0 in 41 points unless given'), &
       key_type('control', kind_choice, '', command_press, no, 'pressure', &
       'pressure overclosure', &
@@ -315,12 +261,16 @@ module app_keys
 contains
 
    !> Place of a name in the table, zero when it is not there.
-   pure integer function find_key(name)
+   pure integer function find_key(name, command)
       !> Name as in case files, in lower case
       character(len=*), intent(in) :: name
+      !> Only keys that belong to it; all when absent
+      integer, intent(in), optional :: command
 
       do find_key = n_keys, 1, -1
-         if (keys(find_key)%name == name) return
+         if (keys(find_key)%name /= name) cycle
+         if (.not. present(command)) return
+         if (belongs(find_key, command)) return
       end do
    end function find_key
 
@@ -354,7 +304,7 @@ contains
       character(len=:), allocatable :: names
       character(len=10), parameter :: each(*) = [character(len=10) :: &
          'curve', 'press', 'shear', 'pairs', 'version', 'help', 'citation', 'hysteresis', 'tenon', &
-         'table', 'deck shear', 'deck tenon']
+         'table', 'deck shear', 'deck tenon', 'surface']
       integer :: i
 
       names = ''

@@ -77,19 +77,23 @@ contains
       character(len=32) :: names(n_keys)
       character(len=:), allocatable :: nearest
       integer :: i
+      logical :: is_negated
 
+      key = 0
       negated = .false.
       do i = 1, n_keys
          names(i) = ''
          if (belongs(i, command)) names(i) = option_name(i)
+         nearest = option_name(i)
+         is_negated = keys(i)%kind == kind_logical .and. '--no-'//nearest(3:) == option
+         if (option /= nearest .and. .not. is_negated) cycle
+         ! of two keys of one name, that of the command
+         if (key > 0 .and. .not. belongs(i, command)) cycle
+         key = i
+         negated = is_negated
+         if (belongs(i, command)) exit
       end do
-      do key = 1, n_keys
-         if (option_name(key) == option) exit
-         nearest = option_name(key)
-         negated = keys(key)%kind == kind_logical .and. '--no-'//nearest(3:) == option
-         if (negated) exit
-      end do
-      if (key > n_keys) then
+      if (key == 0) then
          nearest = nearest_name(option, names)
          if (nearest /= '') nearest = '; did you mean '//nearest//'?'
          call fatal_error(error, option//': unknown option of '//command_names(command)//nearest)

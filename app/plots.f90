@@ -2,7 +2,8 @@
 module app_plots
    use asperity, only: wp
    use asperity_text, only: to_text
-   use app_keys, only: command_curve, command_hysteresis, command_press, command_table
+   use app_keys, only: command_curve, command_hysteresis, command_press, &
+      command_surface, command_table
    use app_presets, only: faces_text
    use app_report, only: report_type
    use app_strings, only: backslash, string_type
@@ -43,7 +44,7 @@ contains
          call add_curve(b, report)
       case (command_press)
          call add_press(b, report)
-      case (command_hysteresis, command_table)
+      case (command_hysteresis, command_surface, command_table)
          call b%add(report%picture_data)
       case default
          call add_shear(b, report)

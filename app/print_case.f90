@@ -5,7 +5,7 @@ module app_print_case
    use app_keys, only: belongs, command_names, keys, kind_choice, kind_file, kind_integer, &
       kind_list, kind_logical, kind_real, kind_text, n_keys
    use app_settings, only: settings_type
-   use app_strings, only: escaped, newline
+   use app_strings, only: escaped, newline, string_type
    use app_text_buffer, only: text_buffer
    implicit none
    private
@@ -18,18 +18,26 @@ module app_print_case
 contains
 
    !> A case file with every key of the command; reals read back as the same bits.
-   pure function case_text(settings, command) result(text)
+   pure function case_text(settings, command, heading) result(text)
       !> Settings in effect
       type(settings_type), intent(in) :: settings
       !> The command
       integer, intent(in) :: command
+      !> Comment lines above it; the command when absent
+      type(string_type), intent(in), optional :: heading(:)
       character(len=:), allocatable :: text
       character(len=:), allocatable :: entry
       type(text_buffer) :: buffer
-      integer :: key
+      integer :: i, key
 
       entry = ''
-      call buffer%line('! asperity '//command_names(command)//' THIS_FILE, version '//version)
+      if (present(heading)) then
+         do i = 1, size(heading)
+            call buffer%line('! '//heading(i)%text)
+         end do
+      else
+         call buffer%line('! asperity '//command_names(command)//' THIS_FILE, version '//version)
+      end if
       call buffer%line('&asperity')
       do key = 1, n_keys
          if (.not. belongs(key, command) .or. keys(key)%kind >= kind_file) cycle

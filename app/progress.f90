@@ -7,7 +7,7 @@ module app_progress
    use app_system, only: is_terminal, standard_error, write_text
    implicit none
    private
-   public :: progress_type, show_steps, clear_steps, tell_terminal
+   public :: progress_type, show_steps, show_stage, show_share, clear_steps, tell_terminal
 
    real(wp), parameter :: patience = 1.0_wp
    !> A run of this many increments takes over a second
@@ -91,7 +91,28 @@ contains
          what//', step '//to_text(done)//' of '//to_text(amount)//clear_line, reason)
    end subroutine show_steps
 
-   !> Clear the line of `show_steps`.
+   !> Say what is under way, once the program has run for longer than a second.
+   subroutine show_stage(what)
+      !> What has begun
+      character(len=*), intent(in) :: what
+      character(len=:), allocatable :: reason
+      real(wp) :: seconds
+
+      call cpu_time(seconds)
+      if (seconds < patience) return
+      if (is_terminal(standard_error)) call write_text(standard_error, line_start//'asperity '// &
+         what//clear_line, reason)
+   end subroutine show_stage
+
+   !> Say how much of a file is read, once the program has run for longer than a second.
+   subroutine show_share(share)
+      !> Share read, 0 to 1
+      real(wp), intent(in) :: share
+
+      call show_stage('reading: '//to_text(nint(100.0_wp*share))//' %')
+   end subroutine show_share
+
+   !> Clear the line of those above.
    subroutine clear_steps()
       character(len=:), allocatable :: reason
 

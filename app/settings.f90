@@ -8,7 +8,8 @@ module app_settings
    use app_words, only: read_integer, read_logical, read_real, refuse, word_type
    implicit none
    private
-   public :: setting_type, settings_type, assign_words, assign_values, forget, default_settings
+   public :: setting_type, settings_type, assign_words, assign_values, forget, default_settings, &
+      take_defaults
 
    !> Value of one key.
    type :: setting_type
@@ -69,6 +70,19 @@ contains
          end associate
       end do
    end function default_settings
+
+   !> Give every key that was not given as an option its default.
+   pure subroutine take_defaults(settings)
+      !> Options on entry, settings in effect on return
+      type(settings_type), intent(inout) :: settings
+      type(settings_type) :: defaults
+      integer :: key
+
+      defaults = default_settings()
+      do key = 1, n_keys
+         if (.not. settings%of(key)%given) settings%of(key) = defaults%of(key)
+      end do
+   end subroutine take_defaults
 
    !> Give a key the value that some words mean. `error` names their place.
    pure subroutine assign_words(setting, key, words, error)

@@ -39,6 +39,8 @@ module app_table
       real(wp), allocatable :: values(:)
       !> Decimals on the terminal, negative to choose them by the values
       integer :: decimals = -1
+      !> Significant figures of each number on the terminal, zero for one format of them all
+      integer :: figures = 0
       !> Codes of status or validity, whole numbers
       integer, allocatable :: codes(:)
       !> Texts
@@ -84,7 +86,7 @@ contains
    end function new_table
 
    !> Append a column of numbers.
-   pure subroutine add_numbers(self, name, unit, values, decimals)
+   pure subroutine add_numbers(self, name, unit, values, decimals, figures)
       !> The table
       class(table_type), intent(inout) :: self
       !> Name and unit of the column
@@ -93,6 +95,8 @@ contains
       real(wp), intent(in) :: values(:)
       !> Decimals on the terminal; chosen by the values when absent
       integer, intent(in), optional :: decimals
+      !> Significant figures on the terminal, for a column of unlike quantities
+      integer, intent(in), optional :: figures
 
       self%set = self%set + 1
       associate (column => self%columns(self%set))
@@ -101,6 +105,7 @@ contains
          column%kind = column_numbers
          allocate (column%values, source=values)
          if (present(decimals)) column%decimals = decimals
+         if (present(figures)) column%figures = figures
       end associate
    end subroutine add_numbers
 

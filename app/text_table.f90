@@ -1,6 +1,7 @@
 !> A table as aligned text: names over units over values.
 module app_text_table
    use asperity, only: wp
+   use asperity_text, only: to_text
    use app_strings, only: string_type
    use app_table, only: column_counts, column_numbers, column_type, column_validity, no_value, &
       table_type
@@ -103,7 +104,11 @@ contains
       if (column%decimals >= 0) write (form, '(a, i0, a)') '(f32.', column%decimals, ')'
       allocate (printed%cells(size(rows)))
       do i = 1, size(rows)
-         if (column%kind == column_numbers) then
+         if (column%kind == column_numbers .and. column%figures > 0) then
+            printed%cells(i)%text = '-'
+            if (column%values(rows(i)) < no_value) &
+               printed%cells(i)%text = to_text(column%values(rows(i)), column%figures)
+         else if (column%kind == column_numbers) then
             printed%cells(i)%text = number_text(column%values(rows(i)), form)
          else if (column%kind == column_validity) then
             printed%cells(i)%text = marks(column%codes(rows(i)))

@@ -20,7 +20,7 @@ module asperity_properties
    real(wp), parameter, public :: plastic_area_exponent = &
       1.0_wp + log(2.0_wp)/log(plastic_ratio)
    !> Smallest eta R sigma of an isotropic Gaussian surface: Nayak's alpha = 1.5, McCool's relations
-   real(wp), parameter :: roughness_number_min = 0.0249_wp
+   real(wp), parameter, public :: roughness_number_min = 0.0249_wp
    !> Above this eta R sigma a warning is given
    real(wp), parameter :: roughness_number_max = 4.0_wp
    !> Range of every other property, wide of any system of units

@@ -1,0 +1,209 @@
+!> `asperity surface`: from a height map to the parameters of the law.
+module app_surface
+   use asperity, only: computation_error, error_type, normal_properties, wp
+   use asperity_error, only: fatal_error
+   use asperity_text, only: to_text
+   use map_file_write, only: height_map_bytes
+   use surface_analysis, only: analyse_surface, analysis_settings, most_tiles, &
+      surface_analysis_type
+   use surface_height_map, only: height_map, missing_points
+   use surface_remarks, only: find_remarks, map_facts, remark_type
+   use app_keys, only: command_surface, find_key
+   use app_progress, only: clear_steps, show_stage
+   use app_report, only: named_table, report_type
+   use app_settings, only: settings_type
+   use app_strings, only: lower_case, quoted, string_type
+   use app_surface_law, only: has_law, set_law, surface_case
+   use app_surface_maps, only: check_map_options, get_map, prepare_map
+   use app_surface_pair, only: analyse_pair
+   use app_surface_plot, only: surface_script
+   use app_surface_tables, only: law_parameters_table, parameter_table
+   use app_surface_verify, only: add_summit_curve, law_curves
+   implicit none
+   private
+   public :: report_surface
+
+contains
+
+   !> Read or make the map, analyse it, and report. `error` names the option or the file.
+   subroutine report_surface(report, error)
+      !> Its settings on entry, its tables on return
+      type(report_type), intent(inout) :: report
+      !> Set on failure
+      type(error_type), allocatable, intent(out) :: error
+      type(height_map) :: map
+      type(surface_analysis_type) :: analysis
+      type(analysis_settings) :: how
+      type(named_table), allocatable :: more(:)
+      logical :: has_map
+
+      has_map = .true.
+      call check_map_options(report%settings, error)
+      if (.not. allocated(error)) call get_map(report%settings, 'map_file', map, error)
+      if (.not. allocated(error)) call prepare_map(report%settings, map, error)
+      if (.not. allocated(error)) then
+         how%pruning = report%settings%real_of('pruning')
+         call fit_tiles(report%settings, map)
+         how%tiles = report%settings%whole_of('tiles')
+         if (report%settings%of(find_key('pair', command_surface))%switch) then
+            call analyse_pair(report%settings, how, map, analysis, has_map, more, &
+               report%remarks, error)
+         else
+            allocate (more(0), report%remarks(0))
+            call analyse_surface(map, how, analysis, error, show_stage)
+         end if
+      end if
+      if (.not. allocated(error) .and. .not. has_map) &
+         call refuse_without_map(report%settings, error)
+      call clear_steps()
+      if (allocated(error)) return
+
+      call add_remarks(report, map, analysis, has_map, how%tiles)
+      report%summary = law_parameters_table(analysis)
+      report%table = parameter_table(analysis)
+      call report%table%check_finite(error)
+      if (allocated(error)) return
+      report%shows_table = .false.
+      report%first_rows = [1, report%table%rows + 1]
+      allocate (report%important(report%table%rows), source=.true.)
+      allocate (report%more(size(more) + 2))
+      report%more(3:) = more
+      report%more(1) = named_table('', 'Parameters; half widths of 95 % intervals; values of '// &
+         'every second and every fourth point', report%table, columns_shown=6)
+      call add_law(report, map, analysis, error)
+   end subroutine report_surface
+
+   !> The law with the parameters of the map, and what is made of it: curve, case, picture, map.
+   subroutine add_law(report, map, analysis, error)
+      type(report_type), intent(inout) :: report
+      type(height_map), intent(in) :: map
+      type(surface_analysis_type), intent(in) :: analysis
+      type(error_type), allocatable, intent(out) :: error
+      type(normal_properties) :: properties
+      type(string_type), allocatable :: remarks(:)
+      character(len=:), allocatable :: route
+      logical :: verifies
+
+      route = report%settings%text_of('route')
+      verifies = report%settings%switch_of('verify')
+      allocate (report%decks(2))
+      report%decks%option = [character(len=8) :: 'case', 'map']
+      if (report%settings%given('map')) then
+         call show_stage('writing the map')
+         call height_map_bytes(map, ending(report%settings%text_of('map')), &
+            report%decks(2)%text, error)
+         if (allocated(error)) return
+      end if
+      associate (values => analysis%values(:, 1), s => report%settings)
+         if (.not. has_law(values, route)) then
+            if (verifies .or. s%given('case')) call refuse_law(route, error)
+            return
+         end if
+         call set_law(s, values, route, properties, error)
+         if (allocated(error)) return
+         report%decks(1)%text = surface_case(s, values, analysis%uncertainty, route)
+         report%more(2)%name = 'law'
+         report%more(2)%columns_shown = 9
+         call law_curves(s, values, report%more(2)%table)
+         if (verifies) then
+            call show_stage('summing the law over summits')
+            call add_summit_curve(report%more(2)%table, analysis, properties, route, remarks, error)
+            if (allocated(error)) return
+            report%more(2)%title = 'The law on this map: Gaussian integral by either route, '// &
+               'and sums over its summits (route '//route//')'
+            report%remarks = [report%remarks, remarks]
+         end if
+         if (s%given('plot')) report%picture_data = surface_script(map, values, &
+            pack(analysis%summits%height, analysis%summits%is_peak .or. route == 'nayak'), &
+            report%more(2)%table, title(map))
+      end associate
+   end subroutine add_law
+
+   !> Fewer tiles than the default on a map too small for it.
+   pure subroutine fit_tiles(settings, map)
+      type(settings_type), intent(inout) :: settings
+      type(height_map), intent(in) :: map
+
+      associate (tiles => settings%of(find_key('tiles')))
+         if (tiles%given .or. most_tiles(map) >= tiles%whole) return
+         tiles%whole = most_tiles(map)
+         tiles%source = 'as many as the map allows'
+      end associate
+   end subroutine fit_tiles
+
+   !> What is to be said of the map and its parameters.
+   pure subroutine add_remarks(report, map, analysis, has_map, tiles)
+      type(report_type), intent(inout) :: report
+      type(height_map), intent(in) :: map
+      type(surface_analysis_type), intent(in) :: analysis
+      logical, intent(in) :: has_map
+      integer, intent(in) :: tiles
+      type(map_facts) :: facts
+      type(remark_type), allocatable :: found(:)
+      type(string_type), allocatable :: lines(:)
+      integer :: i, missing
+
+      if (.not. has_map) return
+      facts%step_x = map%step_x
+      facts%step_y = map%step_y
+      facts%tile_x = map%step_x*real(size(map%heights, 1)/tiles, wp)
+      facts%tile_y = map%step_y*real(size(map%heights, 2)/tiles, wp)
+      facts%peaks = real(count(analysis%summits%is_peak), wp)
+      call find_remarks(analysis%values(:, 1), analysis%uncertainty, facts, found, &
+         analysis%values(:, 2))
+      allocate (lines(size(found) + 1))
+      missing = missing_points(map)
+      lines(1)%text = title(map)//': '//to_text(size(map%heights, 1))//' x '// &
+         to_text(size(map%heights, 2))//' points, step '//to_text(map%step_x, 4)//' x '// &
+         to_text(map%step_y, 4)//' mm, '//to_text(missing)//' missing, '// &
+         to_text(size(analysis%summits%height))//' summits, '//to_text(nint(facts%peaks))// &
+         ' peaks.'
+      do i = 1, size(found)
+         lines(i + 1)%text = found(i)%text
+      end do
+      report%remarks = [lines, report%remarks]
+   end subroutine add_remarks
+
+   !> Where the map comes from, and its format.
+   pure function title(map) result(text)
+      type(height_map), intent(in) :: map
+      character(len=:), allocatable :: text
+
+      text = quoted(map%source(index(map%source, '/', back=.true.) + 1:))
+      text = text(2:len(text) - 1)
+      if (map%format /= '') text = text//' ('//map%format//')'
+   end function title
+
+   !> The end of a file's name after its last point, in lower case.
+   pure function ending(path) result(text)
+      character(len=*), intent(in) :: path
+      character(len=:), allocatable :: text
+
+      text = lower_case(path(index(path, '.', back=.true.) + 1:))
+   end function ending
+
+   !> Refuse what needs the maps of a pair to be aligned.
+   pure subroutine refuse_without_map(settings, error)
+      type(settings_type), intent(in) :: settings
+      type(error_type), allocatable, intent(out) :: error
+      character(len=*), parameter :: names(3) = [character(len=6) :: 'verify', 'plot', 'map']
+      integer :: i
+
+      do i = 1, size(names)
+         if (.not. settings%given(trim(names(i)))) cycle
+         call fatal_error(error, '--'//trim(names(i))//': needs maps of the same points and '// &
+            'steps, which these are not')
+         return
+      end do
+   end subroutine refuse_without_map
+
+   !> Refuse a law without parameters.
+   pure subroutine refuse_law(route, error)
+      character(len=*), intent(in) :: route
+      type(error_type), allocatable, intent(out) :: error
+
+      call fatal_error(error, 'route = '//route//' has no asperity density and radius here: no '// &
+         'peak, or no map of the pair; try the other route', computation_error)
+   end subroutine refuse_law
+
+end module app_surface

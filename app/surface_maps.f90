@@ -1,0 +1,224 @@
+!> The height maps of `asperity surface`: read or made, prepared as the options say.
+module app_surface_maps
+   use asperity, only: error_type, wp
+   use asperity_error, only: fatal_error
+   use asperity_text, only: to_text
+   use map_file_read, only: map_hints, read_height_map
+   use surface_analysis, only: prepare_surface, preparation_settings
+   use surface_generate, only: generate_surface
+   use surface_generate_settings, only: surface_settings
+   use surface_height_map, only: height_map
+   use app_keys, only: command_surface, find_key
+   use app_progress, only: show_share, show_stage
+   use app_presets, only: fill
+   use app_settings, only: forget, settings_type
+   implicit none
+   private
+   public :: check_map_options, get_map, prepare_map
+
+   !> Options of --generate, and those of a file
+   character(len=*), parameter :: made(*) = [character(len=20) :: 'map_points', 'sq', &
+      'correlation_length', 'direction', 'spectrum', 'hurst', 'longest_wave', 'shortest_wave', 'ssk', 'sku', &
+      'seed']
+   character(len=*), parameter :: read_in(*) = [character(len=20) :: 'lateral_unit', 'height_unit']
+   !> Step of a made map, mm, unless given
+   real(wp), parameter :: made_step = 0.01_wp
+   !> Correlation length and shortest wave of a made map, steps, unless given
+   real(wp), parameter :: made_length = 10.0_wp, made_wave = 8.0_wp
+
+contains
+
+   !> Refuse options that would have no effect, and forget those that do not matter.
+   pure subroutine check_map_options(settings, error)
+      !> Settings in effect
+      type(settings_type), intent(inout) :: settings
+      !> Set when options do not fit together
+      type(error_type), allocatable, intent(out) :: error
+      logical :: pair
+
+      pair = settings%of(find_key('pair', command_surface))%switch
+      if (settings%switch_of('generate')) then
+         if (settings%given('map_file')) then
+            call fatal_error(error, settings%text_of('map_file')// &
+               ': --generate makes a map and reads none')
+         else if (pair) then
+            call fatal_error(error, '--pair: needs the maps of two faces, --generate makes one')
+         end if
+         call refuse_given(settings, read_in, 'is for files, which tell or need it; a made '// &
+            'map is in mm', error)
+      else if (.not. settings%given('map_file')) then
+         call fatal_error(error, 'no map is given: asperity surface FILE')
+      else if (pair .and. .not. settings%given('second_map')) then
+         call fatal_error(error, '--pair: needs the maps of two faces: asperity surface FILE '// &
+            'FILE --pair')
+      else if (settings%given('second_map') .and. .not. pair) then
+         call fatal_error(error, settings%text_of('second_map')// &
+            ': a second map is only taken with --pair')
+      else
+         call refuse_given(settings, made, 'is for --generate', error)
+      end if
+      if (allocated(error)) return
+      if (settings%given('mirror') .and. .not. pair) &
+         call fatal_error(error, '--mirror: is for --pair')
+      if (.not. pair) call forget(settings%of(find_key('mirror')))
+   end subroutine check_map_options
+
+   !> Refuse the first of some options that is given, forget them all.
+   pure subroutine refuse_given(settings, names, why, error)
+      type(settings_type), intent(inout) :: settings
+      character(len=*), intent(in) :: names(:), why
+      type(error_type), allocatable, intent(inout) :: error
+      integer :: i
+
+      do i = 1, size(names)
+         if (allocated(error)) return
+         associate (setting => settings%of(find_key(trim(names(i)))))
+            if (setting%given) call fatal_error(error, setting%source//': '//why)
+            call forget(setting)
+         end associate
+      end do
+   end subroutine refuse_given
+
+   !> Read or make a map. `error` names the file or the option.
+   subroutine get_map(settings, name, map, error)
+      !> Settings; what follows from the map is filled in
+      type(settings_type), intent(inout) :: settings
+      !> `map_file` or `second_map`
+      character(len=*), intent(in) :: name
+      !> The map
+      type(height_map), intent(out) :: map
+      !> Set on failure
+      type(error_type), allocatable, intent(out) :: error
+      type(map_hints) :: hints
+      real(wp) :: step(2)
+
+      if (settings%switch_of('generate')) then
+         call make_map(settings, map, error)
+         return
+      end if
+      hints%lateral_unit = settings%text_of('lateral_unit')
+      hints%height_unit = settings%text_of('height_unit')
+      if (settings%given('step')) then
+         call take_two(settings, 'step', step, error)
+         if (allocated(error)) return
+         hints%step_x = step(1)
+         hints%step_y = step(2)
+      end if
+      call show_stage('reading')
+      call read_height_map(settings%text_of(name), hints, map, error, show_share)
+   end subroutine get_map
+
+   !> Make a random map.
+   subroutine make_map(settings, map, error)
+      type(settings_type), intent(inout) :: settings
+      type(height_map), intent(out) :: map
+      type(error_type), allocatable, intent(out) :: error
+      type(surface_settings) :: surface
+      real(wp) :: points(2), step(2), length(2)
+
+      call fill(settings, 'step', [made_step], 'default')
+      call take_two(settings, 'map_points', points, error)
+      if (.not. allocated(error)) call take_two(settings, 'step', step, error)
+      if (.not. allocated(error) .and. abs(step(2) - step(1)) > 0.0_wp) &
+         call fatal_error(error, 'step: a made map has one step in x and y')
+      if (.not. allocated(error) .and. any(abs(points - anint(points)) > 0.0_wp .or. &
+         abs(points) > real(huge(1), wp))) call fatal_error(error, 'map_points = '// &
+         to_text(points(1))//', '//to_text(points(2))//' are not whole numbers')
+      if (allocated(error)) return
+      call fill(settings, 'correlation_length', [made_length*step(1)], '10 steps')
+      call fill(settings, 'longest_wave', [0.25_wp*minval(points)*step(1)], 'quarter of the map')
+      call fill(settings, 'shortest_wave', [made_wave*step(1)], '8 steps')
+      call take_two(settings, 'correlation_length', length, error)
+      if (allocated(error)) return
+      surface%points_x = nint(points(1))
+      surface%points_y = nint(points(2))
+      surface%step = step(1)
+      surface%sq = settings%real_of('sq')
+      surface%correlation_length_x = length(1)
+      surface%correlation_length_y = length(2)
+      surface%direction = settings%real_of('direction')
+      surface%spectrum = settings%text_of('spectrum')
+      surface%hurst = settings%real_of('hurst')
+      surface%longest_wave = settings%real_of('longest_wave')
+      surface%shortest_wave = settings%real_of('shortest_wave')
+      surface%ssk = settings%real_of('ssk')
+      surface%sku = settings%real_of('sku')
+      surface%seed = settings%whole_of('seed')
+      call show_stage('making the surface')
+      call generate_surface(surface, map, error)
+      if (allocated(error)) return
+      map%source = 'random surface of seed '//to_text(surface%seed)
+      map%format = 'made'
+      if (surface%spectrum == 'self_affine') then
+         call forget(settings%of(find_key('correlation_length')))
+         call forget(settings%of(find_key('direction')))
+      else
+         call forget(settings%of(find_key('longest_wave')))
+         call forget(settings%of(find_key('shortest_wave')))
+         call forget(settings%of(find_key('hurst')))
+      end if
+   end subroutine make_map
+
+   !> The values for x and y of a list of one or two.
+   pure subroutine take_two(settings, name, values, error)
+      type(settings_type), intent(in) :: settings
+      character(len=*), intent(in) :: name
+      real(wp), intent(out) :: values(2)
+      type(error_type), allocatable, intent(out) :: error
+
+      associate (list => settings%of(find_key(name))%values)
+         values(1) = list(1)
+         values(2) = list(size(list))
+         if (size(list) > 2) call fatal_error(error, name//': takes one value or two, for x '// &
+            'and y, found '//to_text(size(list)))
+      end associate
+   end subroutine take_two
+
+   !> Level and filter a map as the options say. `error` names the option or the file.
+   subroutine prepare_map(settings, map, error)
+      !> Settings in effect
+      type(settings_type), intent(in) :: settings
+      !> The map, changed in place
+      type(height_map), intent(inout) :: map
+      !> Set on failure
+      type(error_type), allocatable, intent(out) :: error
+      type(preparation_settings) :: preparation
+
+      preparation%fills = settings%text_of('missing') == 'fill'
+      preparation%most_missing = settings%real_of('most_missing')
+      preparation%form = settings%whole_of('form')
+      if (settings%given('short_cutoff')) &
+         preparation%short_cutoff = settings%real_of('short_cutoff')
+      if (settings%given('long_cutoff')) preparation%long_cutoff = settings%real_of('long_cutoff')
+      call check_cutoffs(settings, preparation, error)
+      if (.not. allocated(error)) call prepare_surface(map, preparation, error, show_stage)
+   end subroutine prepare_map
+
+   !> Refuse cut-offs and forms that mean nothing.
+   pure subroutine check_cutoffs(settings, preparation, error)
+      type(settings_type), intent(in) :: settings
+      type(preparation_settings), intent(in) :: preparation
+      type(error_type), allocatable, intent(out) :: error
+
+      if (settings%given('short_cutoff') .and. .not. preparation%short_cutoff > 0.0_wp) then
+         call fatal_error(error, 'short_cutoff = '//to_text(preparation%short_cutoff)// &
+            ' mm is not allowed: it must be above 0')
+      else if (settings%given('long_cutoff') .and. .not. preparation%long_cutoff > 0.0_wp) then
+         call fatal_error(error, 'long_cutoff = '//to_text(preparation%long_cutoff)// &
+            ' mm is not allowed: it must be above 0')
+      else if (settings%given('long_cutoff') &
+            .and. .not. preparation%long_cutoff > preparation%short_cutoff) then
+         call fatal_error(error, 'long_cutoff = '//to_text(preparation%long_cutoff)// &
+            ' mm is not allowed: it must be above short_cutoff = '// &
+            to_text(preparation%short_cutoff)//' mm')
+      else if (preparation%form < 1 .or. preparation%form > 8) then
+         call fatal_error(error, 'form = '//to_text(preparation%form)// &
+            ' is not allowed: it must be a degree from 1 to 8')
+      else if (.not. (preparation%most_missing >= 0.0_wp .and. preparation%most_missing < 1.0_wp)) &
+            then
+         call fatal_error(error, 'most_missing = '//to_text(preparation%most_missing)// &
+            ' is not allowed: it must be a share from 0 to below 1')
+      end if
+   end subroutine check_cutoffs
+
+end module app_surface_maps

@@ -1,0 +1,90 @@
+!> Tables of `asperity surface`.
+module app_surface_tables
+   use asperity, only: wp
+   use surface_analysis, only: surface_analysis_type
+   use surface_evaluate, only: no_parameter
+   use surface_parameters, only: n_parameters, p_sp, p_summit_plane, parameters
+   use app_surface_law, only: has_law, route_places, routes
+   use app_table, only: new_table, no_value, table_type
+   implicit none
+   private
+   public :: parameter_table, law_parameters_table
+
+   !> Figures of a value, and of an uncertainty, on the terminal
+   integer, parameter :: value_figures = 4, uncertainty_figures = 2
+
+contains
+
+   !> One row a parameter: value, half width of its 95 % interval, and the values at multiples of
+   !> the step.
+   pure function parameter_table(analysis) result(table)
+      !> What was found
+      type(surface_analysis_type), intent(in) :: analysis
+      type(table_type) :: table
+
+      table = new_table(columns=7, rows=n_parameters)
+      call table%add_texts('parameter', parameters%name)
+      call table%add_texts('unit', parameters%unit)
+      call table%add_numbers('value', '-', analysis%values(:, 1), figures=value_figures)
+      call table%add_numbers('uncertainty', '-', analysis%uncertainty, figures=uncertainty_figures)
+      call table%add_numbers('step_2', '-', analysis%values(:, 2), figures=value_figures)
+      call table%add_numbers('step_4', '-', analysis%values(:, 3), figures=value_figures)
+      call table%add_texts('meaning', parameters%meaning)
+   end function parameter_table
+
+   !> What the law takes, one row a route, and where the map lies.
+   pure function law_parameters_table(analysis) result(table)
+      !> What was found
+      type(surface_analysis_type), intent(in) :: analysis
+      type(table_type) :: table
+      real(wp) :: three(3, size(routes)), spread(3, size(routes)), number(size(routes))
+      integer :: i
+
+      associate (values => analysis%values(:, 1))
+         do i = 1, size(routes)
+            three(:, i) = values(route_places(routes(i)))
+            spread(:, i) = analysis%uncertainty(route_places(routes(i)))
+            number(i) = no_value
+            if (has_law(values, routes(i))) number(i) = product(three(:, i))
+         end do
+         table = new_table(columns=10, rows=size(routes))
+         call table%add_texts('route', routes)
+         call add_pair(table, 'eta', '1/mm^2', three(1, :), spread(1, :))
+         call add_pair(table, 'radius', 'mm', three(2, :), spread(2, :))
+         call add_pair(table, 'sigma', 'mm', three(3, :), spread(3, :))
+         call table%add_numbers('roughness_number', '-', number, figures=value_figures)
+         call table%add_numbers('summit_plane', 'mm', both(values(p_summit_plane)), &
+            figures=value_figures)
+         call table%add_numbers('first_touch', 'mm', both(first_touch(values)), &
+            figures=value_figures)
+      end associate
+   end function law_parameters_table
+
+   !> A column of values and that of their uncertainties.
+   pure subroutine add_pair(table, name, unit, values, uncertainty)
+      type(table_type), intent(inout) :: table
+      character(len=*), intent(in) :: name, unit
+      real(wp), intent(in) :: values(:), uncertainty(:)
+
+      call table%add_numbers(name, unit, values, figures=value_figures)
+      call table%add_numbers(name//'_uncertainty', unit, uncertainty, figures=uncertainty_figures)
+   end subroutine add_pair
+
+   !> Separation, from the summit mean plane, at which the highest point touches.
+   pure real(wp) function first_touch(values)
+      real(wp), intent(in) :: values(:)
+
+      first_touch = no_value
+      if (values(p_summit_plane) < no_parameter) &
+         first_touch = values(p_sp) - values(p_summit_plane)
+   end function first_touch
+
+   !> The same for either route.
+   pure function both(value) result(values)
+      real(wp), intent(in) :: value
+      real(wp) :: values(size(routes))
+
+      values = value
+   end function both
+
+end module app_surface_tables

@@ -1,0 +1,124 @@
+!> The law with the parameters of a map against separation: the Gaussian integral, and the sum over
+!> the summits of the map.
+module app_surface_verify
+   use asperity, only: error_type, evaluate_normal_law, normal_properties, normal_response, &
+      separation_for_pressure, wp
+   use asperity_text, only: to_text
+   use surface_analysis, only: surface_analysis_type
+   use surface_parameters, only: p_summit_plane
+   use surface_verify, only: sum_over_summits, summit_curve
+   use app_keys, only: find_key
+   use app_settings, only: settings_type
+   use app_strings, only: string_type
+   use app_surface_law, only: has_law, routes, set_law
+   use app_table, only: new_table, no_value, table_type
+   implicit none
+   private
+   public :: law_curves, add_summit_curve
+
+   !> Pressures at which the remarks compare, MPa: the paper's shear test, and the strength fc90
+   real(wp), parameter :: pressures(2) = [0.2_wp, 4.7_wp]
+
+contains
+
+   !> Pressure of the Gaussian law by both routes, at the separations of the settings.
+   pure subroutine law_curves(settings, values, table)
+      !> Settings after `set_law`
+      type(settings_type), intent(in) :: settings
+      !> Parameters of the map
+      real(wp), intent(in) :: values(:)
+      !> One row a separation
+      type(table_type), intent(out) :: table
+      type(settings_type) :: law
+      type(normal_properties) :: properties
+      type(normal_response), allocatable :: response(:)
+      type(error_type), allocatable :: error
+      real(wp), allocatable :: pressure(:)
+      integer :: i
+
+      associate (separation => settings%of(find_key('separation'))%values)
+         table = new_table(columns=11, rows=size(separation))
+         call table%add_numbers('separation', 'mm', separation)
+         call table%add_numbers('separation_surface', 'mm', separation + values(p_summit_plane))
+         call table%add_numbers('overclosure', 'mm', settings%real_of('initial_separation') &
+            - separation)
+         allocate (pressure(size(separation)), response(size(separation)))
+         do i = 1, size(routes)
+            pressure = no_value
+            if (has_law(values, routes(i))) then
+               law = settings
+               call set_law(law, values, routes(i), properties, error)
+               if (.not. allocated(error)) then
+                  response = evaluate_normal_law(properties, separation)
+                  pressure = response%pressure
+               end if
+            end if
+            call table%add_numbers('pressure_'//routes(i), 'MPa', pressure)
+         end do
+      end associate
+   end subroutine law_curves
+
+   !> Append the sums over the summits to a table of `law_curves`, and say in words how they
+   !> compare. The paper's route takes the peaks of spd, Nayak's all summits.
+   pure subroutine add_summit_curve(table, analysis, properties, route, remarks, error)
+      !> The table
+      type(table_type), intent(inout) :: table
+      !> What was found on the map
+      type(surface_analysis_type), intent(in) :: analysis
+      !> The law by the route
+      type(normal_properties), intent(in) :: properties
+      !> One of `routes`
+      character(len=*), intent(in) :: route
+      !> One line each
+      type(string_type), allocatable, intent(out) :: remarks(:)
+      !> Set when there are no summits
+      type(error_type), allocatable, intent(out) :: error
+      type(summit_curve) :: curve
+      real(wp), allocatable :: heights(:), curvatures(:)
+      real(wp) :: separations(size(pressures))
+      logical, allocatable :: taken(:)
+      integer :: i
+
+      associate (summits => analysis%summits)
+         allocate (taken, source=summits%is_peak .or. route == 'nayak')
+         heights = pack(summits%height, taken) - analysis%values(p_summit_plane, 1)
+         curvatures = pack(summits%curvature, taken)
+      end associate
+      call sum_over_summits(properties, heights, curvatures, analysis%area, &
+         table%columns(1)%values, curve, error)
+      if (allocated(error)) return
+      call table%add_numbers('pressure_summits', 'MPa', curve%mean_radius)
+      call table%add_numbers('pressure_summits_error', 'MPa', curve%mean_radius_error)
+      call table%add_numbers('pressure_own_radii', 'MPa', curve%own_radius)
+      call table%add_numbers('pressure_own_radii_error', 'MPa', curve%own_radius_error)
+      call table%add_numbers('contact_density', '1/mm^2', curve%contact_density)
+      call table%add_numbers('gaussian_density', '1/mm^2', curve%gaussian_density)
+
+      do i = 1, size(pressures)
+         call separation_for_pressure(properties, pressures(i), separations(i), error)
+         if (allocated(error)) return
+      end do
+      call sum_over_summits(properties, heights, curvatures, analysis%area, separations, curve, &
+         error)
+      if (allocated(error)) return
+      allocate (remarks(size(pressures) + merge(1, 0, curve%without_radius > 0)))
+      do i = 1, size(pressures)
+         remarks(i)%text = 'Where the Gaussian law gives '//to_text(pressures(i), 3)// &
+            ' MPa, the sum over the '//to_text(size(heights))//' summits of the map gives '// &
+            with_error(curve%mean_radius(i), curve%mean_radius_error(i))// &
+            ' MPa with the mean radius, '// &
+            with_error(curve%own_radius(i), curve%own_radius_error(i))//' MPa with the own radii.'
+      end do
+      if (curve%without_radius > 0) remarks(size(remarks))%text = to_text(curve%without_radius)// &
+         ' summits have no curvature above zero and take the mean radius.'
+   end subroutine add_summit_curve
+
+   !> A value and its standard error.
+   pure function with_error(value, error) result(text)
+      real(wp), intent(in) :: value, error
+      character(len=:), allocatable :: text
+
+      text = to_text(value, 3)//' +- '//to_text(error, 2)
+   end function with_error
+
+end module app_surface_verify

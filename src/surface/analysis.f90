@@ -1,0 +1,196 @@
+!> What is done with a height map: prepared once, then everything is found from it.
+module surface_analysis
+   use asperity_error, only: error_type, fatal_error
+   use asperity_kinds, only: wp
+   use asperity_text, only: to_text
+   use surface_evaluate, only: no_parameter, parameters_of
+   use surface_gaussian_filter, only: filter_long, filter_short
+   use surface_height_map, only: check_height_map, fewest_points, height_map, missing_points
+   use surface_holes, only: fill_missing, missing_share
+   use surface_level, only: level_plane, remove_form
+   use surface_parameters, only: n_parameters
+   use surface_sum_map, only: sum_map
+   use surface_summits, only: find_summits, summit_set
+   use surface_sums, only: summed, surface_sums_type
+   use surface_thin, only: thinned
+   use surface_uncertainty, only: uncertainties
+   implicit none
+   private
+   public :: preparation_settings, analysis_settings, surface_analysis_type, prepare_surface, &
+      analyse_surface, most_tiles, stage_listener
+
+   !> How a map is prepared.
+   type :: preparation_settings
+      !> Missing points are filled in; left out otherwise
+      logical :: fills = .false.
+      !> Share of missing points up to which a map is taken
+      real(wp) :: most_missing = 0.05_wp
+      !> Degree of the form that is removed, 1 (a plane) to 8
+      integer :: form = 1
+      !> Cut-offs of the S and the L filter, mm; zero for none
+      real(wp) :: short_cutoff = 0.0_wp, long_cutoff = 0.0_wp
+   end type preparation_settings
+
+   !> How it is analysed.
+   type :: analysis_settings
+      !> Hills lower than this share of sz are no peaks
+      real(wp) :: pruning = 0.05_wp
+      !> Tiles along either side
+      integer :: tiles = 4
+   end type analysis_settings
+
+   !> Multiples of the step at which the parameters are found
+   integer, parameter, public :: steps(3) = [1, 2, 4]
+
+   !> What was found.
+   type :: surface_analysis_type
+      !> Parameters in the order of `parameters`, at the steps above; `no_parameter` for none
+      real(wp) :: values(n_parameters, size(steps)) = no_parameter
+      !> Half widths of their 95 % intervals at the map's own step
+      real(wp) :: uncertainty(n_parameters) = no_parameter
+      !> Summits of the map
+      type(summit_set) :: summits
+      !> Area of one point, and of all those where summits can be told, mm^2
+      real(wp) :: cell_area = 0.0_wp, area = 0.0_wp
+      !> Sums over the tiles
+      type(surface_sums_type), allocatable :: sums(:)
+   end type surface_analysis_type
+
+   abstract interface
+      !> Hears what is under way, for work that takes long.
+      subroutine stage_listener(what)
+         !> Such as `levelling`
+         character(len=*), intent(in) :: what
+      end subroutine stage_listener
+   end interface
+
+contains
+
+   !> Level a map, treat its missing points and filter it, in the order of ISO 25178-3: S filter,
+   !> form, L filter. Its heights are above its mean plane after that. `error` is set when a
+   !> setting or the map is refused.
+   subroutine prepare_surface(map, settings, error, tell)
+      !> The map, changed in place
+      type(height_map), intent(inout) :: map
+      !> What to do
+      type(preparation_settings), intent(in) :: settings
+      !> Set on failure
+      type(error_type), allocatable, intent(out) :: error
+      !> Hears what is under way
+      procedure(stage_listener), optional :: tell
+
+      call check_height_map(map, error)
+      if (.not. allocated(error)) call check_missing(map, settings%most_missing, error)
+      if (allocated(error)) return
+      call say('levelling')
+      call level_plane(map)
+      if (settings%fills .and. missing_points(map) > 0) then
+         call say('filling missing points')
+         call fill_missing(map, error)
+         if (allocated(error)) return
+      end if
+      if (settings%short_cutoff > 0.0_wp) then
+         call say('S filter')
+         call filter_short(map, settings%short_cutoff, error)
+         if (allocated(error)) return
+      end if
+      if (settings%form > 1) then
+         call say('removing the form')
+         call remove_form(map, settings%form, error)
+         if (allocated(error)) return
+      end if
+      if (settings%long_cutoff > 0.0_wp) then
+         call say('L filter')
+         call filter_long(map, settings%long_cutoff, error)
+         if (allocated(error)) return
+      end if
+      call level_plane(map)
+
+   contains
+
+      subroutine say(what)
+         character(len=*), intent(in) :: what
+
+         if (present(tell)) call tell(what)
+      end subroutine say
+
+   end subroutine prepare_surface
+
+   !> Refuse a map of too many missing points.
+   pure subroutine check_missing(map, most, error)
+      type(height_map), intent(in) :: map
+      real(wp), intent(in) :: most
+      type(error_type), allocatable, intent(out) :: error
+
+      if (missing_share(map) <= most) return
+      call fatal_error(error, map%source//': '//to_text(missing_points(map))//' of '// &
+         to_text(size(map%heights))//' points are missing, a share of '// &
+         to_text(missing_share(map), 3)//'; most_missing = '//to_text(most)// &
+         ' is allowed, raise it if the rest is the surface')
+   end subroutine check_missing
+
+   !> Parameters, their uncertainties and summits of a prepared map, and the parameters of every
+   !> second and fourth point. `error` is set when a setting is refused or the map has no relief.
+   subroutine analyse_surface(map, settings, analysis, error, tell)
+      !> A prepared map
+      type(height_map), intent(in) :: map
+      !> How to analyse it
+      type(analysis_settings), intent(in) :: settings
+      !> What was found
+      type(surface_analysis_type), intent(out) :: analysis
+      !> Set on failure
+      type(error_type), allocatable, intent(out) :: error
+      !> Hears what is under way
+      procedure(stage_listener), optional :: tell
+      type(surface_sums_type), allocatable :: thinned_sums(:)
+      type(surface_sums_type) :: whole
+      type(summit_set) :: thinned_summits
+      type(height_map) :: thinned_map
+      integer :: k
+
+      call check_tiles(map, settings%tiles, error)
+      if (allocated(error)) return
+      if (present(tell)) call tell('finding summits')
+      call find_summits(map, settings%pruning, analysis%summits, error)
+      if (allocated(error)) return
+      if (present(tell)) call tell('summing up')
+      call sum_map(map, analysis%summits, settings%tiles, settings%tiles, analysis%sums)
+      whole = summed(analysis%sums)
+      analysis%cell_area = map%step_x*map%step_y
+      analysis%area = whole%inner*analysis%cell_area
+      call parameters_of(whole, analysis%cell_area, analysis%values(:, 1))
+      call uncertainties(analysis%sums, analysis%cell_area, analysis%uncertainty)
+      do k = 2, size(steps)
+         if (minval(shape(map%heights)) < steps(k)*fewest_points) exit
+         if (present(tell)) call tell('every point in '//to_text(steps(k)))
+         call thinned(map, steps(k), thinned_map)
+         call find_summits(thinned_map, settings%pruning, thinned_summits, error)
+         if (allocated(error)) return
+         call sum_map(thinned_map, thinned_summits, 1, 1, thinned_sums)
+         call parameters_of(thinned_sums(1), thinned_map%step_x*thinned_map%step_y, &
+            analysis%values(:, k))
+      end do
+   end subroutine analyse_surface
+
+   !> Tiles along either side that a map can be split into at most.
+   pure integer function most_tiles(map)
+      !> The map
+      type(height_map), intent(in) :: map
+
+      most_tiles = minval(shape(map%heights))/fewest_points
+   end function most_tiles
+
+   !> Refuse more tiles than a map can be split into.
+   pure subroutine check_tiles(map, tiles, error)
+      type(height_map), intent(in) :: map
+      integer, intent(in) :: tiles
+      type(error_type), allocatable, intent(out) :: error
+      integer :: most
+
+      most = most_tiles(map)
+      if (tiles < 1 .or. tiles > most) call fatal_error(error, 'tiles = '//to_text(tiles)// &
+         ' is not allowed: it must be from 1 to '//to_text(most)//' for '// &
+         to_text(size(map%heights, 1))//' x '//to_text(size(map%heights, 2))//' points')
+   end subroutine check_tiles
+
+end module surface_analysis
