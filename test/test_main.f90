@@ -38,6 +38,7 @@ program test_main
    use test_surface_chain, only: suite_surface_chain
    use test_surface_pair, only: suite_surface_pair
    use test_surface_random, only: suite_surface_random
+   use test_surface_reference, only: suite_surface_reference
    use test_surface_statistics, only: suite_surface_statistics
    use test_tenon_forms, only: suite_tenon_forms
    use test_tenon_energy, only: suite_tenon_energy
@@ -100,6 +101,7 @@ program test_main
    call all_suites%addTest(suite_surface_gaussian_filter())
    call all_suites%addTest(suite_surface_summits())
    call all_suites%addTest(suite_surface_sum_map())
+   call all_suites%addTest(suite_surface_reference())
    runner = TestRunner()
    outcome = runner%run(all_suites, SerialContext())
    failed = outcome%failureCount() + outcome%errorCount()

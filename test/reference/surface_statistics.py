@@ -174,15 +174,18 @@ def wolf_peaks(z, share=0.05):
 
 
 def statistics(heights, step_x, step_y, share=0.05, degree=1):
-    """{parameter: value}, in mm; heights[j, i] in mm, nan where nothing was measured."""
-    z = level(heights, step_x, step_y, degree)
-    there, within = np.isfinite(z), inner(z)
-    p = {"sa": np.nanmean(abs(z)), "sq": math.sqrt(np.nanmean(z**2)), "sp": np.nanmax(z),
-         "sv": -np.nanmin(z)}
+    """{parameter: value}, in mm; heights[j, i] in mm, nan where nothing was measured. Degree 0 is
+    for points taken from a levelled map: they keep its plane, of whose heights sa, sp and sv are;
+    the rest is about their mean."""
+    z = level(heights, step_x, step_y, degree) if degree else heights
+    within = inner(z)
+    p = {"sa": np.nanmean(abs(z)), "sp": np.nanmax(z), "sv": -np.nanmin(z)}
     p["sz"] = p["sp"] + p["sv"]
+    z = z - np.nanmean(z)
+    p["m0"] = np.nanmean(z**2)
+    p["sq"] = math.sqrt(p["m0"])
     p["ssk"] = np.nanmean(z**3)/p["sq"]**3
     p["sku"] = np.nanmean(z**4)/p["sq"]**4
-    p["m0"] = np.mean(z[there]**2)
     z_x, z_y, z_xx, z_yy, z_xy = derivatives(z, step_x, step_y)
     p["m2_x"] = np.nanmean(((shifted(z, 0, 1) - z)/step_x)**2)
     p["m2_y"] = np.nanmean(((shifted(z, 1, 0) - z)/step_y)**2)

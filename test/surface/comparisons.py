@@ -42,10 +42,12 @@ def compare_map(program, table, m):
     path = program.write(m)
     columns = program.columns(path)
     ours, others = columns["value"], read(m, path)
-    for column, every in (("value", 1), ("step_2", 2), ("step_4", 4)):
-        compare_reference(f"{m.name}, {column}", columns[column],
-                          others["SurfaceTopography"].heights[::every, ::every]*UM,
-                          m.step_x*UM*every, m.step_y*UM*every)
+    heights, steps = others["SurfaceTopography"].heights*UM, (m.step_x*UM, m.step_y*UM)
+    compare_reference(m.name, ours, heights, *steps)
+    level = surface_statistics.level(heights, *steps)
+    for every in (2, 4):
+        compare_reference(f"{m.name}, step_{every}", columns[f"step_{every}"],
+                          level[::every, ::every], steps[0]*every, steps[1]*every, degree=0)
     compare_surfacetopography(m.name, ours,
                               packages.by_surfacetopography(others["SurfaceTopography"]), table)
     if np.isnan(m.heights).any():

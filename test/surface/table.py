@@ -47,7 +47,7 @@ class Table:
                 worst[key] = (row if kept is None or abs(row[5]) > abs(kept[0][5]) else kept[0],
                               1 if kept is None else kept[1] + 1)
         for (quantity, other), (row, count) in worst.items():
-            lines.append(f"| {quantity} | {count} maps, worst: {row[1]} | {row[2]:.6g} | {other} | "
+            lines.append(f"| {quantity} | {count} maps, worst {row[1]} | {row[2]:.6g} | {other} | "
                          f"{row[4]:.6g} | {abs(row[5]):.0e} of it off | same definition |")
         for quantity, where, asperity, other, value, off, reason in self.rows:
             if reason != "same definition":
