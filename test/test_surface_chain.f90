@@ -228,7 +228,7 @@ contains
 
    !> Like sanded wood, four times as long along the grain as across, at several angles: direction,
    !> m2 and m4 of both ways, within 4 standard errors of 8 maps and what differences of short waves
-   !> miss: (k step)^2/12, up to 5 % here, of m2 and m4 across, some of which leaks into those along.
+   !> miss: (k step)^2/12, up to 5 % here, of m2 and m4 across, some of which leaks to those along.
    subroutine test_lay()
       real(wp), parameter :: angles(4) = [0.0_wp, 30.0_wp, 90.0_wp, 155.0_wp]
       integer, parameter :: n = 8

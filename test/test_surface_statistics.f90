@@ -152,7 +152,8 @@ contains
       sums%peaks%curvature = 8.0_wp
       sums%summits%number = 6.0_wp
       call parameters_of(sums, 0.25_wp, values)
-      call assertRelativelyEqual([8.0_wp, 2.0_wp, 8.0_wp, 0.5_wp, 0.5_wp, sqrt(0.125_wp), 12.0_wp], &
+      call assertRelativelyEqual( &
+         [8.0_wp, 2.0_wp, 8.0_wp, 0.5_wp, 0.5_wp, sqrt(0.125_wp), 12.0_wp], &
          values([p_spd, p_spc, p_eta_paper, p_radius_paper, p_peak_mean, p_peak_sigma, &
          p_summit_density]), 4.0_wp*eps, 'peaks')
       nayak = nayak_summits(values(p_m0), values(p_m2), values(p_m4))

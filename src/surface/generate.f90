@@ -2,9 +2,9 @@
 !> map larger by as much as heights are correlated, of which the part asked for is cut out: unlike a
 !> periodic map its ends do not fit each other, as those of a measured one do not, and its
 !> autocorrelation is the one asked for at all distances (circulant embedding). Heights of other
-!> distributions are a function of Gaussian ones (a translation process), whose correlation is chosen
-!> such that theirs is the one asked for; where no Gaussian surface has it, the nearest spectrum
-!> without negative power is taken.
+!> distributions are a function of Gaussian ones (a translation process), whose correlation is
+!> chosen such that theirs is the one asked for; where no Gaussian surface has it, negative power is
+!> left out of its spectrum.
 module surface_generate
    use asperity_error, only: computation_error, error_type, fatal_error
    use asperity_kinds, only: wp
@@ -48,7 +48,8 @@ contains
       end if
       nx = easy_length(settings%points_x + ceiling(reach(1)))
       ny = easy_length(settings%points_y + ceiling(reach(2)))
-      allocate (spectrum(nx/2 + 1, ny), field(nx, ny), stat=status)
+      allocate (spectrum(nx/2 + 1, ny), stat=status)
+      if (status == 0) allocate (field(nx, ny), stat=status)
       if (status /= 0) then
          call refuse_size(error, settings)
          return
@@ -87,10 +88,12 @@ contains
       integer, intent(in) :: seed
       complex(wp), intent(inout) :: spectrum(:, :)
       type(random_type) :: stream
-      real(wp) :: normal(2*size(spectrum, 1)), factor
+      real(wp), allocatable :: normal(:)
+      real(wp) :: factor
       integer :: i, j, last, opposite, ny
 
       call new_random(stream, seed)
+      allocate (normal(2*size(spectrum, 1)))
       last = size(spectrum, 1)
       ny = size(spectrum, 2)
       do j = 1, ny

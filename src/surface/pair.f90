@@ -189,7 +189,8 @@ contains
       if (all(mirror /= ['x   ', 'y   ', 'none'])) then
          call fatal_error(error, 'mirror = '//trim(mirror)//' is not known: give x, y or none')
       else if (any(shape(map_1%heights) /= shape(map_2%heights))) then
-         call fatal_error(error, 'the maps have different points, '//trim(size_text(map_1))//' in '// &
+         call fatal_error(error, 'the maps have different points, '// &
+            trim(size_text(map_1))//' in '// &
             map_1%source//' and '//trim(size_text(map_2))//' in '//map_2%source// &
             ': only maps that lie point on point have a gap')
       else if (any(abs(steps(:, 1) - steps(:, 2)) > same_step*steps(:, 1))) then

@@ -3,14 +3,14 @@ module surface_remarks
    use asperity_kinds, only: wp
    use asperity_properties, only: pi
    use asperity_text, only: to_text
-   use surface_evaluate, only: no_parameter
    use surface_nayak, only: alpha_min
    use surface_parameters, only: n_parameters, p_alpha, p_eta_nayak, p_eta_paper, p_m0, &
       p_m2_across, p_m2_along, p_m2_x, p_m2_y, p_m4_x, p_m4_y, p_radius_nayak, p_radius_paper, &
       p_sigma_nayak, p_sigma_paper, p_sku, p_spc, p_spd, p_ssk, parameters
+   use surface_remark_list, only: add_remark, is_known, quantity, remark_type
    implicit none
    private
-   public :: find_remarks
+   public :: find_remarks, remark_type
 
    !> Difference of the routes that matters, over the larger of the two values
    real(wp), parameter :: routes_share = 0.2_wp
@@ -34,15 +34,6 @@ module surface_remarks
       !> Number of peaks
       real(wp) :: peaks = 0.0_wp
    end type map_facts
-
-   !> One remark.
-   type, public :: remark_type
-      !> What it is about, for programs: `no_peaks`, `few_peaks`, `routes`, `alpha`, `ssk`, `sku`,
-      !> `anisotropic`, `roughness_number`, `few_waves`, `resolution` or `step`
-      character(len=16) :: code = ''
-      !> Plain sentences
-      character(len=:), allocatable :: text
-   end type remark_type
 
 contains
 
@@ -70,50 +61,15 @@ contains
       if (present(coarse)) call remark_step(values, uncertainty, coarse, remarks)
    end subroutine find_remarks
 
-   !> Add a remark.
-   pure subroutine add(remarks, code, text)
-      type(remark_type), allocatable, intent(inout) :: remarks(:)
-      character(len=*), intent(in) :: code, text
-      type(remark_type), allocatable :: longer(:)
-      integer :: i, n
-
-      n = size(remarks)
-      allocate (longer(n + 1))
-      do i = 1, n
-         longer(i)%code = remarks(i)%code
-         call move_alloc(remarks(i)%text, longer(i)%text)
-      end do
-      longer(n + 1)%code = code
-      longer(n + 1)%text = text
-      call move_alloc(longer, remarks)
-   end subroutine add
-
-   pure elemental logical function is_known(value)
-      real(wp), intent(in) :: value
-
-      is_known = abs(value) < no_parameter
-   end function is_known
-
-   !> `12.3 +- 0.4 mm`, without what is not known or has no unit.
-   pure function quantity(p, value, half_width) result(text)
-      integer, intent(in) :: p
-      real(wp), intent(in) :: value, half_width
-      character(len=64) :: text
-
-      text = to_text(value, 4)
-      if (is_known(half_width)) text = trim(text)//' +- '//to_text(half_width, 2)
-      if (parameters(p)%unit /= '-') text = trim(text)//' '//parameters(p)%unit
-   end function quantity
-
    pure subroutine remark_peaks(peaks, remarks)
       real(wp), intent(in) :: peaks
       type(remark_type), allocatable, intent(inout) :: remarks(:)
 
       if (peaks < 0.5_wp) then
-         call add(remarks, 'no_peaks', 'No peak is left after pruning: spd is 0, and spc and the '// &
-            'paper''s R do not exist. Take a larger map or a lower height of pruning.')
+         call add_remark(remarks, 'no_peaks', 'No peak is left after pruning: spd is 0, and '// &
+            'spc and the paper''s R do not exist. Take a larger map or a lower height of pruning.')
       else if (peaks < enough_peaks) then
-         call add(remarks, 'few_peaks', 'spd and spc rest on '//to_text(nint(peaks))// &
+         call add_remark(remarks, 'few_peaks', 'spd and spc rest on '//to_text(nint(peaks))// &
             ' peaks only, fewer than '//to_text(nint(enough_peaks))//'. Take a larger map.')
       end if
    end subroutine remark_peaks
@@ -142,11 +98,12 @@ contains
          end associate
       end do
       if (len(list) == 0) return
-      call add(remarks, 'routes', 'The routes of the paper and of Nayak and McCool disagree: '// &
-         list//'. The paper''s R and eta are those of the peaks left after pruning, its sigma is '// &
-         'that of all heights; Nayak''s are those of all summits of a Gaussian surface with the '// &
-         'same moments. Compare both with the sum over the map''s own summits (--verify), and do '// &
-         'not mix them.')
+      call add_remark(remarks, 'routes', 'The routes of the paper and of Nayak and McCool '// &
+         'disagree: '// &
+         list//'. The paper''s R and eta are those of the peaks left after pruning, its sigma '// &
+         'is that of all heights; Nayak''s are those of all summits of a Gaussian surface with '// &
+         'the same moments. Compare both with the sum over the map''s own summits (--verify), '// &
+         'and do not mix them.')
    end subroutine remark_routes
 
    pure subroutine remark_alpha(values, uncertainty, remarks)
@@ -158,37 +115,51 @@ contains
          if (.not. alpha < alpha_min) return
          text = 'alpha = '//trim(quantity(p_alpha, alpha, u))//' is below '// &
             to_text(alpha_min)//', which no isotropic Gaussian surface has'
-         if (is_known(u) .and. alpha + u >= alpha_min) text = text//', though within its uncertainty'
-         text = text//'. Waves of one length or one direction stand out, or heights are far from '// &
-            'Gaussian: Nayak''s density, radius and sigma do not describe its summits.'
+         if (is_known(u) .and. alpha + u >= alpha_min) text = text//', though within its '// &
+            'uncertainty'
+         text = text//'. Waves of one length or one direction stand out, or heights are far '// &
+            'from Gaussian: Nayak''s density, radius and sigma do not describe its summits.'
          if (.not. is_known(values(p_sigma_nayak))) text = text// &
             ' His sigma does not even exist below 0.8968.'
-         call add(remarks, 'alpha', text//' Use the paper''s route, or the sum over the map''s own '// &
-            'summits (--verify).')
+         call add_remark(remarks, 'alpha', text//' Use the paper''s route, or the sum over the '// &
+            'map''s own summits (--verify).')
       end associate
    end subroutine remark_alpha
 
    pure subroutine remark_heights(values, uncertainty, remarks)
       real(wp), intent(in) :: values(:), uncertainty(:)
       type(remark_type), allocatable, intent(inout) :: remarks(:)
-      real(wp) :: doubt
+      character(len=72) :: meaning
 
       associate (ssk => values(p_ssk), sku => values(p_sku))
-         doubt = merge(uncertainty(p_ssk), 0.0_wp, is_known(uncertainty(p_ssk)))
-         if (is_known(ssk) .and. abs(ssk) > max(far_ssk, doubt)) call add(remarks, 'ssk', &
-            'ssk = '//trim(quantity(p_ssk, ssk, uncertainty(p_ssk)))//' is far from 0, the '// &
-            'Gaussian value (threshold '//to_text(far_ssk)//'): '//trim(merge( &
-            'pits are deeper than hills are high, so that more summits touch at once', &
-            'few hills stand out of the rest, and touch first                       ', &
-            ssk < 0.0_wp))//' than the Gaussian law says. Check with --verify.')
-         doubt = merge(uncertainty(p_sku), 0.0_wp, is_known(uncertainty(p_sku)))
-         if (is_known(sku) .and. abs(sku - 3.0_wp) > max(far_sku, doubt)) call add(remarks, 'sku', &
-            'sku = '//trim(quantity(p_sku, sku, uncertainty(p_sku)))//' is far from 3, the '// &
-            'Gaussian value (threshold '//to_text(far_sku)//' off it): extremes are '// &
-            trim(merge('commoner', 'rarer   ', sku > 3.0_wp))// &
-            ' than the Gaussian law says, if they are no outliers. Check with --verify.')
+         if (is_far(ssk, uncertainty(p_ssk), far_ssk)) then
+            meaning = 'a few hills stand out, and fewer summits touch at once'
+            if (ssk < 0.0_wp) &
+               meaning = 'pits are deeper than hills are high, and more summits touch at once'
+            call add_remark(remarks, 'ssk', 'ssk = '// &
+               trim(quantity(p_ssk, ssk, uncertainty(p_ssk)))//' is far from 0, the Gaussian '// &
+               'value (threshold '//to_text(far_ssk)//'): '//trim(meaning)// &
+               ' than the Gaussian law says. Check with --verify.')
+         end if
+         if (is_far(sku - 3.0_wp, uncertainty(p_sku), far_sku)) then
+            meaning = 'extremes are rarer'
+            if (sku > 3.0_wp) meaning = 'extremes, if they are no outliers, are commoner'
+            call add_remark(remarks, 'sku', 'sku = '// &
+               trim(quantity(p_sku, sku, uncertainty(p_sku)))//' is far from 3, the Gaussian '// &
+               'value (threshold '//to_text(far_sku)//' off it): '//trim(meaning)// &
+               ' than the Gaussian law says. Check with --verify.')
+         end if
       end associate
    end subroutine remark_heights
+
+   !> Beyond its uncertainty, if that is known, and a threshold.
+   pure logical function is_far(value, half_width, threshold)
+      real(wp), intent(in) :: value, half_width, threshold
+
+      is_far = .false.
+      if (is_known(value)) is_far = abs(value) > threshold
+      if (is_known(half_width)) is_far = is_far .and. abs(value) > half_width
+   end function is_far
 
    pure subroutine remark_anisotropy(values, remarks)
       real(wp), intent(in) :: values(:)
@@ -198,14 +169,14 @@ contains
          if (.not. is_known(across) .or. .not. is_known(along)) return
          if (across <= anisotropic*along) return
          if (along > 0.0_wp) then
-            call add(remarks, 'anisotropic', 'The surface has a lay: m2 is '// &
+            call add_remark(remarks, 'anisotropic', 'The surface has a lay: m2 is '// &
                to_text(across, 4)//' across it, '//to_text(across/along, 3)// &
-               ' times as much as along it. The isotropic equivalent, of the geometric means of '// &
-               'm2 and of m4, is an approximation: summits are ridges, whose one radius stands '// &
-               'for two.')
+               ' times as much as along it. The isotropic equivalent, of the geometric means '// &
+               'of m2 and of m4, is an approximation: summits are ridges, whose one radius '// &
+               'stands for two.')
          else
-            call add(remarks, 'anisotropic', 'The surface does not vary along its lay: it has no '// &
-               'isotropic equivalent.')
+            call add_remark(remarks, 'anisotropic', 'The surface does not vary along its lay: '// &
+               'it has no isotropic equivalent.')
          end if
       end associate
    end subroutine remark_anisotropy
@@ -228,7 +199,7 @@ contains
       else
          text = text//' No isotropic Gaussian surface has it: check units, filter and pruning.'
       end if
-      call add(remarks, 'roughness_number', text)
+      call add_remark(remarks, 'roughness_number', text)
    end subroutine remark_number
 
    pure subroutine remark_waves(values, facts, remarks)
@@ -242,9 +213,10 @@ contains
       waves = min(facts%tile_x*sqrt(values(p_m2_x)/values(p_m0)), &
          facts%tile_y*sqrt(values(p_m2_y)/values(p_m0)))/(2.0_wp*pi)
       if (waves >= enough_waves) return
-      call add(remarks, 'few_waves', 'A tile is only '//to_text(waves, 2)//' typical waves, '// &
-         '2 pi sqrt(m0/m2), long: tiles are not independent of each other, and the uncertainties '// &
-         'too small. Take a larger map, fewer tiles, or remove the form or longer waves.')
+      call add_remark(remarks, 'few_waves', 'A tile is only '//to_text(waves, 2)//' typical '// &
+         'waves, 2 pi sqrt(m0/m2), long: tiles are not independent of each other, and the '// &
+         'uncertainties too small. Take a larger map, fewer tiles, or remove the form or '// &
+         'longer waves.')
    end subroutine remark_waves
 
    pure subroutine remark_resolution(values, facts, remarks)
@@ -258,7 +230,7 @@ contains
       steps = 2.0_wp*pi*min(sqrt(values(p_m2_x)/values(p_m4_x))/facts%step_x, &
          sqrt(values(p_m2_y)/values(p_m4_y))/facts%step_y)
       if (steps >= enough_steps) return
-      call add(remarks, 'resolution', 'The shortest waves, 2 pi sqrt(m2/m4), span '// &
+      call add_remark(remarks, 'resolution', 'The shortest waves, 2 pi sqrt(m2/m4), span '// &
          to_text(steps, 2)//' steps, fewer than '//to_text(nint(enough_steps))//': curvatures '// &
          'and summits depend on the step, noise counts as roughness. Scan with a shorter step '// &
          'or filter short waves out.')
@@ -283,7 +255,8 @@ contains
             trim(quantity(p, values(p), uncertainty(p)))//' to '//to_text(coarse(p), 4)
       end do
       if (len(list) == 0) return
-      call add(remarks, 'step', 'Twice the step changes values by more than their uncertainty: '// &
+      call add_remark(remarks, 'step', 'Twice the step changes values by more than their '// &
+         'uncertainty: '// &
          list//'. They are those of this step and filter; state both with them.')
    end subroutine remark_step
 

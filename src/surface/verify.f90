@@ -32,7 +32,8 @@ module surface_verify
 contains
 
    !> Sum the law of one summit over summits.
-   pure subroutine sum_over_summits(properties, heights, curvatures, area, separations, curve, error)
+   pure subroutine sum_over_summits(properties, heights, curvatures, area, separations, curve, &
+         error)
       !> The pair: radius is the mean one, eta and sigma are for the Gaussian law
       type(normal_properties), intent(in) :: properties
       !> Heights of the summits above the summit mean plane, mm
@@ -59,7 +60,7 @@ contains
          call fatal_error(error, 'summits have as many heights as curvatures')
          return
       end if
-      order = rising_order(heights)
+      call sort_rising(heights, order)
       z = heights(order)
       ! radius over mean radius
       allocate (ratio(size(z)), source=1.0_wp)
@@ -121,15 +122,17 @@ contains
    end subroutine sum_at
 
    !> Places of numbers in rising order, by merging.
-   pure function rising_order(values) result(order)
+   pure subroutine sort_rising(values, order)
       real(wp), intent(in) :: values(:)
-      integer, allocatable :: order(:)
+      integer, allocatable, intent(out) :: order(:)
       integer, allocatable :: other(:)
       integer :: i, j, k, n, width, first, middle, last
 
       n = size(values)
-      order = [(i, i=1, n)]
-      allocate (other(n))
+      allocate (order(n), other(n))
+      do i = 1, n
+         order(i) = i
+      end do
       width = 1
       do while (width < n)
          do first = 1, n, 2*width
@@ -156,7 +159,7 @@ contains
          call swap(order, other)
          width = 2*width
       end do
-   end function rising_order
+   end subroutine sort_rising
 
    pure subroutine swap(a, b)
       integer, allocatable, intent(inout) :: a(:), b(:)

@@ -1,0 +1,218 @@
+!> Johnson's (1949) systems of distributions: heights z as a rising function of a Gaussian number x,
+!> with y = s x. Above the lognormal distribution of the same skewness kurtosis takes the unbounded
+!> one, z = exp(y) - q exp(-y), below it the bounded one, z = exp(y)/(1 + q exp(y)), 0 <= q <= 1.
+!> They reach any skewness and kurtosis that distributions have, save for those next to the bound
+!> kurtosis = skewness^2 + 1.
+module surface_johnson
+   use asperity_kinds, only: wp
+   use asperity_properties, only: pi
+   implicit none
+   private
+   public :: find_johnson, johnson_height, johnson_moments, johnson_type, normal_point, &
+      normal_weight
+
+   !> Half the number of points of the quadrature over x, and their distance
+   integer, parameter, public :: n_half = 400
+   real(wp), parameter :: dx = 0.04_wp
+   !> Least distance in kurtosis from the lognormal distributions, between the two systems
+   real(wp), parameter :: least_side = 1.0e-6_wp
+   !> Below this s the function is a line to rounding
+   real(wp), parameter :: flattest = 1.0e-8_wp
+   !> Steepness of the functions at the end of what is reached
+   real(wp), parameter :: steepest_unbounded = 1.2_wp, steepest_bounded = 8.0_wp
+
+   !> One distribution, of skewness zero or above.
+   type :: johnson_type
+      !> s^2 = a^2 + d/4, unbounded, for d > 0, a^2 - d/2, bounded, else; (1 - q)/(1 + q) = a/s
+      real(wp) :: a = 0.0_wp, d = 0.0_wp
+   end type johnson_type
+
+contains
+
+   !> Find the distribution.
+   pure subroutine find_johnson(skewness, kurtosis, found, is_found)
+      !> Skewness, not below zero
+      real(wp), intent(in) :: skewness
+      !> Kurtosis, above skewness^2 + 1
+      real(wp), intent(in) :: kurtosis
+      !> The distribution
+      type(johnson_type), intent(out) :: found
+      !> False where it is not reached
+      logical, intent(out) :: is_found
+      integer, parameter :: n_steps(3) = [3, 12, 40]
+      integer :: i
+
+      do i = 1, size(n_steps)
+         call follow(found, skewness, kurtosis, n_steps(i), is_found)
+         if (is_found) return
+      end do
+   end subroutine find_johnson
+
+   !> Point i of the quadrature over a Gaussian number, -n_half to n_half.
+   pure elemental real(wp) function normal_point(i)
+      !> Its number
+      integer, intent(in) :: i
+
+      normal_point = dx*i
+   end function normal_point
+
+   !> Its weight, the Gaussian density included.
+   pure elemental real(wp) function normal_weight(i)
+      !> Its number
+      integer, intent(in) :: i
+
+      normal_weight = dx/sqrt(2.0_wp*pi)*exp(-0.5_wp*(dx*i)**2)
+   end function normal_weight
+
+   !> Go from the Gaussian distribution to the one asked for in steps, Newton's method at each, on
+   !> one side of the lognormal distributions.
+   pure subroutine follow(johnson, skewness, kurtosis, n_steps, is_found)
+      type(johnson_type), intent(inout) :: johnson
+      real(wp), intent(in) :: skewness, kurtosis
+      integer, intent(in) :: n_steps
+      logical, intent(out) :: is_found
+      real(wp) :: target(2), reached, side
+      integer :: i
+
+      is_found = .false.
+      side = kurtosis - 3.0_wp - lognormal_excess(skewness)
+      side = sign(max(abs(side), least_side), side)
+      ! where s is small, the skewness is 3 a and the kurtosis 3 + 16 a^2 + d
+      johnson%a = skewness/(3*n_steps)
+      johnson%d = side/n_steps
+      do i = 1, n_steps
+         reached = real(i, wp)/n_steps
+         target(1) = skewness*reached
+         target(2) = lognormal_excess(target(1)) + side*reached*room(target(1))/room(skewness)
+         call solve(johnson, target, is_found)
+         if (.not. is_found) return
+      end do
+   end subroutine follow
+
+   !> Kurtosis less 3 of the lognormal distribution of a skewness.
+   pure real(wp) function lognormal_excess(skewness) result(excess)
+      real(wp), intent(in) :: skewness
+      real(wp) :: w
+      integer :: i
+
+      ! skewness = (w + 2) sqrt(w - 1), w = exp(s^2), by Newton on its square from above
+      w = 1.0_wp + skewness**2
+      do i = 1, 50
+         w = w - ((w + 2.0_wp)**2*(w - 1.0_wp) - skewness**2)/(3.0_wp*w*(w + 2.0_wp))
+      end do
+      excess = (w - 1.0_wp)*(w*w*(w + 3.0_wp) + 6.0_wp*(w + 1.0_wp))
+   end function lognormal_excess
+
+   !> Distance in kurtosis of the lognormal distribution of a skewness from its bound.
+   pure real(wp) function room(skewness)
+      real(wp), intent(in) :: skewness
+
+      room = lognormal_excess(skewness) + 2.0_wp - skewness**2
+   end function room
+
+   !> Newton's method for the two parameters, from those there are.
+   pure subroutine solve(johnson, target, is_found)
+      type(johnson_type), intent(inout) :: johnson
+      !> Skewness and kurtosis - 3
+      real(wp), intent(in) :: target(2)
+      logical, intent(out) :: is_found
+      type(johnson_type) :: trial
+      real(wp) :: rest(2), new_rest(2), scales(2), jacobian(2, 2), step(2), determinant, factor, h
+      integer :: i, j
+
+      is_found = .false.
+      rest = shape_of(johnson) - target
+      scales = 1.0_wp + abs(target)
+      do i = 1, 40
+         is_found = maxval(abs(rest)/scales) < 1.0e-10_wp
+         if (is_found) return
+         h = 1.0e-5_wp
+         trial = johnson
+         trial%a = johnson%a + h
+         jacobian(:, 1) = (shape_of(trial) - target - rest)/h
+         trial = johnson
+         ! by the logarithm of d, which keeps its sign
+         trial%d = johnson%d*exp(h)
+         jacobian(:, 2) = (shape_of(trial) - target - rest)/h
+         determinant = jacobian(1, 1)*jacobian(2, 2) - jacobian(1, 2)*jacobian(2, 1)
+         if (.not. abs(determinant) > tiny(1.0_wp)) return
+         step = [jacobian(2, 2)*rest(1) - jacobian(1, 2)*rest(2), &
+            jacobian(1, 1)*rest(2) - jacobian(2, 1)*rest(1)]/determinant
+         factor = 1.0_wp
+         do j = 1, 20
+            trial%a = max(johnson%a - factor*step(1), 0.0_wp)
+            trial%d = johnson%d*exp(max(min(-factor*step(2), 2.0_wp), -2.0_wp))
+            if (steepness(trial) <= merge(steepest_unbounded, steepest_bounded, &
+               trial%d > 0.0_wp)) then
+               new_rest = shape_of(trial) - target
+               if (sum((new_rest/scales)**2) < sum((rest/scales)**2)) exit
+            end if
+            factor = 0.5_wp*factor
+         end do
+         if (j > 20) return
+         johnson%a = trial%a
+         johnson%d = trial%d
+         rest = new_rest
+      end do
+   end subroutine solve
+
+   !> s of the function.
+   pure real(wp) function steepness(johnson)
+      type(johnson_type), intent(in) :: johnson
+
+      steepness = sqrt(johnson%a**2 + merge(0.25_wp, -0.5_wp, johnson%d > 0.0_wp)*johnson%d)
+   end function steepness
+
+   !> The function, to a shift and a factor.
+   pure elemental real(wp) function johnson_height(johnson, x) result(z)
+      !> The distribution
+      type(johnson_type), intent(in) :: johnson
+      !> Gaussian number of mean 0 and variance 1
+      real(wp), intent(in) :: x
+      real(wp) :: s, w, y, t
+
+      s = max(steepness(johnson), flattest)
+      w = min(johnson%a/s, 1.0_wp)
+      y = s*x
+      if (johnson%d > 0.0_wp) then
+         ! exp(y) - q exp(-y), less 1 - q and over 1 + q, free of cancellation at small s
+         z = sinh(y) + 2.0_wp*w*sinh(0.5_wp*y)**2
+      else
+         t = tanh(0.5_wp*y)
+         ! exp(y)/(1 + q exp(y)), less its value at 0 and over its slope there
+         z = 2.0_wp*t/(1.0_wp - w*t)
+      end if
+      z = z/s
+   end function johnson_height
+
+   !> Skewness and excess kurtosis.
+   pure function shape_of(johnson) result(shape)
+      type(johnson_type), intent(in) :: johnson
+      real(wp) :: shape(2)
+      real(wp) :: mean, sigma, moments(4)
+
+      call johnson_moments(johnson, mean, sigma, moments)
+      shape = [moments(3)/sigma**3, moments(4)/sigma**4 - 3.0_wp]
+   end function shape_of
+
+   !> Mean, standard deviation and central moments.
+   pure subroutine johnson_moments(johnson, mean, sigma, moments)
+      !> The distribution
+      type(johnson_type), intent(in) :: johnson
+      !> Mean, standard deviation, and means of the first four powers about the mean
+      real(wp), intent(out) :: mean, sigma, moments(4)
+      real(wp) :: z(-n_half:n_half), p(-n_half:n_half)
+      integer :: i
+
+      do i = -n_half, n_half
+         p(i) = normal_weight(i)
+         z(i) = johnson_height(johnson, normal_point(i))
+      end do
+      mean = sum(p*z)
+      do i = 1, 4
+         moments(i) = sum(p*(z - mean)**i)
+      end do
+      sigma = sqrt(moments(2))
+   end subroutine johnson_moments
+
+end module surface_johnson
