@@ -129,22 +129,25 @@ contains
    pure subroutine remark_heights(values, uncertainty, remarks)
       real(wp), intent(in) :: values(:), uncertainty(:)
       type(remark_type), allocatable, intent(inout) :: remarks(:)
+      character(len=72) :: meaning
 
       associate (ssk => values(p_ssk), sku => values(p_sku))
          if (is_far(ssk, uncertainty(p_ssk), far_ssk)) then
-            if (ssk < 0.0_wp) then
-               call add_far(p_ssk, 'pits are deeper than hills are high, and more summits touch '// &
-                  'at once')
-            else
-               call add_far(p_ssk, 'a few hills stand out, and fewer summits touch at once')
-            end if
+            meaning = 'a few hills stand out, and fewer summits touch at once'
+            if (ssk < 0.0_wp) &
+               meaning = 'pits are deeper than hills are high, and more summits touch at once'
+            call add_remark(remarks, 'ssk', 'ssk = '// &
+               trim(quantity(p_ssk, ssk, uncertainty(p_ssk)))//' is far from 0, the Gaussian '// &
+               'value (threshold '//to_text(far_ssk)//'): '//trim(meaning)// &
+               ' than the Gaussian law says. Check with --verify.')
          end if
          if (is_far(sku - 3.0_wp, uncertainty(p_sku), far_sku)) then
-            if (sku > 3.0_wp) then
-               call add_far(p_sku, 'extremes, if they are no outliers, are commoner')
-            else
-               call add_far(p_sku, 'extremes are rarer')
-            end if
+            meaning = 'extremes are rarer'
+            if (sku > 3.0_wp) meaning = 'extremes, if they are no outliers, are commoner'
+            call add_remark(remarks, 'sku', 'sku = '// &
+               trim(quantity(p_sku, sku, uncertainty(p_sku)))//' is far from 3, the Gaussian '// &
+               'value (threshold '//to_text(far_sku)//' off it): '//trim(meaning)// &
+               ' than the Gaussian law says. Check with --verify.')
          end if
       end associate
 
@@ -170,6 +173,15 @@ contains
       end subroutine add_far
 
    end subroutine remark_heights
+
+   !> Beyond its uncertainty, if that is known, and a threshold.
+   pure logical function is_far(value, half_width, threshold)
+      real(wp), intent(in) :: value, half_width, threshold
+
+      is_far = .false.
+      if (is_known(value)) is_far = abs(value) > threshold
+      if (is_known(half_width)) is_far = is_far .and. abs(value) > half_width
+   end function is_far
 
    pure subroutine remark_anisotropy(values, remarks)
       real(wp), intent(in) :: values(:)
