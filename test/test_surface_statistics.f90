@@ -268,7 +268,7 @@ contains
    !> For m0 of tiles of mean zero it is the scatter of the tiles over sqrt(tiles (tiles - 1)),
    !> times Student's factor.
    subroutine test_mean()
-      type(surface_sums_type) :: sums(8)
+      type(surface_sums_type) :: sums(8), empty
       real(wp) :: widths(n_parameters), square(8), scatter
       integer :: i
 
@@ -283,7 +283,7 @@ contains
       call assertRelativelyEqual(2.36462_wp*sqrt(scatter/56), widths(p_m0), 1.0e-5_wp, 'm0')
       ! a tile without points changes nothing
       scatter = widths(p_m0)
-      call uncertainties([sums, surface_sums_type()], 1.0_wp, widths)
+      call uncertainties([sums, empty], 1.0_wp, widths)
       call assertRelativelyEqual(scatter, widths(p_m0), 4.0_wp*eps, 'empty tile')
    end subroutine test_mean
 

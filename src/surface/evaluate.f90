@@ -69,6 +69,7 @@ contains
          values(p_ssk) = central(3)/values(p_sq)**3
          values(p_sku) = central(4)/variance**2
       end if
+      if (sums%highest < sums%lowest) return
       values(p_sp) = sums%highest
       values(p_sv) = -sums%lowest
       values(p_sz) = sums%highest - sums%lowest

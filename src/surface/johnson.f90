@@ -78,8 +78,8 @@ contains
       side = kurtosis - 3.0_wp - lognormal_excess(skewness)
       side = sign(max(abs(side), least_side), side)
       ! where s is small, the skewness is 3 a and the kurtosis 3 + 16 a^2 + d
-      johnson%a = skewness/(3*n_steps)
-      johnson%d = side/n_steps
+      johnson%a = min(skewness/(3*n_steps), 1.0_wp)
+      johnson%d = max(min(side/n_steps, 1.0_wp), -1.0_wp)
       do i = 1, n_steps
          reached = real(i, wp)/n_steps
          target(1) = skewness*reached
