@@ -14,7 +14,7 @@ module surface_remarks
 
    !> Difference of the routes that matters, over the larger of the two values
    real(wp), parameter :: routes_share = 0.2_wp
-   !> Skewness, and kurtosis less 3, from which heights are far from Gaussian; also in the words
+   !> Skewness, and kurtosis less 3, from which heights are far from Gaussian
    real(wp), parameter :: far_ssk = 0.5_wp, far_sku = 1.0_wp
    !> m2 across over m2 along from which a surface is called anisotropic
    real(wp), parameter :: anisotropic = 2.0_wp
@@ -150,28 +150,6 @@ contains
                ' than the Gaussian law says. Check with --verify.')
          end if
       end associate
-
-   contains
-
-      !> Beyond its uncertainty and a threshold.
-      pure logical function is_far(value, half_width, threshold)
-         real(wp), intent(in) :: value, half_width, threshold
-
-         is_far = .false.
-         if (is_known(value)) is_far = abs(value) > threshold
-         if (is_known(half_width)) is_far = is_far .and. abs(value) > half_width
-      end function is_far
-
-      pure subroutine add_far(p, meaning)
-         integer, intent(in) :: p
-         character(len=*), intent(in) :: meaning
-
-         call add_remark(remarks, trim(parameters(p)%name), trim(parameters(p)%name)//' = '// &
-            trim(quantity(p, values(p), uncertainty(p)))//' is far from the Gaussian value, '// &
-            trim(merge('0 (threshold 0.5)', '3 (threshold 1)  ', p == p_ssk))//': '//meaning// &
-            ' than the Gaussian law says. Check with --verify.')
-      end subroutine add_far
-
    end subroutine remark_heights
 
    !> Beyond its uncertainty, if that is known, and a threshold.
