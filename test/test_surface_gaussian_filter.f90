@@ -279,12 +279,12 @@ contains
       positive = ' mm is not allowed: it must be above 0 and finite'
       call random_map(map, stream, 9, 7, 0.5_wp, 0.25_wp)
       allocate (kept, source=map%heights)
-      call check(0.0_wp, 'cutoff '//to_text(0.0_wp)//positive)
-      call check(-1.0_wp, 'cutoff '//to_text(-1.0_wp)//positive)
-      call check(transfer(int(z'7FF8000000000000', int64), 1.0_wp), 'cutoff NaN'//positive)
-      call check(transfer(int(z'7FF0000000000000', int64), 1.0_wp), 'cutoff Infinity'//positive)
-      call check(0.999_wp, 'cutoff 0.999 mm is below two steps of the map, 1.0 mm')
-      call check(1.501_wp, 'cutoff 1.501 mm is longer than the map''s shorter side, 1.5 mm')
+      call check(0.0_wp, to_text(0.0_wp)//positive)
+      call check(-1.0_wp, to_text(-1.0_wp)//positive)
+      call check(transfer(int(z'7FF8000000000000', int64), 1.0_wp), 'NaN'//positive)
+      call check(transfer(int(z'7FF0000000000000', int64), 1.0_wp), 'Infinity'//positive)
+      call check(0.999_wp, '0.999 mm is below two steps of the map, 1.0 mm')
+      call check(1.501_wp, '1.501 mm is longer than the map''s shorter side, 1.5 mm')
       call filter_short(map, 1.0_wp, error)
       call assertFalse(allocated(error))
       call filter_long(map, 1.5_wp, error)
@@ -298,10 +298,10 @@ contains
 
          call filter_short(map, cutoff, error)
          call assertTrue(allocated(error), message=expected)
-         if (allocated(error)) call assertEqual('S filter: '//expected, error%message)
+         if (allocated(error)) call assertEqual('short_cutoff = '//expected, error%message)
          call filter_long(map, cutoff, error)
          call assertTrue(allocated(error), message=expected)
-         if (allocated(error)) call assertEqual('L filter: '//expected, error%message)
+         if (allocated(error)) call assertEqual('long_cutoff = '//expected, error%message)
          call assertTrue(kept_map(map, kept), message='the map is kept')
       end subroutine check
 

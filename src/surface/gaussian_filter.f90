@@ -34,7 +34,7 @@ contains
       !> Set when the cutoff is not allowed
       type(error_type), allocatable, intent(out) :: error
 
-      call check_cutoff(map, 'S', cutoff, error)
+      call check_cutoff(map, 'short_cutoff', cutoff, error)
       if (allocated(error)) return
       call smooth(map%heights, cutoff/map%step_x, cutoff/map%step_y)
    end subroutine filter_short
@@ -50,7 +50,7 @@ contains
       real(wp), allocatable :: long(:, :)
       integer :: i, j
 
-      call check_cutoff(map, 'L', cutoff, error)
+      call check_cutoff(map, 'long_cutoff', cutoff, error)
       if (allocated(error)) return
       allocate (long, source=map%heights)
       call smooth(long, cutoff/map%step_x, cutoff/map%step_y)
@@ -64,8 +64,8 @@ contains
    !> Set `error` unless the map has waves shorter and longer than the cutoff.
    pure subroutine check_cutoff(map, name, cutoff, error)
       type(height_map), intent(in) :: map
-      !> Of the filter
-      character, intent(in) :: name
+      !> Of the cutoff
+      character(len=*), intent(in) :: name
       real(wp), intent(in) :: cutoff
       type(error_type), allocatable, intent(out) :: error
       real(wp) :: shortest, longest
@@ -74,17 +74,17 @@ contains
       is_allowed = is_finite(cutoff)
       if (is_allowed) is_allowed = cutoff > 0.0_wp
       if (.not. is_allowed) then
-         call fatal_error(error, name//' filter: cutoff '//to_text(cutoff)// &
+         call fatal_error(error, name//' = '//to_text(cutoff)// &
             ' mm is not allowed: it must be above 0 and finite')
          return
       end if
       shortest = shortest_cutoff*max(map%step_x, map%step_y)
       longest = min((size(map%heights, 1) - 1)*map%step_x, (size(map%heights, 2) - 1)*map%step_y)
       if (cutoff < shortest) then
-         call fatal_error(error, name//' filter: cutoff '//to_text(cutoff)//' mm is below two '// &
+         call fatal_error(error, name//' = '//to_text(cutoff)//' mm is below two '// &
             'steps of the map, '//to_text(shortest)//' mm')
       else if (cutoff > longest) then
-         call fatal_error(error, name//' filter: cutoff '//to_text(cutoff)//' mm is longer '// &
+         call fatal_error(error, name//' = '//to_text(cutoff)//' mm is longer '// &
             'than the map''s shorter side, '//to_text(longest)//' mm')
       end if
    end subroutine check_cutoff
