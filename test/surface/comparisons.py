@@ -179,6 +179,30 @@ def compare_filled(program, table):
                       limit, "harmonic too, solved to the end; ours by a stated number of sweeps")
 
 
+def compare_written(program, table):
+    """Maps that asperity writes, levelled, as others read them."""
+    m = next(m for m in maps.all_maps() if m.name == "tilted")
+    path = program.write(m)
+    written = path.with_name("written.sdf")
+    ours = program.values(path, "--map", str(written))
+    readers = (("surfalize", packages.read_by_surfalize, packages.by_surfalize),
+               ("SurfaceTopography", packages.read_by_surfacetopography,
+                packages.by_surfacetopography))
+    for name, reader, evaluate in readers:
+        heights, step_x, step_y = reader(written)
+        check(f"written SDF, read by {name}: points and steps",
+              heights.shape == m.heights.shape and abs(step_x/m.step_x - 1) < 1e-14
+              and abs(step_y/m.step_y - 1) < 1e-14, f"{step_x} {step_y}")
+        theirs = evaluate(m._replace(heights=heights))
+        table.same("written SDF", "Sq", ours["sq"], name, theirs["sq"], SAME)
+    for ending in ("xyz", "csv"):
+        again = path.with_name(f"written.{ending}")
+        program.values(path, "--map", str(again))
+        theirs = program.values(again)
+        off = max(abs(theirs[name]/ours[name] - 1) for name in ours if name not in ("ssk",))
+        check(f"written {ending}, read again: the same parameters", off < SAME, f"{off:.1e} off")
+
+
 def compare_border(program, table):
     """Density of peaks on maps cut from endless ones, whose own density is known: they are
     periodic, so that it is that of the middle of nine copies."""

@@ -24,7 +24,7 @@ command -v python3 >/dev/null || skip 'there is no python3'
 wanted=(--disable-pip-version-check --quiet --requirement "$here/requirements.txt")
 if ! "$venv/bin/python" -m pip install --no-index "${wanted[@]}" >/dev/null 2>&1; then
    [ -z "${ASPERITY_NO_INSTALL:-}" ] \
-      || skip "ASPERITY_NO_INSTALL is set; what is missing: $(paste -sd " " "$here/requirements.txt")"
+      || skip "ASPERITY_NO_INSTALL is set; missing: $(paste -sd " " "$here/requirements.txt")"
    began=$SECONDS
    { python3 -m venv "$venv" && "$venv/bin/python" -m pip install "${wanted[@]}"; } \
       >"$log" 2>&1 || skip "the Python packages cannot be installed: $(tail -n 1 "$log")"

@@ -54,9 +54,9 @@ class Table:
                 lines.append(f"| {quantity} | {where} | {asperity:.4g} | {other} | {value:.4g} | "
                              f"{100*off:+.2f} % | {reason} |")
         if self.contact:
-            lines += ["", "| pressure, MPa | mean gap/Sq | real area | Gaussian law, Nayak's route | "
-                      "the paper's route | sum, one radius | sum, own radii | with interaction and "
-                      "elliptic summits |", "|---|---|---|---|---|---|---|---|"]
+            lines += ["", "| pressure, MPa | mean gap/Sq | real area | Gaussian law, Nayak's route "
+                      "| the paper's route | sum, one radius | sum, own radii | with interaction "
+                      "and elliptic summits |", "|---|---|---|---|---|---|---|---|"]
             lines += [f"| {load:g} | {gap:.2f} | {100*area:.2f} % | "
                       + " | ".join(f"{ratio:.2f}" for ratio in ratios) + " |"
                       for load, gap, area, *ratios in self.contact]
