@@ -153,8 +153,6 @@ contains
       call show_stage('making the surface')
       call generate_surface(surface, map, error)
       if (allocated(error)) return
-      map%source = 'random surface of seed '//to_text(surface%seed)
-      map%format = 'made'
       if (surface%spectrum == 'self_affine') then
          call forget(settings%of(find_key('correlation_length')))
          call forget(settings%of(find_key('direction')))
