@@ -39,6 +39,9 @@ module surface_analysis
       integer :: tiles = 4
    end type analysis_settings
 
+   !> Factor of the height of pruning by which the peaks' share of the uncertainties is found
+   real(wp), parameter :: rise = 1.1_wp
+
    !> Multiples of the step at which the parameters are found
    integer, parameter, public :: steps(3) = [1, 2, 4]
 
@@ -142,9 +145,9 @@ contains
       type(error_type), allocatable, intent(out) :: error
       !> Hears what is under way
       procedure(stage_listener), optional :: tell
-      type(surface_sums_type), allocatable :: thinned_sums(:)
+      type(surface_sums_type), allocatable :: raised(:), thinned_sums(:)
       type(surface_sums_type) :: whole
-      type(summit_set) :: thinned_summits
+      type(summit_set) :: other_summits
       type(height_map) :: thinned_map
       integer :: k
 
@@ -159,14 +162,22 @@ contains
       analysis%cell_area = map%step_x*map%step_y
       analysis%area = whole%inner*analysis%cell_area
       call parameters_of(whole, analysis%cell_area, analysis%values(:, 1))
-      call uncertainties(analysis%sums, analysis%cell_area, analysis%uncertainty)
+      if (present(tell)) call tell('uncertainties')
+      if (settings%pruning > 0.0_wp .and. rise*settings%pruning <= 1.0_wp) then
+         call find_summits(map, rise*settings%pruning, other_summits, error)
+         if (allocated(error)) return
+         call sum_map(map, other_summits, settings%tiles, settings%tiles, raised)
+         call uncertainties(analysis%sums, analysis%cell_area, analysis%uncertainty, raised, rise)
+      else
+         call uncertainties(analysis%sums, analysis%cell_area, analysis%uncertainty)
+      end if
       do k = 2, size(steps)
          if (minval(shape(map%heights)) < steps(k)*fewest_points) exit
          if (present(tell)) call tell('every point in '//to_text(steps(k)))
          call thinned(map, steps(k), thinned_map)
-         call find_summits(thinned_map, settings%pruning, thinned_summits, error)
+         call find_summits(thinned_map, settings%pruning, other_summits, error)
          if (allocated(error)) return
-         call sum_map(thinned_map, thinned_summits, 1, 1, thinned_sums)
+         call sum_map(thinned_map, other_summits, 1, 1, thinned_sums)
          call parameters_of(thinned_sums(1), thinned_map%step_x*thinned_map%step_y, &
             analysis%values(:, k))
       end do
