@@ -1,13 +1,14 @@
 # Fuzzing of the readers of height maps: all from sources, checked by the compiler at run time.
 # test/fuzz/run.sh builds it in a folder of its own and runs it.
 
-list(TRANSFORM surface_sources PREPEND "" OUTPUT_VARIABLE fuzz_sources)
+set(fuzz_sources ${surface_sources})
 list(FILTER fuzz_sources INCLUDE REGEX "src/map_file/|src/surface/height_map")
 foreach(name kinds finite text error double_double)
    list(APPEND fuzz_sources src/asperity/${name}.f90)
 endforeach()
 file(GLOB fuzz_program_sources CONFIGURE_DEPENDS test/fuzz/*.f90)
-add_executable(asperity_fuzz ${fuzz_sources} ${fuzz_program_sources})
+add_executable(asperity_fuzz ${fuzz_sources} ${fuzz_program_sources}
+   test/x3p_cases.f90 test/zip_writer.f90)
 asperity_compile_options(asperity_fuzz)
 set(fuzz_checks -fsanitize=address,undefined -fno-sanitize-recover=all)
 target_compile_options(asperity_fuzz PRIVATE ${fuzz_checks} -g -O1 -fno-omit-frame-pointer)

@@ -20,6 +20,10 @@ program test_main
    use test_hysteresis_records, only: suite_hysteresis_records
    use test_hermite_polynomial, only: suite_hermite_polynomial
    use test_law_table, only: suite_law_table
+   use test_map_faults, only: suite_map_faults
+   use test_map_files, only: suite_map_files
+   use test_map_x3p, only: suite_map_x3p
+   use test_map_numbers, only: suite_map_numbers
    use test_normal_inverse, only: suite_normal_inverse
    use test_normal_law, only: suite_normal_law
    use test_normal_law_reference, only: suite_normal_law_reference
@@ -85,6 +89,10 @@ program test_main
    call all_suites%addTest(suite_law_table())
    call all_suites%addTest(suite_deck_meshes())
    call all_suites%addTest(suite_deck_models())
+   call all_suites%addTest(suite_map_numbers())
+   call all_suites%addTest(suite_map_files())
+   call all_suites%addTest(suite_map_faults())
+   call all_suites%addTest(suite_map_x3p())
    call all_suites%addTest(suite_hysteresis())
    call all_suites%addTest(suite_hysteresis_records())
    call all_suites%addTest(suite_surface_statistics())

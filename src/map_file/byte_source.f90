@@ -10,7 +10,8 @@ module map_file_byte_source
       from_end, from_start
    implicit none
    private
-   public :: byte_source, close_source, memory_of, next_line, open_source, progress_report, read_at, &
+   public :: byte_source, close_source, memory_of, next_line, open_source, progress_report, &
+      read_at, &
       report_progress, start_lines, use_bytes
 
    !> Bytes read at once; bytes of the longest line
@@ -74,13 +75,15 @@ contains
       end if
       source%stream = c_fopen(path//c_null_char, 'rb'//c_null_char)
       if (.not. c_associated(source%stream)) then
-         call fatal_error(error, path//': cannot be opened: there is no such file, or it may not '// &
+         call fatal_error(error, &
+            path//': cannot be opened: there is no such file, or it may not '// &
             'be read', file_error)
          return
       end if
       source%size = -1_int64
       if (c_fseek(source%stream, 0_c_long, from_end) == 0) source%size = c_ftell(source%stream)
-      if (source%size < 0_int64) call fatal_error(error, path//': is no ordinary file: save the '// &
+      if (source%size < 0_int64) call fatal_error(error, &
+         path//': is no ordinary file: save the '// &
          'heights in one', file_error)
    end subroutine open_source
 

@@ -16,8 +16,10 @@ module map_file_fields
 
    character(len=*), parameter :: tab = achar(9)
    !> Words that stand for a height that is missing, in lower case
-   character(len=*), parameter :: missing_words(15) = [character(len=10) :: 'nan', 'bad', 'nodata', &
-      'no data', 'no_data', 'null', 'none', 'na', 'n/a', 'missing', 'invalid', 'void', '---', '***', &
+   character(len=*), parameter :: missing_words(15) = [character(len=10) :: 'nan', 'bad', &
+      'nodata', &
+      'no data', 'no_data', 'null', 'none', 'na', 'n/a', 'missing', 'invalid', 'void', '---', &
+      '***', &
       '1.#qnan']
    integer, parameter :: longest_word = 12
 

@@ -75,7 +75,8 @@ contains
 
       if (header%sizes(axis) == 0_int64 .or. header%sizes(axis) == found) return
       call line_error(error, source, source%first, 'there are '//count_text(found)//' '// &
-         trim(names(axis))//', the header promises '//count_text(header%sizes(axis))//': the file '// &
+         trim(names(axis))//', the header promises '//count_text(header%sizes(axis))// &
+         ': the file '// &
          'was cut off, or the header is wrong')
    end subroutine check_size
 
@@ -144,7 +145,8 @@ contains
          is_last = is_blank(source)
          do while (.not. is_last)
             before = at
-            call read_field(source%block, at, source%last, header%separator, value(1), kind, is_last)
+            call read_field(source%block, at, source%last, header%separator, value(1), kind, &
+               is_last)
             if (kind > field_missing) then
                call field_error(error, source, at, kind)
                return
@@ -158,8 +160,10 @@ contains
             is_narrower = is_narrower .and. value(1) >= missing_height .and. at > source%last
             if (is_narrower) is_narrower = source%block(max(source%last, 1)) == header%separator
             if (n /= columns .or. store%count > huge(1)) then
-               call line_error(error, source, source%first, 'row of '//count_text(n)//' fields, '// &
-                  'the first one has '//count_text(columns)//': all rows must have the same, at '// &
+               call line_error(error, source, source%first, &
+                  'row of '//count_text(n)//' fields, '// &
+                  'the first one has '//count_text(columns)// &
+                  ': all rows must have the same, at '// &
                   'most 2147483647 in all; write NaN where a height is missing')
                return
             end if
@@ -176,7 +180,7 @@ contains
          integer :: bad
 
          if (header%has_marker) then
-            if (.not. abs(value(1) - header%marker) > 0.0_wp) then
+            if (value(1) >= header%marker .and. value(1) <= header%marker) then
                value(1) = missing_height
                return
             end if
@@ -220,7 +224,8 @@ contains
                i = 1
                j = j + 1
             end if
-            if (i <= size(map%heights, 1)) map%heights(i, merge(ny + 1 - j, j, is_reversed)) = values(k)
+            if (i <= size(map%heights, 1)) map%heights(i, merge(ny + 1 - j, j, is_reversed)) = &
+               values(k)
          end do
       end do
    end subroutine unload

@@ -147,7 +147,8 @@ contains
 
       value = 0.0_wp
       is_sure = .false.
-      if (abs(exponent) <= 2*exact_power) call round_product(whole, exponent, is_cut, value, is_sure)
+      if (abs(exponent) <= 2*exact_power) call round_product(whole, exponent, is_cut, value, &
+         is_sure)
       if (is_sure) then
          if (token(1) == '-') value = -value
          return

@@ -19,7 +19,8 @@ module map_file_read
    public :: map_hints, progress_report, read_height_map, read_height_map_bytes
 
    integer, parameter :: looked_at = 512
-   character(len=*), parameter :: known = 'heights are read from SDF, X3P and SUR files, and from '// &
+   character(len=*), parameter :: known = &
+      'heights are read from SDF, X3P and SUR files, and from '// &
       'text with three columns x, y, z or with a matrix'
 
 contains
@@ -70,8 +71,9 @@ contains
       type(map_hints), intent(in) :: hints
       type(height_map), intent(inout) :: map
       type(error_type), allocatable, intent(out) :: error
-      character(len=looked_at), target :: head
-      integer :: n
+      character(len=1), target :: bytes(looked_at)
+      character(len=looked_at) :: head
+      integer :: i, n
 
       map%source = source%name
       map%format = ''
@@ -81,8 +83,11 @@ contains
       end if
       head = ''
       n = int(min(source%size, int(looked_at, int64)))
-      call read_at(source, 0_int64, c_loc(head), int(n, int64), error)
+      call read_at(source, 0_int64, c_loc(bytes), int(n, int64), error)
       if (allocated(error)) return
+      do i = 1, n
+         head(i:i) = bytes(i)
+      end do
       if (head(:4) == 'PK'//achar(3)//achar(4) .or. head(:4) == 'PK'//achar(5)//achar(6)) then
          map%format = 'X3P (ISO 25178-72)'
          call read_x3p(source, hints, map, error)
@@ -139,6 +144,8 @@ contains
          case (0:8, 14:31)
             call map_error(error, source, 'is in no format that is known: '//known)
             return
+         case default
+            cycle
          end select
       end do
       mark = 0_int64

@@ -103,6 +103,8 @@ contains
             call byte_error(error, source, offset, count_text(source%size - offset)//' bytes '// &
                'follow the points that the header promises, and are no text: the header is wrong')
             return
+         case default
+            cycle
          end select
       end do
    end subroutine check_trailer
@@ -130,7 +132,8 @@ contains
       call check_sdf_header(source, header, hints, map, factor, error)
       if (allocated(error)) return
       ! a digit and a blank for each, the last blank may lack
-      call fits_memory(source, header%nx, header%ny, (source%size - header%data_offset + 1_int64)/2, &
+      call fits_memory(source, header%nx, header%ny, (source%size - header%data_offset + &
+         1_int64)/2, &
          header%sizes_offset, error)
       if (allocated(error)) return
       call allocate_heights(source, header%nx, header%ny, map, error)

@@ -121,11 +121,13 @@ contains
             'without check')
          return
       else if (header%kind < uint8 .or. header%kind > float64) then
-         call map_error(error, source, 'data type '//to_text(header%kind)//' is unknown: allowed '// &
+         call map_error(error, source, &
+            'data type '//to_text(header%kind)//' is unknown: allowed '// &
             'are 0 to 7; the header is wrong')
          return
       end if
-      call settle_unit(source%name, 'lengths', '--lateral-unit', 'm', hints%lateral_unit, unit, error)
+      call settle_unit(source%name, 'lengths', '--lateral-unit', 'm', hints%lateral_unit, unit, &
+         error)
       if (allocated(error)) return
       call settle_unit(source%name, 'heights', '--height-unit', 'm', hints%height_unit, unit, error)
       if (allocated(error)) return

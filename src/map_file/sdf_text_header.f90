@@ -17,7 +17,8 @@ module map_file_sdf_text_header
    !> What must be there, and what may
    character(len=*), parameter :: keys(n_keys) = [character(len=11) :: 'numpoints', 'numprofiles', &
       'xscale', 'yscale', 'zscale', 'datatype', 'compression', 'checktype']
-   character(len=*), parameter :: names(n_keys) = [character(len=11) :: 'NumPoints', 'NumProfiles', &
+   character(len=*), parameter :: names(n_keys) = [character(len=11) :: 'NumPoints', &
+      'NumProfiles', &
       'Xscale', 'Yscale', 'Zscale', 'DataType', 'Compression', 'CheckType']
    integer, parameter :: n_needed = 5
    !> Names of data types in the BCR proposal

@@ -59,8 +59,10 @@ contains
       if (is_compressed) then
          call read_compressed(source, header, kind, factor, zero, map, error)
       else if (room - header%points >= header%nx) then
-         call byte_error(error, source, header%data_offset + header%points*width, 'points follow '// &
-            'the '//count_text(header%nx)//' x '//count_text(header%ny)//' that the header promises')
+         call byte_error(error, source, header%data_offset + header%points*width, &
+            'points follow '// &
+            'the '//count_text(header%nx)//' x '//count_text(header%ny)// &
+            ' that the header promises')
       else
          call read_plain(source, header, kind, factor, zero, map, error)
       end if
@@ -121,7 +123,8 @@ contains
             if (unpacked == 0_int64) then
                i = i + 1
                if (i > streams) exit rows
-               call read_counts(source, header%data_offset + 4_int64 + 8_int64*(i - 1), numbers, error)
+               call read_counts(source, header%data_offset + 4_int64 + 8_int64*(i - 1), &
+                  numbers, error)
                if (allocated(error)) exit rows
                unpacked = int(numbers(1), int64)
                packed = int(numbers(2), int64)
@@ -152,7 +155,8 @@ contains
       if (allocated(error)) return
       if (j < size(map%heights, 2)) then
          call byte_error(error, source, offset, 'the compressed heights end in line '// &
-            to_text(j + 1)//' of '//count_text(header%ny)//': the file was cut off, or the header '// &
+            to_text(j + &
+            1)//' of '//count_text(header%ny)//': the file was cut off, or the header '// &
             'is wrong')
       else if (unpacked > 0_int64 .or. i < streams) then
          call byte_error(error, source, offset, 'compressed heights follow the '// &
@@ -183,7 +187,8 @@ contains
 
       values = 0.0_wp
       if (offset + 4_int64*size(values) > source%size) then
-         call byte_error(error, source, source%size, 'the file ends before its heights: it was cut off')
+         call byte_error(error, source, source%size, &
+            'the file ends before its heights: it was cut off')
          return
       end if
       allocate (buffer%bytes(4*size(values)))

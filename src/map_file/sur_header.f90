@@ -152,7 +152,10 @@ contains
       call settle_step(source%name, 'y', header%spacing(2)*unit(2), hints%step_y, map%step_y, error)
       if (allocated(error)) return
       factor = header%spacing(3)*unit(3)
-      if (abs(header%offset)*unit(3) <= 1.0e6_wp) offset = header%offset*unit(3)
+      ! the zero of heights matters little: where the field holds rubbish it is left out
+      if (is_finite(header%offset)) then
+         if (abs(header%offset) <= 1.0e6_wp/unit(3)) offset = header%offset*unit(3)
+      end if
    end subroutine check_sur_header
 
    !> Check spacings and units, and set the units' lengths.
@@ -185,7 +188,8 @@ contains
             end if
          end if
          call byte_error(error, source, 116_int64 + 4_int64*i, 'spacing '// &
-            to_text(header%spacing(i))//' in '//axes(i:i)//' is not allowed: it must be above 0 '// &
+            to_text(header%spacing(i))//' in '//axes(i:i)// &
+            ' is not allowed: it must be above 0 '// &
             'and finite')
          return
       end do

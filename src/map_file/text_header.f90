@@ -56,11 +56,13 @@ contains
          call next_line(source, found, error)
          if (allocated(error)) return
          if (.not. found) then
-            call map_error(error, source, 'has no line of numbers: heights are read from SDF, X3P, '// &
+            call map_error(error, source, &
+               'has no line of numbers: heights are read from SDF, X3P, '// &
                'SUR, and from text with three columns x, y, z or with a matrix')
             return
          else if (source%line > most_lines) then
-            call line_error(error, source, source%first, 'no line of numbers so far: this is no '// &
+            call line_error(error, source, source%first, &
+               'no line of numbers so far: this is no '// &
                'file of heights')
             return
          end if
@@ -82,13 +84,14 @@ contains
          end if
          if (allocated(error)) return
       end do
-      call count_fields(source, header)
+      call count_fields(source, header, error)
    end subroutine read_text_header
 
    !> Count the fields of the first line of numbers.
-   subroutine count_fields(source, header)
+   subroutine count_fields(source, header, error)
       type(byte_source), intent(in) :: source
       type(text_header), intent(inout) :: header
+      type(error_type), allocatable, intent(out) :: error
       real(wp) :: value
       integer :: at, kind
       logical :: is_last
@@ -98,7 +101,9 @@ contains
       do while (.not. is_last)
          call read_field(source%block, at, source%last, header%separator, value, kind, is_last)
          header%fields = header%fields + 1_int64
-         if (kind > field_missing) exit
+         if (kind <= field_missing) cycle
+         call field_error(error, source, at, kind)
+         return
       end do
    end subroutine count_fields
 
@@ -138,9 +143,7 @@ contains
          end do
          is_last = at > source%last
       end do
-      if (numbers == 0) then
-         call read_columns(source, line, header, error)
-      else if (numbers == 1 .and. fields == 2) then
+      if (numbers == 0 .or. (numbers == 1 .and. fields == 2)) then
          call read_header_line(source, line, header, error)
       else
          call field_error(error, source, source%first, field_text)
@@ -204,19 +207,22 @@ contains
          if (is_number .and. number >= 1.0_wp .and. number <= 1.0e15_wp .and. rest == '') then
             header%sizes(axis) = int(number, int64)
          else
-            call line_error(error, source, source%first + place - 1, 'the number of points must '// &
+            call line_error(error, source, source%first + place - 1, &
+               'the number of points must '// &
                'be a whole number above 0')
          end if
       end subroutine read_size
 
       subroutine read_length(length, unit)
          real(wp), intent(out) :: length
-         character(len=*), intent(out) :: unit
+         character(len=8), intent(out) :: unit
 
          length = number
          unit = ''
-         if (.not. is_number .or. .not. number > 0.0_wp .or. number > 1.0e30_wp) then
-            call line_error(error, source, source%first + place - 1, 'the distance of points must '// &
+         if (.not. is_number .or. .not. number > 0.0_wp .or. number > 1.0e30_wp .or. &
+            index(rest, ',') == 1) then
+            call line_error(error, source, source%first + place - 1, &
+               'the distance of points must '// &
                'be a number above 0 with a decimal point, with its unit behind it if it has one')
          else if (rest /= '') then
             call read_unit(rest, unit)
@@ -225,7 +231,7 @@ contains
 
       subroutine read_unit(text, unit)
          character(len=*), intent(in) :: text
-         character(len=*), intent(out) :: unit
+         character(len=8), intent(out) :: unit
 
          unit = plain_unit(text)
          if (unit == '') call line_error(error, source, source%first + place - 1, 'the unit of '// &

@@ -94,7 +94,8 @@ contains
          call fatal_error(error, option//' '//trim(hint)//' is no unit: allowed are m, cm, mm, '// &
             'um and nm')
       else if (in_file == '' .and. hint == '') then
-         call fatal_error(error, name//': does not say in which unit its '//what//' are: say it '// &
+         call fatal_error(error, &
+            name//': does not say in which unit its '//what//' are: say it '// &
             'with '//option//' m, cm, mm, um or nm')
       else if (in_file /= '' .and. hint /= '' .and. in_file /= said) then
          call fatal_error(error, name//': '//option//' '//trim(hint)//' contradicts the file, '// &

@@ -38,7 +38,8 @@ contains
       case ('csv')
          call write_csv(map, bytes)
       case default
-         call fatal_error(error, 'height maps are not written as '//ending//': allowed are sdf, '// &
+         call fatal_error(error, &
+            'height maps are not written as '//ending//': allowed are sdf, '// &
             'xyz and csv')
       end select
    end subroutine height_map_bytes
@@ -63,7 +64,8 @@ contains
          end if
       end associate
       ! neither compressed nor checked, doubles
-      head = head//double(scale_of(map%step_x))//double(scale_of(map%step_y))//double(millimetre)// &
+      head = head//double(scale_of(map%step_x))//double(scale_of(map%step_y))// &
+         double(millimetre)// &
          double(-1.0_wp)//achar(0)//achar(7)//achar(0)
       deallocate (bytes)
       allocate (character(len=len(head) + 8_int64*size(map%heights, kind=int64)) :: bytes)

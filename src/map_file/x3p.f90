@@ -49,14 +49,15 @@ contains
       type(height_map), intent(inout) :: map
       type(error_type), allocatable, intent(out) :: error
       type(x3p_header) :: header
-      type(zip_member), target :: member
+      type(zip_member) :: member
       real(wp) :: factor, zero
       integer :: kind
 
       call find_member(archive, source, 'main.xml', member, error)
       if (allocated(error)) return
       if (member%size > some_xml + xml_ratio*source%size) then
-         call map_error(error, source, 'main.xml: '//count_text(member%size)//' bytes are packed '// &
+         call map_error(error, source, &
+            'main.xml: '//count_text(member%size)//' bytes are packed '// &
             'in it, more than any surface needs: it is not unpacked')
          return
       end if
@@ -73,10 +74,12 @@ contains
       call find_member(archive, source, plain_name(header%points), member, error)
       if (allocated(error)) return
       call fits_memory(source, header%sizes(1), header%sizes(2), &
-         min(member%size, member%packed*largest_ratio)/bytes_of(kind), 0_int64, error)
+         min(member%size, min(member%packed, source%size)*largest_ratio)/bytes_of(kind), &
+         0_int64, error)
       if (allocated(error)) return
       if (member%size /= header%sizes(1)*header%sizes(2)*bytes_of(kind)) then
-         call map_error(error, source, member%name//': '//count_text(member%size)//' bytes, main.xml '// &
+         call map_error(error, source, &
+            member%name//': '//count_text(member%size)//' bytes, main.xml '// &
             'promises '//count_text(header%sizes(1))//' x '//count_text(header%sizes(2))// &
             ' points of '//count_text(bytes_of(kind))//' bytes')
          return
@@ -122,7 +125,8 @@ contains
 
       allocate (buffer%bytes(size(map%heights, 1)*bytes_of(kind)))
       do j = 1, size(map%heights, 2)
-         call read_member(source, member, c_loc(buffer%bytes), size(buffer%bytes, kind=int64), done, &
+         call read_member(source, member, c_loc(buffer%bytes), size(buffer%bytes, kind=int64), &
+            done, &
             error)
          if (allocated(error)) return
          if (done < size(buffer%bytes)) exit
@@ -131,7 +135,8 @@ contains
             call scale_heights(row, factor, zero, bad)
             if (bad > 0) then
                call height_message(row(bad), factor, message)
-               call map_error(error, source, member%name//': byte '//count_text(member%done - done + &
+               call map_error(error, source, member%name//': byte '//count_text(member%done - &
+                  done + &
                   (bad - 1)*bytes_of(kind))//': '//message)
                return
             end if
@@ -159,7 +164,8 @@ contains
       nx = size(map%heights, 1)
       needed = (size(map%heights, kind=int64) + 7_int64)/8_int64
       if (member%size /= needed) then
-         call map_error(error, source, member%name//': '//count_text(member%size)//' bytes, for '// &
+         call map_error(error, source, &
+            member%name//': '//count_text(member%size)//' bytes, for '// &
             count_text(size(map%heights, kind=int64))//' points there must be '//count_text(needed))
          return
       end if
@@ -177,7 +183,8 @@ contains
             j = j + 1
          end if
          if (mod(at, 8_int64*size(bytes))/8_int64 >= done) then
-            call map_error(error, source, member%name//': ends at byte '//count_text(member%done)// &
+            call map_error(error, source, &
+               member%name//': ends at byte '//count_text(member%done)// &
                ' of '//count_text(needed)//': get the file once more')
             return
          end if
@@ -197,10 +204,12 @@ contains
       real(wp), allocatable :: values(:)
       integer :: bad, chunk, i, j, k, length
 
-      call fits_memory(source, header%sizes(1), header%sizes(2), header%list%count, 0_int64, error)
+      call fits_memory(source, header%sizes(1), header%sizes(2), int(huge(1), int64), 0_int64, &
+         error)
       if (allocated(error)) return
       if (header%list%count /= header%sizes(1)*header%sizes(2)) then
-         call map_error(error, source, 'main.xml: '//count_text(header%list%count)//' heights, it '// &
+         call map_error(error, source, &
+            'main.xml: '//count_text(header%list%count)//' heights, it '// &
             'promises '//count_text(header%sizes(1))//' x '//count_text(header%sizes(2)))
          return
       end if

@@ -42,9 +42,9 @@ contains
    !> Read main.xml.
    subroutine read_x3p_header(source, member, header, error)
       !> The file
-      type(byte_source), intent(in), target :: source
+      type(byte_source), intent(in) :: source
       !> The member, open
-      type(zip_member), intent(in), target :: member
+      type(zip_member), intent(in) :: member
       !> What it says
       type(x3p_header), intent(out) :: header
       !> Set when it is faulty
@@ -169,7 +169,8 @@ contains
       else
          call number_in(text(index(text, ';', back=.true.) + 1:), value, is_number, rest)
          if (.not. is_number .or. rest /= '') then
-            call element_error(source, reader, 'must be a number with a decimal point, or NaN', error)
+            call element_error(source, reader, 'must be a number with a decimal point, or NaN', &
+               error)
             return
          end if
       end if
@@ -182,7 +183,8 @@ contains
       character(len=*), intent(in) :: message
       type(error_type), allocatable, intent(out) :: error
 
-      call map_error(error, source, 'main.xml:'//to_text(reader%line)//': '//reader%path//' '//message)
+      call map_error(error, source, &
+         'main.xml:'//to_text(reader%line)//': '//reader%path//' '//message)
    end subroutine element_error
 
    !> Set the steps of a map, factor and offset of its heights and the kind of its numbers; `error`
@@ -232,7 +234,8 @@ contains
             ': only surfaces of one layer are read')
       end if
       if (allocated(error)) return
-      call settle_unit(source%name, 'lengths', '--lateral-unit', 'm', hints%lateral_unit, unit, error)
+      call settle_unit(source%name, 'lengths', '--lateral-unit', 'm', hints%lateral_unit, unit, &
+         error)
       if (allocated(error)) return
       call settle_unit(source%name, 'heights', '--height-unit', 'm', hints%height_unit, unit, error)
       if (allocated(error)) return

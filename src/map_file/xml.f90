@@ -2,12 +2,13 @@
 !> reader: without network, without document types, and so without entities to expand.
 module map_file_xml
    use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_f_pointer, c_funloc, c_funptr, &
-      c_int, c_loc, c_null_funptr, c_null_ptr, c_ptr, c_size_t
+      c_int, c_null_funptr, c_null_ptr, c_ptr, c_size_t
    use, intrinsic :: iso_fortran_env, only: int64
-   use asperity_error, only: error_type
+   use asperity_error, only: error_type, fatal_error
+   use asperity_text, only: to_text
    use map_file_byte_source, only: byte_source
-   use map_file_places, only: count_text, map_error
-   use map_file_zip, only: read_member, zip_member
+   use map_file_places, only: map_error
+   use map_file_zip, only: handle_of, read_handle, zip_member
    implicit none
    private
    public :: close_xml, next_text, open_xml, xml_reader
@@ -18,12 +19,6 @@ module map_file_xml
    integer(c_int), parameter :: is_element = 1_c_int, is_text = 3_c_int, is_cdata = 4_c_int, &
       is_reference = 5_c_int, is_document_type = 10_c_int, is_end = 15_c_int
    integer, parameter :: deepest = 16, longest_name = 64, longest_text = 1024
-
-   !> What the callback of libxml2 reads from.
-   type :: stream_type
-      type(zip_member), pointer :: member => null()
-      type(byte_source), pointer :: source => null()
-   end type stream_type
 
    !> A reader of elements.
    type :: xml_reader
@@ -36,7 +31,7 @@ module map_file_xml
       character(len=longest_name), private :: names(deepest) = ''
       integer, private :: depth = 0
       type(c_ptr), private :: handle = c_null_ptr
-      type(stream_type), pointer, private :: stream => null()
+      character(len=:), allocatable, private :: place
    end type xml_reader
 
    interface
@@ -84,6 +79,13 @@ module map_file_xml
          type(c_ptr), value :: context
          type(c_funptr), value :: handler
       end subroutine c_set_error_handler
+      ! Its handler has further arguments, which ours leaves alone
+      subroutine c_set_print_handler(context, handler) bind(c, name='xmlSetGenericErrorFunc')
+         import :: c_funptr, c_ptr
+         implicit none
+         type(c_ptr), value :: context
+         type(c_funptr), value :: handler
+      end subroutine c_set_print_handler
       subroutine c_free_reader(reader) bind(c, name='xmlFreeTextReader')
          import :: c_ptr
          implicit none
@@ -98,30 +100,27 @@ module map_file_xml
 
 contains
 
-   !> Begin to read a member that is open; both must stay where they are.
+   !> Begin to read a member that is open.
    subroutine open_xml(reader, source, member, error)
       !> The reader; close it with `close_xml`
       type(xml_reader), intent(out) :: reader
       !> The file
-      type(byte_source), intent(in), target :: source
+      type(byte_source), intent(in) :: source
       !> The member
-      type(zip_member), intent(in), target :: member
+      type(zip_member), intent(in) :: member
       !> Set when there is no memory for it
       type(error_type), allocatable, intent(out) :: error
-      type(c_ptr) :: address
 
       reader%path = ''
       reader%text = ''
-      allocate (reader%stream)
-      address = c_loc(source)
-      call c_f_pointer(address, reader%stream%source)
-      address = c_loc(member)
-      call c_f_pointer(address, reader%stream%member)
+      reader%place = source%name//': '//member%name
       ! Some faults of encoding would be printed all the same
       call c_set_error_handler(c_null_ptr, c_funloc(ignore_error))
+      call c_set_print_handler(c_null_ptr, c_funloc(ignore_error))
       reader%handle = c_reader_for_io(c_funloc(read_some), c_funloc(close_nothing), &
-         c_loc(reader%stream), c_null_ptr, c_null_ptr, options)
-      if (.not. c_associated(reader%handle)) call map_error(error, source, 'libxml2 cannot read '// &
+         handle_of(member), c_null_ptr, c_null_ptr, options)
+      if (.not. c_associated(reader%handle)) call map_error(error, source, &
+         'libxml2 cannot read '// &
          member%name)
    end subroutine open_xml
 
@@ -129,14 +128,8 @@ contains
    integer(c_int) function read_some(context, to, length) bind(c)
       type(c_ptr), value :: context, to
       integer(c_int), value :: length
-      type(stream_type), pointer :: stream
-      type(error_type), allocatable :: error
-      integer(int64) :: done
 
-      call c_f_pointer(context, stream)
-      call read_member(stream%source, stream%member, to, int(length, int64), done, error)
-      read_some = int(done, c_int)
-      if (allocated(error)) read_some = -1_c_int
+      read_some = int(read_handle(context, to, int(length, int64)), c_int)
    end function read_some
 
    !> Called by libxml2 when it needs no more bytes.
@@ -197,9 +190,12 @@ contains
             found = .true.
             return
          case (is_document_type, is_reference)
-            call xml_error(reader, 'has a document type or entities, which X3P has not: they are '// &
+            call xml_error(reader, &
+               'has a document type or entities, which X3P has not: they are '// &
                'not read, as they could be used for attacks', error)
             return
+         case default
+            cycle
          end select
       end do
    end subroutine next_text
@@ -238,8 +234,7 @@ contains
       character(len=*), intent(in) :: message
       type(error_type), allocatable, intent(out) :: error
 
-      call map_error(error, reader%stream%source, reader%stream%member%name//':'// &
-         count_text(int(reader%line, int64))//': '//message)
+      call fatal_error(error, reader%place//':'//to_text(reader%line)//': '//message)
    end subroutine xml_error
 
    !> Close a reader.
@@ -250,7 +245,7 @@ contains
       if (c_associated(reader%handle)) call c_free_reader(reader%handle)
       reader%handle = c_null_ptr
       call c_set_error_handler(c_null_ptr, c_null_funptr)
-      if (associated(reader%stream)) deallocate (reader%stream)
+      call c_set_print_handler(c_null_ptr, c_null_funptr)
    end subroutine close_xml
 
 end module map_file_xml

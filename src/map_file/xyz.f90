@@ -80,7 +80,8 @@ contains
          do i = 1, 3
             fields(i) = at
             if (.not. is_last) then
-               call read_field(source%block, at, source%last, header%separator, values(i), kinds(i), &
+               call read_field(source%block, at, source%last, header%separator, values(i), &
+                  kinds(i), &
                   is_last)
                if (kinds(i) > field_missing) then
                   call field_error(error, source, at, kinds(i))
@@ -93,7 +94,8 @@ contains
                      if (allocated(error)) return
                      cycle lines
                   end if
-                  call line_error(error, source, fields(i), 'a coordinate is missing: leave the '// &
+                  call line_error(error, source, fields(i), &
+                     'a coordinate is missing: leave the '// &
                      'line out, or write NaN for its height')
                   return
                end if
@@ -101,7 +103,8 @@ contains
             if (is_last .neqv. i == 3) exit
          end do
          if (i <= 3) then
-            call line_error(error, source, fields(min(i, 3)), 'this line has not three fields, x, '// &
+            call line_error(error, source, fields(min(i, 3)), &
+               'this line has not three fields, x, '// &
                'y and z, as the first one has')
             return
          end if
@@ -119,12 +122,14 @@ contains
          end do
          points = points + 1_int64
          if (points > huge(1)) then
-            call line_error(error, source, source%first, 'at most 2147483647 points are read: cut '// &
+            call line_error(error, source, source%first, &
+               'at most 2147483647 points are read: cut '// &
                'the map')
             return
          end if
          if (header%has_marker) then
-            if (.not. abs(values(3) - header%marker) > 0.0_wp) kinds(3) = field_missing
+            if (values(3) >= header%marker .and. values(3) <= header%marker) &
+               kinds(3) = field_missing
          end if
          if (kinds(3) == field_number) then
             call scale_heights(values(3:3), factor, 0.0_wp, bad)
@@ -161,7 +166,8 @@ contains
       call find_one('y', axes(2)%values(:axes(2)%count), rows, ny, steps(2))
       if (allocated(error)) return
       if (nx*ny > most_sparse*points) then
-         call map_error(error, source, 'the points are on no grid: '//count_text(points)//' points '// &
+         call map_error(error, source, &
+            'the points are on no grid: '//count_text(points)//' points '// &
             'on '//count_text(nx)//' x '//count_text(ny)//' lines, at least every '// &
             to_text(int(most_sparse))//'th place must be taken: resample the map')
          return
@@ -188,7 +194,8 @@ contains
 
          call find_grid(values, places, n, step, reason)
          lines = n
-         if (allocated(reason)) call map_error(error, source, 'the points are on no regular grid '// &
+         if (allocated(reason)) call map_error(error, source, &
+            'the points are on no regular grid '// &
             'in '//name//': '//reason//'; resample the map to equal steps')
       end subroutine find_one
 
@@ -213,7 +220,8 @@ contains
             y = ishft(places(k), -16) + 1
             associate (height => map%heights(columns(x), rows(y)))
                if (height < missing_height .and. abs(height - values(k)) > 0.0_wp) then
-                  call map_error(error, source, 'two points at x = '//to_text(axes(1)%values(x), 9)// &
+                  call map_error(error, source, &
+                     'two points at x = '//to_text(axes(1)%values(x), 9)// &
                      ', y = '//to_text(axes(2)%values(y), 9)//' with different heights, '// &
                      to_text(height, 9)//' and '//to_text(values(k), 9)//' mm: leave one out')
                   return

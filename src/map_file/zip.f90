@@ -8,8 +8,8 @@ module map_file_zip
    use map_file_places, only: count_text, map_error
    implicit none
    private
-   public :: close_member, close_zip, find_member, open_member, open_zip, read_member, zip_archive, &
-      zip_member
+   public :: close_member, close_zip, find_member, handle_of, open_member, open_zip, read_handle, &
+      read_member, zip_archive, zip_member
 
    integer(c_int), parameter :: read_only = 16_c_int
    integer(c_int64_t), parameter :: has_size = 4_c_int64_t, has_packed_size = 8_c_int64_t
@@ -226,6 +226,26 @@ contains
       end if
       member%done = member%done + done
    end subroutine read_member
+
+   !> What C knows a member by that is open.
+   type(c_ptr) function handle_of(member)
+      !> The member
+      type(zip_member), intent(in) :: member
+
+      handle_of = member%handle
+   end function handle_of
+
+   !> Read bytes of a member by its handle; how many there were, less than 0 for damaged ones.
+   integer(int64) function read_handle(handle, to, count)
+      !> The member
+      type(c_ptr), intent(in) :: handle
+      !> Where they go
+      type(c_ptr), intent(in) :: to
+      !> How many are wanted
+      integer(int64), intent(in) :: count
+
+      read_handle = c_zip_fread(handle, to, count)
+   end function read_handle
 
    !> Close a member.
    subroutine close_member(member)

@@ -7,10 +7,11 @@ program fuzz_main
    use asperity_error, only: error_type
    use asperity_kinds, only: wp
    use fuzz_mutate, only: dice, mutate
-   use fuzz_seeds, only: add_file, add_written, seed_type, x3p_members
-   use fuzz_zip_writer, only: zip_member_text, zip_of
+   use fuzz_seeds, only: add_file, add_written, seed_type
    use map_file_read, only: map_hints, read_height_map_bytes
    use surface_height_map, only: check_height_map, height_map
+   use x3p_cases, only: x3p_members
+   use zip_writer, only: zip_member_text, zip_of
    implicit none
    !> Most seconds for one file, with all the checks; points for a byte
    real(wp), parameter :: longest = 2.0_wp
@@ -98,7 +99,8 @@ contains
       else
          passed = passed + 1
       end if
-      write (*, '(2x, a, t24, 4(i0, a), f6.1, a)') name, count, ' files, ', maps, ' maps, ', errors, &
+      write (*, '(2x, a, t24, 4(i0, a), f6.1, a)') name, count, ' files, ', maps, ' maps, ', &
+         errors, &
          ' errors, ', bad, ' faults; longest ', 1.0e3_wp*worst, ' ms'
       flush (output_unit)
       seeds = seeds(:0)
@@ -157,7 +159,9 @@ contains
       character(len=*), intent(in) :: file
       integer :: unit
 
-      open (newunit=unit, file='fuzz_fault', access='stream', form='unformatted', status='replace')
+      open (newunit=unit, file='fuzz_fault', access='stream', form='unformatted', &
+         status='replace', &
+         action='write')
       write (unit) file
       close (unit)
       write (*, '(a)') '  a fault: the file is kept as fuzz_fault'

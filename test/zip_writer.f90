@@ -1,6 +1,6 @@
 !> Packs members into a zip archive without compressing them, with right checksums, so that damaged
 !> ones get past zip.
-module fuzz_zip_writer
+module zip_writer
    use, intrinsic :: iso_c_binding, only: c_char, c_int, c_long
    use, intrinsic :: iso_fortran_env, only: int64
    implicit none
@@ -75,4 +75,4 @@ contains
       end do
    end function word
 
-end module fuzz_zip_writer
+end module zip_writer
