@@ -18,8 +18,8 @@ module app_surface_maps
 
    !> Options of --generate, and those of a file
    character(len=*), parameter :: made(*) = [character(len=20) :: 'map_points', 'sq', &
-      'correlation_length', 'direction', 'spectrum', 'hurst', 'longest_wave', 'shortest_wave', 'ssk', 'sku', &
-      'seed']
+      'correlation_length', 'direction', 'spectrum', 'hurst', 'longest_wave', &
+      'shortest_wave', 'ssk', 'sku', 'seed']
    character(len=*), parameter :: read_in(*) = [character(len=20) :: 'lateral_unit', &
       'height_unit']
    !> Step of a made map, mm, unless given

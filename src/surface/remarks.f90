@@ -197,9 +197,9 @@ contains
          text = text//' With the sigma of summits, which this route takes, isotropic Gaussian '// &
             'surfaces of alpha below 2.4 are under that limit and still exist.'
       else
-         text = text//' No isotropic Gaussian surface has it by all its summits; peaks left after '// &
-            'pruning are fewer and sharper, so that one may be there by them. Else check units '// &
-            'and filter.'
+         text = text//' No isotropic Gaussian surface has it by all its summits; peaks left '// &
+            'after pruning are fewer and sharper, so that one may be there by them. Else check '// &
+            'units and filter.'
       end if
       call add_remark(remarks, 'roughness_number', text)
    end subroutine remark_number
