@@ -285,6 +285,12 @@ contains
       call check(transfer(int(z'7FF0000000000000', int64), 1.0_wp), 'Infinity'//positive)
       call check(0.999_wp, '0.999 mm is below two steps of the map, 1.0 mm')
       call check(1.501_wp, '1.501 mm is longer than the map''s shorter side, 1.5 mm')
+      map%step_x = 0.25_wp
+      map%step_y = 0.4_wp
+      call check(0.7_wp, '0.7 mm is below two steps of the map, 0.8 mm')
+      call check(2.1_wp, '2.1 mm is longer than the map''s shorter side, 2.0 mm')
+      map%step_x = 0.5_wp
+      map%step_y = 0.25_wp
       call filter_short(map, 1.0_wp, error)
       call assertFalse(allocated(error))
       call filter_long(map, 1.5_wp, error)

@@ -23,6 +23,7 @@ contains
 
       suite = TestSuite('surface_holes')
       call suite%addTest(TestMethod('no summits or pits arise in holes', test_no_summits))
+      call suite%addTest(TestMethod('nor beside spikes', test_spikes))
       call suite%addTest(TestMethod('a saddle is continued across a hole', test_saddle))
       call suite%addTest(TestMethod('one measured point fills the map', test_one_point))
       call suite%addTest(TestMethod('shares, full maps and empty ones', test_shares))
@@ -64,6 +65,30 @@ contains
             to_text(trial)//' of seed '//to_text(int(seed)))
       end do
    end subroutine test_no_summits
+
+   !> Heights to the 80th power: few spikes up or down, beside which rounds over all grids alone leave summits
+   !> and pits of little relief, in one such map of three.
+   subroutine test_spikes()
+      type(random_stream) :: stream
+      type(height_map) :: map
+      type(error_type), allocatable :: error
+      real(wp), allocatable :: before(:, :)
+      integer :: trial
+
+      stream = random_stream(seed + 1)
+      allocate (before(100, 100))
+      do trial = 1, 10
+         call random_map(map, stream, 100, 100, 1.0_wp, 1.0_wp)
+         map%heights = max(0.001_wp, abs(map%heights))**80
+         if (modulo(trial, 2) == 0) map%heights = -map%heights
+         call punch_holes(map, stream, 0.4_wp)
+         before = map%heights
+         call fill_missing(map, error)
+         call assertFalse(allocated(error))
+         call assertEqual(0, extremes(map%heights, before), message='summits and pits, map '// &
+            to_text(trial)//' of seed '//to_text(int(seed + 1)))
+      end do
+   end subroutine test_spikes
 
    !> Filled points above or below all their neighbours.
    integer function extremes(z, before)

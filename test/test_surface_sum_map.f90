@@ -249,7 +249,8 @@ contains
       list(37:) = [s%slope_x, s%slope_y, s%gradient_xy]
    end function listed
 
-   !> Tiles of 3, 2 and 2 points along x and 3 and 3 along y; two summits, one of them pruned.
+   !> Tiles of 3, 2 and 2 points along x and 3 and 3 along y; two summits at corners of tiles, the
+   !> second of relief 0.05 over the saddle between them, pruned.
    subroutine test_summits()
       type(height_map) :: map
       type(summit_set) :: summits
@@ -258,24 +259,26 @@ contains
 
       call flat_map(map, 7, 6, 0.5_wp, 0.25_wp)
       map%heights(3, 3) = 2.0_wp
-      map%heights(4, 4) = 1.9_wp
-      map%heights(5, 5) = 1.95_wp
+      map%heights(4:6, 4) = [1.9_wp, 1.93_wp, 1.95_wp]
       call find_summits(map, 0.05_wp, summits, error)
       call assertFalse(allocated(error))
       call sum_map(map, summits, 3, 2, tiles)
       call assertRelativelyEqual([9.0_wp, 6.0_wp, 6.0_wp, 9.0_wp, 6.0_wp, 6.0_wp], tiles%points, &
          1.0e-15_wp)
-      call assertEqual([1.0_wp, 0.0_wp, 0.0_wp, 0.0_wp, 1.0_wp, 0.0_wp], &
+      call assertEqual([1.0_wp, 0.0_wp, 0.0_wp, 0.0_wp, 0.0_wp, 1.0_wp], &
          tiles%summits%number, tolerance=0.0_wp)
       call assertEqual([1.0_wp, 0.0_wp, 0.0_wp, 0.0_wp, 0.0_wp, 0.0_wp], &
          tiles%peaks%number, tolerance=0.0_wp)
-      ! 2 z/step^2 by half either way: z (4 + 16)
-      call assertRelativelyEqual([40.0_wp, 1600.0_wp, 39.0_wp, 1521.0_wp], &
-         [tiles(1)%summits%curvature, tiles(1)%summits%curvature_2, tiles(5)%summits%curvature, &
-         tiles(5)%summits%curvature_2], 1.0e-14_wp)
-      call assertRelativelyEqual([2.0_wp, 4.0_wp, 1.95_wp, 3.8025_wp], &
-         [tiles(1)%peaks%height, tiles(1)%peaks%height_2, tiles(5)%summits%height, &
-         tiles(5)%summits%height_2], 1.0e-14_wp)
+      ! z/step_x^2 + z/step_y^2, the second less half of 1.93/step_x^2
+      associate (first => tiles(1)%summits, second => tiles(6)%summits)
+         call assertRelativelyEqual([40.0_wp, 1600.0_wp, 35.14_wp, 35.14_wp**2], &
+            [first%curvature, first%curvature_2, second%curvature, second%curvature_2], 1.0e-14_wp)
+         call assertRelativelyEqual([2.0_wp, 4.0_wp, 1.95_wp, 3.8025_wp], &
+            [first%height, first%height_2, second%height, second%height_2], 1.0e-14_wp)
+      end associate
+      call assertRelativelyEqual([2.0_wp, 4.0_wp, 40.0_wp, 1600.0_wp], [tiles(1)%peaks%height, &
+         tiles(1)%peaks%height_2, tiles(1)%peaks%curvature, tiles(1)%peaks%curvature_2], &
+         1.0e-14_wp)
    end subroutine test_summits
 
    subroutine test_thinned()

@@ -198,6 +198,11 @@ contains
       call assertEqual([3, 3], summits%j)
       call assertTrue(all(summits%is_peak .eqv. [.false., .true.]), message='relief 1 and 4 of 9')
       call assertEqual(0.5_wp*(8.0_wp + 16.0_wp), summits%curvature(1), tolerance=1.0e-12_wp)
+      ! a relief of just the least one, 4 of 8, stays
+      map%heights(1, 3) = 8.0_wp
+      map%heights(3, 3) = 7.5_wp
+      call find_summits(map, 0.5_wp, summits, error)
+      call assertTrue(all(summits%is_peak .eqv. [.false., .true.]), message='relief 0.5 and 4 of 8')
       ! without the higher top, the second is the highest; beside a missing point is no summit
       map%heights(1, 3) = missing_height
       call find_summits(map, 0.2_wp, summits, error)

@@ -6,6 +6,10 @@
 !> points it divides the weighted sum by the sum of the weights of the measured points, which is
 !> that of order 0: only constants are kept at ends and beside holes, and on a slope the value at
 !> an end is that alpha cutoff/pi, 0.15 cutoff, further in. Filling holes first avoids that.
+!>
+!> Weights are the Gaussian's values at the points, 1 in total. From a cutoff of four steps on that
+!> passes a wave of the cutoff's length by half to within 0.002; at three steps 0.56 of it, and at
+!> two, where no wave is shorter, 0.89.
 module surface_gaussian_filter
    use, intrinsic :: iso_fortran_env, only: int8, real32
    use asperity_error, only: error_type, fatal_error

@@ -23,24 +23,12 @@
 !> another; elsewhere they are joined already when the water reaches the point.
 module surface_hills
    use asperity_kinds, only: wp
-   use surface_height_map, only: missing_height
+   use surface_higher, only: first_rows, group_table, higher_in_row, highest_in_row, &
+      new_group_table, next_rows, nothing, turn_x, turn_y
    use surface_saddle_order, only: saddle_type, sort_saddles
    implicit none
    private
    public :: find_hills
-
-   !> Neighbours in turn from that along x: steps along x and y. The first four come later in
-   !> storage, so that they are higher at equal height
-   integer, parameter :: turn_x(0:7) = [1, 1, 0, -1, -1, -1, 0, 1]
-   integer, parameter :: turn_y(0:7) = [0, 1, 1, 1, 0, -1, -1, -1]
-   !> Below every height
-   real(wp), parameter :: nothing = -huge(1.0_wp)
-
-   !> Of each set of higher neighbours, a bit each, one of every group that touch one another.
-   type :: group_table
-      integer :: groups(0:255) = 0
-      integer :: one_of(4, 0:255) = 0
-   end type group_table
 
 contains
 
@@ -59,7 +47,7 @@ contains
       type(group_table) :: table
       integer :: n
 
-      call fill_table(table)
+      call new_group_table(table)
       call climb(z, table, hill, tops, saddles)
       call collect_saddles(z, table, hill, saddles, n)
       call sort_saddles(saddles(:n))
@@ -75,26 +63,27 @@ contains
       !> With room for all saddles
       type(saddle_type), allocatable, intent(out) :: saddles(:)
       real(wp), allocatable :: rows(:, :)
-      integer :: i, j, n_tops, n_saddles, higher, highest
+      integer, allocatable :: higher(:)
+      integer :: i, j, n_tops, n_saddles, highest
 
       allocate (hill(size(z, 1), size(z, 2)))
       n_tops = 0
       n_saddles = 0
-      allocate (rows(0:size(z, 1) + 1, 0:2))
-      call start_rows(z, rows)
+      allocate (rows(0:size(z, 1) + 1, 0:2), higher(size(z, 1)))
+      call first_rows(z, rows)
       do j = 1, size(z, 2)
-         call next_row(z, j, rows)
+         call next_rows(z, j, rows)
+         call higher_in_row(rows, higher)
          do i = 1, size(z, 1)
             hill(i, j) = 0
             if (rows(i, 1) <= nothing) cycle
-            higher = higher_neighbours(rows, i)
-            if (higher == 0) then
+            if (higher(i) == 0) then
                n_tops = n_tops + 1
                hill(i, j) = n_tops
             else
-               highest = highest_neighbour(rows, i)
+               highest = highest_in_row(rows, i)
                hill(i, j) = -(i + turn_x(highest) + (j + turn_y(highest) - 1)*size(z, 1))
-               if (table%groups(higher) > 1) n_saddles = n_saddles + 1
+               if (table%groups(higher(i)) > 1) n_saddles = n_saddles + 1
             end if
          end do
       end do
@@ -137,22 +126,23 @@ contains
       !> Their number
       integer, intent(out) :: n
       real(wp), allocatable :: rows(:, :)
-      integer :: i, j, k, higher, first
+      integer, allocatable :: higher(:)
+      integer :: i, j, k, first
 
       n = 0
-      allocate (rows(0:size(z, 1) + 1, 0:2))
-      call start_rows(z, rows)
+      allocate (rows(0:size(z, 1) + 1, 0:2), higher(size(z, 1)))
+      call first_rows(z, rows)
       do j = 1, size(z, 2)
-         call next_row(z, j, rows)
+         call next_rows(z, j, rows)
+         call higher_in_row(rows, higher)
          do i = 1, size(z, 1)
             if (rows(i, 1) <= nothing) cycle
-            higher = higher_neighbours(rows, i)
-            if (table%groups(higher) < 2) cycle
+            if (table%groups(higher(i)) < 2) cycle
             first = hill_beside(1)
-            do k = 2, table%groups(higher)
+            do k = 2, table%groups(higher(i))
                if (hill_beside(k) == first) cycle
                n = n + 1
-               saddles(n) = saddle_type(z(i, j), i + (j - 1)*size(z, 1), higher)
+               saddles(n) = saddle_type(z(i, j), i + (j - 1)*size(z, 1), higher(i))
                exit
             end do
          end do
@@ -163,7 +153,7 @@ contains
       pure integer function hill_beside(group)
          integer, intent(in) :: group
 
-         associate (turn => table%one_of(group, higher))
+         associate (turn => table%one_of(group, higher(i)))
             hill_beside = hill(i + turn_x(turn), j + turn_y(turn))
          end associate
       end function hill_beside
@@ -235,104 +225,5 @@ contains
          highest = joined_to(highest)
       end do
    end subroutine find_highest
-
-   !> Before the first row: `nothing`, and the first row as the next.
-   pure subroutine start_rows(z, rows)
-      real(wp), intent(in), contiguous :: z(:, :)
-      real(wp), intent(inout) :: rows(0:, 0:)
-
-      rows = nothing
-      call read_row(z, 1, rows(:, 2))
-   end subroutine start_rows
-
-   !> Move on to a row: the one before it, itself and the one after, with `nothing` around the map
-   !> and where points are missing.
-   pure subroutine next_row(z, j, rows)
-      real(wp), intent(in), contiguous :: z(:, :)
-      integer, intent(in) :: j
-      real(wp), intent(inout) :: rows(0:, 0:)
-      integer :: i
-
-      do i = 0, size(z, 1) + 1
-         rows(i, 0) = rows(i, 1)
-         rows(i, 1) = rows(i, 2)
-         rows(i, 2) = nothing
-      end do
-      if (j < size(z, 2)) call read_row(z, j + 1, rows(:, 2))
-   end subroutine next_row
-
-   !> The measured heights of a row.
-   pure subroutine read_row(z, j, row)
-      real(wp), intent(in), contiguous :: z(:, :)
-      integer, intent(in) :: j
-      real(wp), intent(inout) :: row(0:)
-      integer :: i
-
-      do i = 1, size(z, 1)
-         if (z(i, j) < missing_height) row(i) = z(i, j)
-      end do
-   end subroutine read_row
-
-   !> Which neighbours are higher, a bit each in turn.
-   pure integer function higher_neighbours(rows, i)
-      real(wp), intent(in), contiguous :: rows(0:, 0:)
-      integer, intent(in) :: i
-
-      associate (z => rows(i, 1))
-         higher_neighbours = merge(1, 0, rows(i + 1, 1) >= z) + merge(2, 0, rows(i + 1, 2) >= z) &
-            + merge(4, 0, rows(i, 2) >= z) + merge(8, 0, rows(i - 1, 2) >= z) &
-            + merge(16, 0, rows(i - 1, 1) > z) + merge(32, 0, rows(i - 1, 0) > z) &
-            + merge(64, 0, rows(i, 0) > z) + merge(128, 0, rows(i + 1, 0) > z)
-      end associate
-   end function higher_neighbours
-
-   !> The highest neighbour's turn, the last in storage of equal ones, of a point that is no top.
-   pure integer function highest_neighbour(rows, i)
-      real(wp), intent(in), contiguous :: rows(0:, 0:)
-      integer, intent(in) :: i
-      !> In the order of storage
-      integer, parameter :: order(8) = [5, 6, 7, 4, 0, 3, 2, 1]
-      real(wp) :: highest
-      integer :: n
-
-      highest = nothing
-      highest_neighbour = 0
-      do n = 1, size(order)
-         associate (height => rows(i + turn_x(order(n)), 1 + turn_y(order(n))))
-            if (height >= highest) then
-               highest = height
-               highest_neighbour = order(n)
-            end if
-         end associate
-      end do
-   end function highest_neighbour
-
-   !> Groups of each set of higher neighbours. Those next in turn touch, and so do two beside the
-   !> point with a corner between them, whether that is higher or not.
-   pure subroutine fill_table(table)
-      type(group_table), intent(out) :: table
-      integer :: set, turn, group(0:7), step, pass
-
-      do set = 0, 255
-         group = [(merge(turn, -1, btest(set, turn)), turn=0, 7)]
-         ! Each takes the smallest number of those it touches, until none changes
-         do pass = 1, 8
-            do turn = 0, 7
-               do step = 1, merge(2, 1, modulo(turn, 2) == 0)
-                  associate (a => group(turn), b => group(modulo(turn + step, 8)))
-                     if (a < 0 .or. b < 0) cycle
-                     a = min(a, b)
-                     b = a
-                  end associate
-               end do
-            end do
-         end do
-         do turn = 0, 7
-            if (group(turn) /= turn) cycle
-            table%groups(set) = table%groups(set) + 1
-            table%one_of(table%groups(set), set) = turn
-         end do
-      end do
-   end subroutine fill_table
 
 end module surface_hills

@@ -19,8 +19,8 @@ module surface_line_filter
    real(wp), parameter, public :: alpha = sqrt(log(2.0_wp)/pi)
    !> Weights below this share of the largest are left out
    real(wp), parameter :: least_weight = 1.0e-16_wp
-   !> Longest reach, in points, of filters that sum directly
-   integer, parameter :: direct_reach = 32
+   !> Longest reach, in points, of filters that sum directly; from there on transforms are faster
+   integer, parameter :: direct_reach = 28
 
    !> A filter for blocks of lines of one length.
    type :: line_filter
