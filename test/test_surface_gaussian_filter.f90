@@ -79,7 +79,7 @@ contains
             end associate
          end do
       end do
-      call record('transmission errs by', worst)
+      call record('surface.filter.transmission', worst)
       ! 2^-49 along y at the shortest cutoff of 8 steps, and rounding
       call assertLessThan(worst, 1.0e-13_wp)
    end subroutine test_transmission
@@ -114,7 +114,7 @@ contains
                - fitted(before, i, j, cutoff/0.1_wp, cutoff/0.15_wp)))
          end do
       end do
-      call record('filtered heights differ from fits by', worst)
+      call record('surface.filter.fits', worst)
       ! heights of magnitude one; at corners the fit extrapolates and rounds the more
       call assertLessThan(worst, 1.0e-11_wp)
    end subroutine test_fits
@@ -198,7 +198,7 @@ contains
             end do
          end do
       end do
-      call record('filtered heights differ from means by', worst)
+      call record('surface.filter.means', worst)
       call assertLessThan(worst, 3.0e-7_wp)
    end subroutine test_means
 

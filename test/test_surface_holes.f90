@@ -66,8 +66,8 @@ contains
       end do
    end subroutine test_no_summits
 
-   !> Heights to the 80th power: few spikes up or down, beside which rounds over all grids alone leave summits
-   !> and pits of little relief, in one such map of three.
+   !> Heights to the 80th power: few spikes up or down, beside which rounds over all grids alone
+   !> leave summits and pits of little relief, in one such map of three.
    subroutine test_spikes()
       type(random_stream) :: stream
       type(height_map) :: map
@@ -135,7 +135,7 @@ contains
       call fill_missing(map, error)
       call assertFalse(allocated(error))
       worst = maxval(abs(map%heights - exact))/800.0_wp
-      call record('a saddle filled errs by, of its range', worst)
+      call record('surface.holes.saddle', worst)
       call assertLessThan(worst, 1.0e-3_wp)
       ! a hole of one point is exact
       call assertLessThan(abs(map%heights(3, 3) - exact(3, 3)), 1.0e-10_wp)

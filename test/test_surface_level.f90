@@ -111,7 +111,7 @@ contains
          worst = max(worst, maxval(abs(map%heights - bare%heights)))
          call assertTrue(all(map%heights >= missing_height .eqv. bare%heights >= missing_height))
       end do
-      call record('a form of any degree is left by, of 100', worst)
+      call record('surface.form.of_100', worst)
       call assertLessThan(worst, 1.0e-11_wp)
    end subroutine test_forms
 
