@@ -67,7 +67,7 @@ contains
       allocate (report%important(report%table%rows), source=.true.)
       allocate (report%more(size(more) + 3))
       report%more(4:) = more
-      report%more(1) = named_table('', '', report%table)
+      report%more([1, 3]) = named_table('', '', report%table)
       if (has_map) report%more(1) = named_table('map', 'The map', &
          map_table(map, title(map), analysis%summits))
       report%more(2) = named_table('', 'Parameters; half widths of 95 % intervals; values of '// &
@@ -106,12 +106,12 @@ contains
          if (allocated(error)) return
          report%decks(1)%text = surface_case(s, values, analysis%uncertainty, route)
          report%more(3)%name = 'law'
-         report%more(3)%columns_shown = 9
          call law_curves(s, values, report%more(3)%table)
          if (verifies) then
             call show_stage('summing the law over summits')
             call add_summit_curve(report%more(3)%table, analysis, properties, route, remarks, error)
             if (allocated(error)) return
+            report%more(3)%columns_shown = 9
             report%more(3)%title = 'The law on this map: Gaussian integral by either route, '// &
                'and sums over its summits (route '//route//')'
             report%remarks = [report%remarks, remarks]
@@ -152,6 +152,8 @@ contains
       facts%tile_x = map%step_x*real(size(map%heights, 1)/tiles, wp)
       facts%tile_y = map%step_y*real(size(map%heights, 2)/tiles, wp)
       facts%peaks = real(count(analysis%summits%is_peak), wp)
+      ! gfortran warns otherwise of what is intent(out) anyway
+      allocate (found(0))
       call find_remarks(analysis%values(:, 1), analysis%uncertainty, facts, found, &
          analysis%values(:, 2))
       allocate (lines(size(found)))

@@ -1,7 +1,7 @@
 !> What a user should know about the parameters of a map before using them, in words.
 module surface_remarks
    use asperity_kinds, only: wp
-   use asperity_properties, only: pi
+   use asperity_properties, only: pi, roughness_number_min
    use asperity_text, only: to_text
    use surface_nayak, only: alpha_min
    use surface_parameters, only: n_parameters, p_alpha, p_eta_nayak, p_eta_paper, p_m0, &
@@ -18,8 +18,6 @@ module surface_remarks
    real(wp), parameter :: far_ssk = 0.5_wp, far_sku = 1.0_wp
    !> m2 across over m2 along from which a surface is called anisotropic
    real(wp), parameter :: anisotropic = 2.0_wp
-   !> Smallest eta R sigma the law takes
-   real(wp), parameter :: least_roughness_number = 0.0249_wp
    !> Peaks from which their mean is worth something
    real(wp), parameter :: enough_peaks = 20.0_wp
    !> Waves that a tile must hold, and steps that the shortest waves must span
@@ -190,9 +188,9 @@ contains
       character(len=:), allocatable :: text
 
       if (.not. all(is_known(law))) return
-      if (product(law) >= least_roughness_number) return
+      if (product(law) >= roughness_number_min) return
       text = 'eta R sigma of the '//route//' route is '//to_text(product(law), 3)//', below '// &
-         to_text(least_roughness_number)//': the law refuses it unless accept_unphysical is set.'
+         to_text(roughness_number_min)//': the law refuses it unless accept_unphysical is set.'
       if (route == 'Nayak') then
          text = text//' With the sigma of summits, which this route takes, isotropic Gaussian '// &
             'surfaces of alpha below 2.4 are under that limit and still exist.'
