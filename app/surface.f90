@@ -18,6 +18,7 @@ module app_surface
    use app_surface_plot, only: surface_script
    use app_surface_tables, only: law_parameters_table, map_table, parameter_table
    use app_surface_verify, only: add_summit_curve, law_curves
+   use app_table, only: new_table
    implicit none
    private
    public :: report_surface
@@ -63,11 +64,9 @@ contains
       call report%table%check_finite(error)
       if (allocated(error)) return
       report%shows_table = .false.
-      report%first_rows = [1, report%table%rows + 1]
-      allocate (report%important(report%table%rows), source=.true.)
       allocate (report%more(size(more) + 3))
       report%more(4:) = more
-      report%more([1, 3]) = named_table('', '', report%table)
+      report%more([1, 3]) = named_table('', '', new_table(columns=0, rows=0))
       if (has_map) report%more(1) = named_table('map', 'The map', &
          map_table(map, title(map), analysis%summits))
       report%more(2) = named_table('', 'Parameters; half widths of 95 % intervals; values of '// &
@@ -98,15 +97,16 @@ contains
          if (allocated(error)) return
       end if
       associate (values => analysis%values(:, 1), s => report%settings)
-         if (.not. has_law(values, route)) then
-            if (verifies .or. s%given('case')) call refuse_law(route, error)
+         if (has_law(values, route)) then
+            call set_law(s, values, route, properties, error)
+            if (allocated(error)) return
+            report%decks(1)%text = surface_case(s, values, analysis%uncertainty, route)
+            report%more(3)%name = 'law'
+            call law_curves(s, values, report%more(3)%table)
+         else if (verifies .or. s%given('case')) then
+            call refuse_law(route, error)
             return
          end if
-         call set_law(s, values, route, properties, error)
-         if (allocated(error)) return
-         report%decks(1)%text = surface_case(s, values, analysis%uncertainty, route)
-         report%more(3)%name = 'law'
-         call law_curves(s, values, report%more(3)%table)
          if (verifies) then
             call show_stage('summing the law over summits')
             call add_summit_curve(report%more(3)%table, analysis, properties, route, remarks, error)

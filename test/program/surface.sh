@@ -151,6 +151,9 @@ refuses 'surface: too many holes' 2 '--most-missing: .*missing|holes.csv: 40 of 
    surface holes.csv --step 0.01 --most-missing 0.01
 
 if command -v gnuplot >/dev/null; then
+   awk 'BEGIN { for (j = 0; j < 9; j++) for (i = 0; i < 9; i++) print i, j, (i - 4)^2 + j }' >pit.xyz
+   run surface pit.xyz --lateral-unit mm --height-unit um --plot pit.svg
+   check 'surface: picture of a map without peaks' test "$status" -eq 0 -a -s pit.svg
    for ending in svg png pdf; do
       run surface s.sdf --verify --plot p.$ending
       check "surface: picture, $ending" test "$status" -eq 0 -a -s p.$ending
