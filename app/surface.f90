@@ -149,8 +149,10 @@ contains
       if (.not. has_map) return
       facts%step_x = map%step_x
       facts%step_y = map%step_y
-      facts%tile_x = map%step_x*real(size(map%heights, 1)/tiles, wp)
-      facts%tile_y = map%step_y*real(size(map%heights, 2)/tiles, wp)
+      if (tiles > 1) then
+         facts%tile_x = map%step_x*real(size(map%heights, 1)/tiles, wp)
+         facts%tile_y = map%step_y*real(size(map%heights, 2)/tiles, wp)
+      end if
       facts%peaks = real(count(analysis%summits%is_peak), wp)
       ! gfortran warns otherwise of what is intent(out) anyway
       allocate (found(0))

@@ -5,7 +5,8 @@ module surface_analysis
    use asperity_text, only: to_text
    use surface_evaluate, only: no_parameter, parameters_of
    use surface_gaussian_filter, only: filter_long, filter_short
-   use surface_height_map, only: check_height_map, fewest_points, height_map, missing_points
+   use surface_height_map, only: check_height_map, fewest_points, height_map, missing_height, &
+      missing_points
    use surface_holes, only: fill_missing, missing_share
    use surface_level, only: level_plane, remove_form
    use surface_parameters, only: n_parameters
@@ -39,6 +40,8 @@ module surface_analysis
       integer :: tiles = 4
    end type analysis_settings
 
+   !> Heights below this share of the largest before levelling are rounding
+   real(wp), parameter :: rounding = 1.0e-13_wp
    !> Factor of the height of pruning by which the peaks' share of the uncertainties is found
    real(wp), parameter :: rise = 1.1_wp
 
@@ -81,10 +84,12 @@ contains
       type(error_type), allocatable, intent(out) :: error
       !> Hears what is under way
       procedure(stage_listener), optional :: tell
+      real(wp) :: largest
 
       call check_height_map(map, error)
       if (.not. allocated(error)) call check_missing(map, settings%most_missing, error)
       if (allocated(error)) return
+      largest = largest_height(map)
       call say('levelling')
       call level_plane(map)
       if (settings%fills .and. missing_points(map) > 0) then
@@ -108,6 +113,8 @@ contains
          if (allocated(error)) return
       end if
       call level_plane(map)
+      if (largest_height(map) <= rounding*largest) call fatal_error(error, map%source// &
+         ': has no roughness: all heights are on one plane or form, but for rounding')
 
    contains
 
@@ -118,6 +125,20 @@ contains
       end subroutine say
 
    end subroutine prepare_surface
+
+   !> Largest height of either sign.
+   pure real(wp) function largest_height(map)
+      type(height_map), intent(in) :: map
+      integer :: i, j
+
+      largest_height = 0.0_wp
+      do j = 1, size(map%heights, 2)
+         do i = 1, size(map%heights, 1)
+            if (map%heights(i, j) < missing_height) &
+               largest_height = max(largest_height, abs(map%heights(i, j)))
+         end do
+      end do
+   end function largest_height
 
    !> Refuse a map of too many missing points.
    pure subroutine check_missing(map, most, error)

@@ -16,8 +16,9 @@ module surface_remarks
    real(wp), parameter :: routes_share = 0.2_wp
    !> Skewness, and kurtosis less 3, from which heights are far from Gaussian
    real(wp), parameter :: far_ssk = 0.5_wp, far_sku = 1.0_wp
-   !> m2 across over m2 along from which a surface is called anisotropic
-   real(wp), parameter :: anisotropic = 2.0_wp
+   !> m2 across over m2 along from which a surface is called anisotropic, and m2 along over m2
+   !> across up to which it is rounding
+   real(wp), parameter :: anisotropic = 2.0_wp, nothing = 1.0e-20_wp
    !> Peaks from which their mean is worth something
    real(wp), parameter :: enough_peaks = 20.0_wp
    !> Waves that a tile must hold, and steps that the shortest waves must span
@@ -166,7 +167,7 @@ contains
       associate (across => values(p_m2_across), along => values(p_m2_along))
          if (.not. is_known(across) .or. .not. is_known(along)) return
          if (across <= anisotropic*along) return
-         if (along > 0.0_wp) then
+         if (along > nothing*across) then
             call add_remark(remarks, 'anisotropic', 'The surface has a lay: m2 is '// &
                to_text(across, 4)//' across it, '//to_text(across/along, 3)// &
                ' times as much as along it. The isotropic equivalent, of the geometric means '// &

@@ -174,6 +174,9 @@ printf '0 0 1\n1 0 2\n0 1 x\n1 1 2\n' >text.xyz
 refuses 'surface: text where a number belongs' 2 "text.xyz:3:.*'?x'?" surface text.xyz \
    --lateral-unit mm --height-unit mm
 printf '0 0 1,5\n1 0 2,5\n0 1 1,5\n1 1 2,5\n' >comma.xyz
+awk 'BEGIN { for (j = 0; j < 9; j++) for (i = 0; i < 9; i++) print i, j, 3 + 0.1*i }' >flat.xyz
+refuses 'surface: a plane' 2 'flat.xyz: has no roughness' surface flat.xyz --lateral-unit mm \
+   --height-unit um
 refuses 'surface: decimal commas' 2 'comma.xyz:1:.*decimal' surface comma.xyz --lateral-unit mm \
    --height-unit mm
 refuses 'surface: the ending of a map' 2 '--map: .*stl: allowed are sdf, xyz and csv' surface s.sdf --map s.stl
