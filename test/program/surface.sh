@@ -150,6 +150,26 @@ check 'surface: or filled' test "$(of_json filled.json map missing)" = 0
 refuses 'surface: too many holes' 2 '--most-missing: .*missing|holes.csv: 40 of 2000 points' \
    surface holes.csv --step 0.01 --most-missing 0.01
 
+# Three times the map's 32 MiB, and 24 MiB for the program itself
+if /usr/bin/time -f %M true 2>/dev/null; then
+   run surface --generate --map-points 2048 --map large.sdf --csv -
+   for options in '' '--short-cutoff 0.03 --long-cutoff 2' '--spectrum'; do
+      file=large.sdf
+      if [ "$options" = --spectrum ]; then
+         options=''
+         file=noise.sdf
+         run surface --generate --map-points 2048 --spectrum exponential --correlation-length 0.02 \
+            --map noise.sdf --csv -
+      fi
+      # shellcheck disable=SC2086  # several words are meant
+      memory=$(/usr/bin/time -f %M "$program" surface $file $options 2>&1 >out | tail -n 1)
+      check "surface: memory, $file $options: $memory KiB" test "$memory" -le 122880 -a -s out
+   done
+   rm -f large.sdf noise.sdf
+else
+   skip 'surface: memory' 'no GNU time'
+fi
+
 if command -v gnuplot >/dev/null; then
    awk 'BEGIN { for (j = 0; j < 9; j++) for (i = 0; i < 9; i++) print i, j, (i - 4)^2 + j }' >pit.xyz
    run surface pit.xyz --lateral-unit mm --height-unit um --plot pit.svg
