@@ -3,13 +3,13 @@ module app_surface_pair
    use asperity, only: error_type, wp
    use asperity_text, only: to_text
    use surface_analysis, only: analyse_surface, analysis_settings, surface_analysis_type
-   use surface_evaluate, only: no_parameter
    use surface_gap, only: find_gap, gap_distribution
    use surface_height_map, only: height_map
    use surface_level, only: level_plane
    use surface_pair, only: combine_values, map_correlation, pair_uncertainties, sum_of_maps
    use surface_parameters, only: n_parameters, p_alpha, p_eta_nayak, p_m0, p_m2, p_m4, &
       p_radius_nayak, p_sigma_nayak, p_sq, parameters
+   use surface_sums, only: summed
    use app_progress, only: show_stage
    use app_report, only: named_table
    use app_settings, only: settings_type
@@ -61,15 +61,18 @@ contains
       if (.not. allocated(error)) call analyse_surface(map, how, faces(1), error, show_stage)
       if (.not. allocated(error)) call analyse_surface(second, how, faces(2), error, show_stage)
       if (allocated(error)) return
-      call combine_values(faces(1)%values(:, 1), faces(2)%values(:, 1), added)
+      call combine_values(summed(faces(1)%sums), summed(faces(2)%sums), &
+         settings%text_of('mirror'), added)
 
       call map_correlation(map, second, settings%text_of('mirror'), correlation, why_not)
       if (allocated(why_not)) then
-         call use_squares(analysis, faces, added)
+         analysis%values(:, 1) = added
+         call pair_uncertainties(faces(1)%sums, faces(2)%sums, settings%text_of('mirror'), &
+            analysis%uncertainty)
          allocate (tables(1), remarks(1))
          tables(1) = face_table(faces, added)
-         remarks(1)%text = why_not%message//': only squares are added, there is no gap and no '// &
-            'route of the paper'
+         remarks(1)%text = why_not%message//': only mean squares are added, direction by '// &
+            'direction; there is no gap and no route of the paper.'
          return
       end if
       aligned = .true.
@@ -88,18 +91,6 @@ contains
       if (abs(correlation) > correlated) remarks(1)%text = remarks(1)%text// &
          ' Moments add only without it; the values here are of the sum of the maps.'
    end subroutine analyse_pair
-
-   !> What is known of a pair whose maps are not aligned.
-   pure subroutine use_squares(analysis, faces, added)
-      type(surface_analysis_type), intent(inout) :: analysis
-      type(surface_analysis_type), intent(in) :: faces(2)
-      real(wp), intent(in) :: added(n_parameters)
-
-      analysis%values = no_parameter
-      analysis%values(:, 1) = added
-      call pair_uncertainties(faces(1)%sums, faces(1)%cell_area, faces(2)%sums, &
-         faces(2)%cell_area, analysis%uncertainty)
-   end subroutine use_squares
 
    !> One row each for the two faces, for their squares added, for the sum of their maps.
    pure function face_table(faces, added, together) result(named)

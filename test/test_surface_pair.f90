@@ -34,6 +34,8 @@ contains
 
       suite = TestSuite('surface pair')
       call suite%addTest(TestMethod('equivalent surface', test_equivalent))
+      call suite%addTest(TestMethod('faces with crossed lays', test_crossed))
+      call suite%addTest(TestMethod('a lay turned over', test_turned))
       call suite%addTest(TestMethod('its uncertainty', test_uncertainty))
       call suite%addTest(TestMethod('sum of maps', test_sum))
       call suite%addTest(TestMethod('correlation', test_correlation))
@@ -45,24 +47,77 @@ contains
       call suite%addTest(TestMethod('remarks', test_remarks))
    end function suite_surface_pair
 
+   !> Sums of a face whose profiles have these moments along x and y, over some points.
+   pure function face(points, m0, m2_x, m2_y, m4_x, m4_y) result(sums)
+      real(wp), intent(in) :: points, m0, m2_x, m2_y, m4_x, m4_y
+      type(surface_sums_type) :: sums
+
+      sums%points = points
+      sums%second = points*(m0 + 0.25_wp)
+      sums%first = 0.5_wp*points
+      sums%pairs_x = points - 1.0_wp
+      sums%pairs_y = points - 2.0_wp
+      sums%slope_x = m2_x*sums%pairs_x
+      sums%slope_y = m2_y*sums%pairs_y
+      sums%triples_x = points - 3.0_wp
+      sums%triples_y = points - 4.0_wp
+      sums%curvature_x = m4_x*sums%triples_x
+      sums%curvature_y = m4_y*sums%triples_y
+      sums%inner = points - 5.0_wp
+      sums%gradient_xx = m2_x*sums%inner
+      sums%gradient_yy = m2_y*sums%inner
+      sums%hessian_xx_xx = m4_x*sums%inner
+      sums%hessian_yy_yy = m4_y*sums%inner
+      sums%peaks%number = 7.0_wp
+   end function face
+
    !> Moments add; two equal faces have the alpha and the eta of one, its R over sqrt(2) and its
    !> sigma times sqrt(2).
    subroutine test_equivalent()
-      real(wp) :: one(n_parameters), two(n_parameters), alone(n_parameters)
+      type(surface_sums_type) :: one
+      real(wp) :: two(n_parameters), alone(n_parameters)
 
-      one = no_parameter
-      one([p_m0, p_m2, p_m4, p_sq, p_sigma_paper]) = [0.04_wp, 0.3_wp, 5.0_wp, 0.2_wp, 0.2_wp]
-      one(p_eta_paper) = 7.0_wp
-      call combine_values(one, one, two)
+      one = face(20.0_wp, 0.04_wp, 0.3_wp, 0.3_wp, 5.0_wp, 5.0_wp)
+      call combine_values(one, one, 'x', two)
       call assertRelativelyEqual([0.08_wp, 0.6_wp, 10.0_wp, 0.2_wp*sqrt(2.0_wp)], &
-         two([p_m0, p_m2, p_m4, p_sigma_paper]), 4.0_wp*eps, 'added')
-      call combine_values(one, 0.0_wp*one, alone)
+         two([p_m0, p_m2, p_m4, p_sigma_paper]), 32.0_wp*eps, 'added')
+      call parameters_of(one, 1.0_wp, alone)
       call assertRelativelyEqual([1.0_wp, 1.0_wp, sqrt(0.5_wp), sqrt(2.0_wp), sqrt(2.0_wp)], &
          two([p_alpha, p_eta_nayak, p_radius_nayak, p_sigma_nayak, p_summit_plane]) &
          /alone([p_alpha, p_eta_nayak, p_radius_nayak, p_sigma_nayak, p_summit_plane]), &
-         8.0_wp*eps, 'of one')
+         32.0_wp*eps, 'of one')
       call assertTrue(two(p_eta_paper) >= no_parameter, 'no rule for the paper''s eta')
    end subroutine test_equivalent
+
+   !> Two faces with crossed lays make one without: moments along x add, and so do those along y.
+   subroutine test_crossed()
+      real(wp) :: values(n_parameters)
+
+      call combine_values(face(20.0_wp, 0.04_wp, 0.5_wp, 0.005_wp, 300.0_wp, 0.03_wp), &
+         face(30.0_wp, 0.04_wp, 0.005_wp, 0.5_wp, 0.03_wp, 300.0_wp), 'y', values)
+      call assertRelativelyEqual([0.08_wp, 0.505_wp, 300.03_wp], values([p_m0, p_m2, p_m4]), &
+         32.0_wp*eps, 'crossed')
+      call combine_values(face(20.0_wp, 0.04_wp, 0.5_wp, 0.005_wp, 300.0_wp, 0.03_wp), &
+         face(30.0_wp, 0.04_wp, 0.5_wp, 0.005_wp, 300.0_wp, 0.03_wp), 'y', values)
+      call assertRelativelyEqual([0.08_wp, 0.1_wp, 6.0_wp], values([p_m0, p_m2, p_m4]), &
+         32.0_wp*eps, 'along each other')
+   end subroutine test_crossed
+
+   !> A lay at an angle is at the opposite one on the face that is turned over.
+   subroutine test_turned()
+      type(surface_sums_type) :: oblique
+      real(wp) :: one(n_parameters), same(n_parameters), turned(n_parameters)
+
+      oblique = face(20.0_wp, 0.04_wp, 0.3_wp, 0.3_wp, 5.0_wp, 5.0_wp)
+      oblique%gradient_xy = 0.9_wp*oblique%gradient_xx
+      call parameters_of(oblique, 1.0_wp, one)
+      call combine_values(oblique, oblique, 'none', same)
+      call assertRelativelyEqual(2.0_wp*one([p_m2_across, p_m2_along]), &
+         same([p_m2_across, p_m2_along]), 64.0_wp*eps, 'as it is')
+      call combine_values(oblique, oblique, 'x', turned)
+      call assertRelativelyEqual([0.6_wp, 0.6_wp], turned([p_m2_across, p_m2_along]), &
+         32.0_wp*eps, 'turned over')
+   end subroutine test_turned
 
    !> For m0 variances add; beside a face without scatter the pair has the half width of the other.
    subroutine test_uncertainty()
@@ -80,13 +135,13 @@ contains
          same(i)%second = 3.0_wp
       end do
       call uncertainties(a, 1.0_wp, one)
-      call pair_uncertainties(a, 1.0_wp, same, 1.0_wp, widths)
+      call pair_uncertainties(a, same, 'x', widths)
       call assertRelativelyEqual(one(p_m0), widths(p_m0), 1.0e-12_wp, 'one scatters')
-      call pair_uncertainties(a, 1.0_wp, a, 1.0_wp, widths)
+      call pair_uncertainties(a, a, 'x', widths)
       ! eight degrees of freedom against four
       call assertRelativelyEqual(one(p_m0)*sqrt(2.0_wp)*2.30600_wp/2.77645_wp, widths(p_m0), &
          1.0e-5_wp, 'both scatter')
-      call pair_uncertainties(a(:1), 1.0_wp, b, 1.0_wp, widths)
+      call pair_uncertainties(a(:1), b, 'x', widths)
       call assertTrue(all(widths >= no_parameter), 'one tile')
    end subroutine test_uncertainty
 

@@ -11,7 +11,7 @@ module surface_evaluate
    use surface_sums, only: summit_sums_type, surface_sums_type
    implicit none
    private
-   public :: parameters_of, values_of_moments
+   public :: parameters_of
 
    !> Stands for a value that does not exist, such as the curvature of no peaks
    real(wp), parameter, public :: no_parameter = huge(1.0_wp)

@@ -5,9 +5,11 @@ module surface_pair
    use asperity_error, only: error_type, fatal_error
    use asperity_kinds, only: wp
    use asperity_text, only: to_text
-   use surface_evaluate, only: no_parameter, parameters_of, values_of_moments
+   use surface_evaluate, only: no_parameter, parameters_of
    use surface_height_map, only: height_map, missing_height
-   use surface_parameters, only: n_parameters, p_m0, p_m2, p_m4, p_sdq, p_sigma_paper, p_sq
+   use surface_parameters, only: n_parameters, p_eta_paper, p_peak_mean, p_peak_sigma, &
+      p_radius_paper, p_sa, p_sku, p_sp, p_spc, p_spd, p_ssk, p_summit_curvature, &
+      p_summit_density, p_summit_mean, p_summit_sigma, p_sv, p_sz
    use surface_student, only: student_factor
    use surface_sums, only: summed, surface_sums_type
    use surface_uncertainty, only: confidence, jackknife
@@ -20,46 +22,86 @@ module surface_pair
 
 contains
 
-   !> Parameters of the equivalent surface of a pair: m0, m2 and m4 of the equivalent isotropic
-   !> surfaces added, all that follows from them, and sq and the paper's sigma of the two. Others
-   !> have no rule: `no_parameter`.
-   pure subroutine combine_values(values_1, values_2, values)
-      !> Values of the two faces, in the order of the table
-      real(wp), intent(in) :: values_1(n_parameters), values_2(n_parameters)
-      !> Values of the pair
+   !> Parameters of the equivalent surface of a pair whose faces are not correlated: mean squares and
+   !> products of heights, slopes and curvatures add, each along its own direction, and all that
+   !> follows from them. Parameters without such a rule are `no_parameter`.
+   pure subroutine combine_values(sums_1, sums_2, mirror, values)
+      !> Sums over each face
+      type(surface_sums_type), intent(in) :: sums_1, sums_2
+      !> How the second is turned over, as for `sum_of_maps`
+      character(len=*), intent(in) :: mirror
+      !> Values of the pair, in the order of the table
       real(wp), intent(out) :: values(n_parameters)
-      integer, parameter :: squares(3) = [p_m0, p_m2, p_m4]
-      integer, parameter :: roots(3) = [p_sq, p_sdq, p_sigma_paper]
-      integer :: i
+      integer, parameter :: without_rule(*) = [p_sa, p_ssk, p_sku, p_sz, p_sp, p_sv, p_spd, p_spc, &
+         p_summit_density, p_summit_curvature, p_summit_sigma, p_summit_mean, p_peak_sigma, &
+         p_peak_mean, p_eta_paper, p_radius_paper]
 
-      values = no_parameter
-      do i = 1, size(squares)
-         associate (a => values_1(squares(i)), b => values_2(squares(i)))
-            if (max(a, b) < no_parameter) values(squares(i)) = a + b
-         end associate
-         associate (a => values_1(roots(i)), b => values_2(roots(i)))
-            if (max(a, b) < no_parameter) values(roots(i)) = hypot(a, b)
-         end associate
-      end do
-      call values_of_moments(values)
+      call parameters_of(added_means(sums_1, sums_2, mirror), 1.0_wp, values)
+      values(without_rule) = no_parameter
    end subroutine combine_values
+
+   !> Means over the points of two faces added, as the sums over one point.
+   pure function added_means(a, b, mirror) result(c)
+      type(surface_sums_type), intent(in) :: a, b
+      character(len=*), intent(in) :: mirror
+      type(surface_sums_type) :: c
+      real(wp) :: turn
+
+      c%points = both(a%points, b%points)
+      c%second = mean(a%second, a%points) - mean(a%first, a%points)**2 &
+         + mean(b%second, b%points) - mean(b%first, b%points)**2
+      c%pairs_x = both(a%pairs_x, b%pairs_x)
+      c%pairs_y = both(a%pairs_y, b%pairs_y)
+      c%slope_x = mean(a%slope_x, a%pairs_x) + mean(b%slope_x, b%pairs_x)
+      c%slope_y = mean(a%slope_y, a%pairs_y) + mean(b%slope_y, b%pairs_y)
+      c%triples_x = both(a%triples_x, b%triples_x)
+      c%triples_y = both(a%triples_y, b%triples_y)
+      c%curvature_x = mean(a%curvature_x, a%triples_x) + mean(b%curvature_x, b%triples_x)
+      c%curvature_y = mean(a%curvature_y, a%triples_y) + mean(b%curvature_y, b%triples_y)
+      c%inner = both(a%inner, b%inner)
+      c%gradient_xx = mean(a%gradient_xx, a%inner) + mean(b%gradient_xx, b%inner)
+      c%gradient_yy = mean(a%gradient_yy, a%inner) + mean(b%gradient_yy, b%inner)
+      c%hessian_xx_xx = mean(a%hessian_xx_xx, a%inner) + mean(b%hessian_xx_xx, b%inner)
+      c%hessian_yy_yy = mean(a%hessian_yy_yy, a%inner) + mean(b%hessian_yy_yy, b%inner)
+      c%hessian_xx_yy = mean(a%hessian_xx_yy, a%inner) + mean(b%hessian_xx_yy, b%inner)
+      c%hessian_xy_xy = mean(a%hessian_xy_xy, a%inner) + mean(b%hessian_xy_xy, b%inner)
+      ! odd in x and in y
+      turn = merge(1.0_wp, -1.0_wp, mirror == 'none')
+      c%gradient_xy = mean(a%gradient_xy, a%inner) + turn*mean(b%gradient_xy, b%inner)
+      c%hessian_xx_xy = mean(a%hessian_xx_xy, a%inner) + turn*mean(b%hessian_xx_xy, b%inner)
+      c%hessian_yy_xy = mean(a%hessian_yy_xy, a%inner) + turn*mean(b%hessian_yy_xy, b%inner)
+   end function added_means
+
+   !> One point where both faces have some, none elsewhere.
+   pure real(wp) function both(a, b)
+      real(wp), intent(in) :: a, b
+
+      both = merge(1.0_wp, 0.0_wp, min(a, b) > 0.0_wp)
+   end function both
+
+   pure real(wp) function mean(total, number)
+      real(wp), intent(in) :: total, number
+
+      mean = 0.0_wp
+      if (number > 0.0_wp) mean = total/number
+   end function mean
 
    !> Half widths of the 95 % intervals of `combine_values`: the jackknife of each face with the
    !> other one whole, whose variances add; Student's t for degrees of freedom by Welch and
    !> Satterthwaite, rounded down.
-   pure subroutine pair_uncertainties(sums_1, cell_area_1, sums_2, cell_area_2, uncertainty)
+   pure subroutine pair_uncertainties(sums_1, sums_2, mirror, uncertainty)
       !> Sums over the tiles of each face
       type(surface_sums_type), intent(in) :: sums_1(:), sums_2(:)
-      !> Area of one inner point of each, mm^2
-      real(wp), intent(in) :: cell_area_1, cell_area_2
+      !> How the second is turned over
+      character(len=*), intent(in) :: mirror
       !> Half widths in the order of the table; `no_parameter` where there is none
       real(wp), intent(out) :: uncertainty(n_parameters)
       real(wp) :: variance_1(n_parameters), variance_2(n_parameters), total
       integer :: degrees_1, degrees_2, degrees, p
 
       uncertainty = no_parameter
-      call vary_one(sums_1, cell_area_1, sums_2, cell_area_2, variance_1, degrees_1)
-      call vary_one(sums_2, cell_area_2, sums_1, cell_area_1, variance_2, degrees_2)
+      call vary_one(sums_1, sums_2, mirror, variance_1, degrees_1)
+      call vary_one(sums_2, sums_1, mirror, variance_2, degrees_2)
       if (min(degrees_1, degrees_2) < 1) return
       do p = 1, n_parameters
          if (max(variance_1(p), variance_2(p)) >= no_parameter) cycle
@@ -72,13 +114,15 @@ contains
       end do
    end subroutine pair_uncertainties
 
-   !> Variances of the pair's values from leaving out tiles of the first face.
-   pure subroutine vary_one(sums, cell_area, others, other_area, variance, degrees)
+   !> Variances of the pair's values from leaving out tiles of the first face. Which of the two is
+   !> turned over makes no difference to them.
+   pure subroutine vary_one(sums, others, mirror, variance, degrees)
       type(surface_sums_type), intent(in) :: sums(:), others(:)
-      real(wp), intent(in) :: cell_area, other_area
+      character(len=*), intent(in) :: mirror
       real(wp), intent(out) :: variance(n_parameters)
       integer, intent(out) :: degrees
-      real(wp) :: other(n_parameters), one(n_parameters), whole(n_parameters)
+      type(surface_sums_type) :: other
+      real(wp) :: whole(n_parameters)
       real(wp), allocatable :: left(:, :)
       integer, allocatable :: tiles(:)
       integer :: i
@@ -87,13 +131,11 @@ contains
       tiles = pack([(i, i=1, size(sums))], sums%inner > 0.0_wp)
       degrees = size(tiles) - 1
       if (degrees < 1) return
-      call parameters_of(summed(others), other_area, other)
-      call parameters_of(summed(sums), cell_area, one)
-      call combine_values(one, other, whole)
+      other = summed(others)
+      call combine_values(summed(sums), other, mirror, whole)
       allocate (left(n_parameters, size(tiles)))
       do i = 1, size(tiles)
-         call parameters_of(summed(sums, tiles(i)), cell_area, one)
-         call combine_values(one, other, left(:, i))
+         call combine_values(summed(sums, tiles(i)), other, mirror, left(:, i))
       end do
       call jackknife(whole, left, sums(tiles)%inner/sum(sums(tiles)%inner), variance)
    end subroutine vary_one
