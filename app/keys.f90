@@ -59,7 +59,7 @@ module app_keys
       key_type('accept_unphysical', kind_logical, '', all_runs, yes, 'false', '', &
       'let eta*radius*sigma below 0.0249 pass; results are flagged'), &
       key_type('separation', kind_list, 'mm', command_curve + command_surface, no, '', '', &
-      'separations, also from:to:count as an option; 4 sigma to 0 in 41 points unless given'), &
+      'separations, also from:to:count as an option; 4 sigma to 0 unless given'), &
       key_type('control', kind_choice, '', command_press, no, 'pressure', &
       'pressure overclosure', &
       'what is ramped up and down'), &

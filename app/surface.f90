@@ -5,7 +5,8 @@ module app_surface
    use map_file_write, only: height_map_bytes
    use surface_analysis, only: analyse_surface, analysis_settings, most_tiles, &
       surface_analysis_type
-   use surface_height_map, only: height_map
+   use surface_height_map, only: height_map, missing_height
+   use surface_holes, only: missing_share
    use surface_remarks, only: find_remarks, map_facts, remark_type
    use app_keys, only: command_surface, find_key
    use app_progress, only: clear_steps, show_stage
@@ -35,12 +36,17 @@ contains
       type(surface_analysis_type) :: analysis
       type(analysis_settings) :: how
       type(named_table), allocatable :: more(:)
+      real(wp) :: filled
       logical :: has_map
 
       has_map = .true.
+      filled = 0.0_wp
       call check_map_options(report%settings, error)
       if (.not. allocated(error)) call get_map(report%settings, 'map_file', map, error)
-      if (.not. allocated(error)) call prepare_map(report%settings, map, error)
+      if (.not. allocated(error)) then
+         if (report%settings%text_of('missing') == 'fill') filled = missing_share(map)
+         call prepare_map(report%settings, map, error)
+      end if
       if (.not. allocated(error)) then
          how%pruning = report%settings%real_of('pruning')
          call fit_tiles(report%settings, map)
@@ -58,7 +64,7 @@ contains
       call clear_steps()
       if (allocated(error)) return
 
-      call add_remarks(report, map, analysis, has_map, how%tiles)
+      if (has_map) call add_remarks(report, map, analysis, filled, how%tiles)
       report%summary = law_parameters_table(analysis)
       report%table = parameter_table(analysis)
       call report%table%check_finite(error)
@@ -104,7 +110,7 @@ contains
             report%more(3)%name = 'law'
             call law_curves(s, values, report%more(3)%table)
          else if (verifies .or. s%given('case')) then
-            call refuse_law(route, error)
+            call refuse_law(title(map), route, error)
             return
          end if
          if (verifies) then
@@ -135,18 +141,20 @@ contains
    end subroutine fit_tiles
 
    !> What is to be said of the map and its parameters.
-   pure subroutine add_remarks(report, map, analysis, has_map, tiles)
+   pure subroutine add_remarks(report, map, analysis, filled, tiles)
       type(report_type), intent(inout) :: report
       type(height_map), intent(in) :: map
       type(surface_analysis_type), intent(in) :: analysis
-      logical, intent(in) :: has_map
+      real(wp), intent(in) :: filled
       integer, intent(in) :: tiles
       type(map_facts) :: facts
       type(remark_type), allocatable :: found(:)
       type(string_type), allocatable :: lines(:)
       integer :: i
 
-      if (.not. has_map) return
+      facts%filled = filled
+      facts%top = map_place(map, maxloc(map%heights, mask=map%heights < missing_height))
+      facts%bottom = map_place(map, minloc(map%heights))
       facts%step_x = map%step_x
       facts%step_y = map%step_y
       if (tiles > 1) then
@@ -164,6 +172,15 @@ contains
       end do
       report%remarks = [lines, report%remarks]
    end subroutine add_remarks
+
+   !> Coordinates of a point.
+   pure function map_place(map, point) result(place)
+      type(height_map), intent(in) :: map
+      integer, intent(in) :: point(2)
+      real(wp) :: place(2)
+
+      place = real(point - 1, wp)*[map%step_x, map%step_y]
+   end function map_place
 
    !> Where the map comes from.
    pure function title(map) result(text)
@@ -195,15 +212,25 @@ contains
             'steps, which these are not')
          return
       end do
+      if (settings%given('case') .and. settings%text_of('route') == 'paper') &
+         call fatal_error(error, '--case: route paper needs maps of the same points and steps, '// &
+         'which these are not; --route nayak adds their moments')
    end subroutine refuse_without_map
 
    !> Refuse a law without parameters.
-   pure subroutine refuse_law(route, error)
-      character(len=*), intent(in) :: route
+   pure subroutine refuse_law(name, route, error)
+      character(len=*), intent(in) :: name, route
       type(error_type), allocatable, intent(out) :: error
 
-      call fatal_error(error, 'route = '//route//' has no asperity density and radius here: no '// &
-         'peak, or no map of the pair; try the other route', computation_error)
+      if (route == 'paper') then
+         call fatal_error(error, name//': no peak is left after pruning, so route paper has no '// &
+            'eta and radius for --case and --verify; lower --pruning or take a larger map', &
+            computation_error)
+      else
+         call fatal_error(error, name//': no slope or curvature in some direction, so route '// &
+            'nayak has no eta and radius for --case and --verify; try --route paper', &
+            computation_error)
+      end if
    end subroutine refuse_law
 
 end module app_surface

@@ -51,7 +51,7 @@ module app_surface_keys
       'its root mean square height'), &
       key_type('correlation_length', kind_list, 'mm', command_surface, no, '', '', &
       'where correlation falls to 1/e, or that in x and that in y; 10 steps unless given'), &
-      key_type('direction', kind_real, 'deg', command_surface, no, '0', '', &
+      key_type('length_direction', kind_real, 'deg', command_surface, no, '0', '', &
       'angle of the first correlation length, from x towards y'), &
       key_type('spectrum', kind_choice, '', command_surface, no, 'gaussian', &
       'gaussian exponential self_affine', &

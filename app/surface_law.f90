@@ -136,7 +136,9 @@ contains
       end associate
       heading(5)%text = 'Separation is from the mean plane of summit heights, '// &
          to_text(values(p_summit_plane), 4)//' mm above the mean plane of the surface;'
-      heading(6)%text = '  the highest point of the map touches at separation '// &
+      heading(6)%text = '  no first touch is known'
+      if (values(p_sp) < no_parameter) heading(6)%text = &
+         '  the highest point of the map touches at separation '// &
          to_text(values(p_sp) - values(p_summit_plane), 4)//' mm'
       heading(7)%text = 'Other properties: as given'
       if (settings%text_of('material') /= '') heading(7)%text = &

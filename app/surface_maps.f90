@@ -18,10 +18,16 @@ module app_surface_maps
 
    !> Options of --generate, and those of a file
    character(len=*), parameter :: made(*) = [character(len=20) :: 'map_points', 'sq', &
-      'correlation_length', 'direction', 'spectrum', 'hurst', 'longest_wave', &
+      'correlation_length', 'length_direction', 'spectrum', 'hurst', 'longest_wave', &
       'shortest_wave', 'ssk', 'sku', 'seed']
    character(len=*), parameter :: read_in(*) = [character(len=20) :: 'lateral_unit', &
       'height_unit']
+   character(len=*), parameter :: of_correlation(*) = [character(len=20) :: &
+      'correlation_length', 'length_direction']
+   character(len=*), parameter :: of_waves(*) = [character(len=20) :: 'hurst', 'longest_wave', &
+      'shortest_wave']
+   !> Most points of a made map along a side
+   real(wp), parameter :: most_points = 1.0e5_wp
    !> Step of a made map, mm, unless given
    real(wp), parameter :: made_step = 0.01_wp
    !> Correlation length and shortest wave of a made map, steps, unless given
@@ -48,6 +54,11 @@ contains
          end if
          call refuse_given(settings, read_in, 'is for files, which tell or need it; a made '// &
             'map is in mm', error)
+         if (settings%text_of('spectrum') == 'self_affine') then
+            call refuse_given(settings, of_correlation, 'is not for --spectrum self_affine', error)
+         else
+            call refuse_given(settings, of_waves, 'is for --spectrum self_affine', error)
+         end if
       else if (.not. settings%given('map_file')) then
          call fatal_error(error, 'no map is given: asperity surface FILE')
       else if (pair .and. .not. settings%given('second_map')) then
@@ -67,6 +78,8 @@ contains
          if (allocated(error)) error%message = '--material: '//error%message
       end if
       if (.not. pair) call forget(settings%of(find_key('mirror')))
+      if (.not. pair) call forget(settings%of(find_key('pair', command_surface)))
+      if (.not. settings%given('generate')) call forget(settings%of(find_key('generate')))
    end subroutine check_map_options
 
    !> Refuse the first of some options that is given, forget them all.
@@ -111,6 +124,11 @@ contains
          hints%step_y = step(2)
       end if
       call show_stage('reading')
+      if (settings%given('second_map')) then
+         ! of two files one may tell what the other needs to be told
+         call read_height_map(settings%text_of(name), map_hints(), map, error, show_share)
+         if (.not. allocated(error)) return
+      end if
       call read_height_map(settings%text_of(name), hints, map, error, show_share)
    end subroutine get_map
 
@@ -128,39 +146,42 @@ contains
       if (.not. allocated(error) .and. abs(step(2) - step(1)) > 0.0_wp) &
          call fatal_error(error, 'step: a made map has one step in x and y')
       if (.not. allocated(error) .and. any(abs(points - anint(points)) > 0.0_wp .or. &
-         abs(points) > real(huge(1), wp))) call fatal_error(error, 'map_points = '// &
-         to_text(points(1))//', '//to_text(points(2))//' are not whole numbers')
-      if (allocated(error)) return
-      call fill(settings, 'correlation_length', [made_length*step(1)], '10 steps')
-      call fill(settings, 'longest_wave', [0.25_wp*minval(points)*step(1)], 'quarter of the map')
-      call fill(settings, 'shortest_wave', [made_wave*step(1)], '8 steps')
-      call take_two(settings, 'correlation_length', length, error)
+         abs(points) > most_points)) call fatal_error(error, 'map_points: '// &
+         to_text(points(1), 10)//' x '//to_text(points(2), 10)//' points are not allowed: they '// &
+         'must be whole numbers up to 100000')
       if (allocated(error)) return
       surface%points_x = nint(points(1))
       surface%points_y = nint(points(2))
       surface%step = step(1)
       surface%sq = settings%real_of('sq')
-      surface%correlation_length_x = length(1)
-      surface%correlation_length_y = length(2)
-      surface%direction = settings%real_of('direction')
       surface%spectrum = settings%text_of('spectrum')
-      surface%hurst = settings%real_of('hurst')
-      surface%longest_wave = settings%real_of('longest_wave')
-      surface%shortest_wave = settings%real_of('shortest_wave')
+      if (surface%spectrum == 'self_affine') then
+         call fill(settings, 'longest_wave', [0.25_wp*minval(points)*step(1)], &
+            'quarter of the map')
+         call fill(settings, 'shortest_wave', [made_wave*step(1)], '8 steps')
+         surface%hurst = settings%real_of('hurst')
+         surface%longest_wave = settings%real_of('longest_wave')
+         surface%shortest_wave = settings%real_of('shortest_wave')
+      else
+         call fill(settings, 'correlation_length', [made_length*step(1)], '10 steps')
+         call take_two(settings, 'correlation_length', length, error)
+         if (allocated(error)) return
+         surface%correlation_length_x = length(1)
+         surface%correlation_length_y = length(2)
+         surface%direction = settings%real_of('length_direction')
+      end if
       surface%ssk = settings%real_of('ssk')
       surface%sku = settings%real_of('sku')
       surface%seed = settings%whole_of('seed')
       call show_stage('making the surface')
       call generate_surface(surface, map, error)
-      if (allocated(error)) return
-      if (surface%spectrum == 'self_affine') then
-         call forget(settings%of(find_key('correlation_length')))
-         call forget(settings%of(find_key('direction')))
-      else
-         call forget(settings%of(find_key('longest_wave')))
-         call forget(settings%of(find_key('shortest_wave')))
-         call forget(settings%of(find_key('hurst')))
-      end if
+      if (.not. allocated(error)) return
+      ! the settings of the library are not called as the options are
+      if (index(error%message, 'points_') == 1) error%message = '--map-points: '//error%message
+      if (index(error%message, 'correlation_length_') == 1) &
+         error%message = '--correlation-length: '//error%message
+      if (index(error%message, 'direction') == 1) &
+         error%message = '--length-direction: '//error%message
    end subroutine make_map
 
    !> The values for x and y of a list of one or two.

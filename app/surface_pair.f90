@@ -71,8 +71,8 @@ contains
             analysis%uncertainty)
          allocate (tables(1), remarks(1))
          tables(1) = face_table(faces, added)
-         remarks(1)%text = why_not%message//': only mean squares are added, direction by '// &
-            'direction; there is no gap and no route of the paper.'
+         remarks(1)%text = 'Not aligned: '//why_not%message//'. So only mean squares are '// &
+            'added, direction by direction; there is no gap and no route of the paper.'
          return
       end if
       aligned = .true.

@@ -22,7 +22,7 @@ module app_surface_plot
 
    character(len=*), parameter :: legends(4) = [character(len=32) :: &
       'Gaussian law, paper''s route', 'Gaussian law, Nayak and McCool', &
-      'sum over summits, mean radius', 'sum over summits, own radii']
+      'sum over summits, route''s radius', 'sum over summits, own radii']
 
    character(len=*), parameter :: drawn(4) = [character(len=18) :: 'pressure_paper', &
       'pressure_nayak', 'pressure_summits', 'pressure_own_radii']
@@ -47,14 +47,28 @@ contains
       call add_map(b, map)
       call add_heights(b, map, summits, values(p_sq))
       call add_law(b, law)
-      call b%line('set multiplot title "'//title//'"')
+      call b%line("set multiplot title '"//harmless(title)//"'")
       call b%line('set key top right')
-      call draw_map(b)
+      call draw_map(b, values(p_sq))
       call draw_heights(b, size(summits) > 0)
       call draw_law(b, law)
       call b%line('unset multiplot')
       script = b%text()
    end function surface_script
+
+   !> A text that gnuplot takes for nothing but a text.
+   pure function harmless(text) result(plain)
+      character(len=*), intent(in) :: text
+      character(len=len(text)) :: plain
+      character(len=*), parameter :: taken = 'abcdefghijklmnopqrstuvwxyz'// &
+         'ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789 ._+-,()'
+      integer :: i
+
+      plain = text
+      do i = 1, len(plain)
+         if (index(taken, plain(i:i)) == 0) plain(i:i) = '?'
+      end do
+   end function harmless
 
    !> Data block of the heights, thinned.
    pure subroutine add_map(b, map)
@@ -135,14 +149,18 @@ contains
    end subroutine add_law
 
    !> The panel of the map.
-   pure subroutine draw_map(b)
+   pure subroutine draw_map(b, sq)
       type(text_buffer), intent(inout) :: b
+      real(wp), intent(in) :: sq
 
       call b%line('set size 0.5,0.5; set origin 0,0.46')
       call b%line("set xlabel 'x (mm)'; set ylabel 'y (mm)'; set cblabel 'height (mm)'")
       call b%line('set palette defined (0 "#08306b", 0.35 "#4292c6", 0.5 "#f7f7f7", '// &
          '0.65 "#ef8a62", 1 "#7f0000")')
+      call b%line('set cbrange ['//to_text(-reach*sq, 6)//':'//to_text(reach*sq, 6)//']')
       call b%line('set autoscale xfix; set autoscale yfix; set size ratio -1; unset grid')
+      call b%line('set xtics rotate by -30; set object 1 rectangle from graph 0,0 to graph 1,1 '// &
+         'behind fillcolor rgb "#909090" fillstyle solid noborder')
       call b%line('plot $map using 1:2:3 with image notitle')
    end subroutine draw_map
 
@@ -151,7 +169,7 @@ contains
       type(text_buffer), intent(inout) :: b
       logical, intent(in) :: has_summits
 
-      call b%line('set size noratio; set size 0.5,0.52; set origin 0.5,0.44')
+      call b%line('set size noratio; set size 0.49,0.52; set origin 0.5,0.44; unset object 1')
       call b%line('set grid back lt 1 lw 0.7 lc rgb "#d0d0d0"')
       call b%line("set xlabel 'height above the mean plane (mm)'; set ylabel 'density (1/mm)'")
       call b%line('set autoscale x; set yrange [0:*]; set xtics rotate by -30')
@@ -181,8 +199,8 @@ contains
             trim(legends(i))//'"'
       end do
       if (lines == '') return
-      call b%line('set size 1,0.45; set origin 0,0; set xtics norotate')
-      call b%line('set key inside left bottom vertical')
+      call b%line('set size 1,0.46; set origin 0,0; set xtics norotate')
+      call b%line('set key outside center bottom horizontal')
       call b%line("set xlabel 'separation from the mean plane of summit heights (mm)'")
       call b%line("set ylabel 'pressure (MPa)'; set format y '%h'")
       call b%line('set logscale y; set autoscale y; set autoscale x')

@@ -99,7 +99,7 @@ contains
       real(wp), intent(in) :: values(:)
 
       first_touch = no_value
-      if (values(p_summit_plane) < no_parameter) &
+      if (max(values(p_summit_plane), values(p_sp)) < no_parameter) &
          first_touch = values(p_sp) - values(p_summit_plane)
    end function first_touch
 

@@ -77,8 +77,11 @@ contains
       real(wp), allocatable :: heights(:), curvatures(:)
       real(wp) :: separations(size(pressures))
       logical, allocatable :: taken(:)
+      character(len=:), allocatable :: what
       integer :: i
 
+      what = 'peaks'
+      if (route == 'nayak') what = 'summits'
       associate (summits => analysis%summits)
          allocate (taken, source=summits%is_peak .or. route == 'nayak')
          heights = pack(summits%height, taken) - analysis%values(p_summit_plane, 1)
@@ -104,13 +107,13 @@ contains
       allocate (remarks(size(pressures) + merge(1, 0, curve%without_radius > 0)))
       do i = 1, size(pressures)
          remarks(i)%text = 'Where the Gaussian law gives '//to_text(pressures(i), 3)// &
-            ' MPa, the sum over the '//to_text(size(heights))//' summits of the map gives '// &
+            ' MPa, the sum over the '//to_text(size(heights))//' '//what//' of the map gives '// &
             with_error(curve%mean_radius(i), curve%mean_radius_error(i))// &
-            ' MPa with the mean radius, '// &
-            with_error(curve%own_radius(i), curve%own_radius_error(i))//' MPa with the own radii.'
+            ' with the radius of the route, '// &
+            with_error(curve%own_radius(i), curve%own_radius_error(i))//' with the own radii.'
       end do
       if (curve%without_radius > 0) remarks(size(remarks))%text = to_text(curve%without_radius)// &
-         ' summits have no curvature above zero and take the mean radius.'
+         ' of them have no curvature above zero and take the radius of the route.'
    end subroutine add_summit_curve
 
    !> A value and its standard error.
@@ -118,7 +121,7 @@ contains
       real(wp), intent(in) :: value, error
       character(len=:), allocatable :: text
 
-      text = to_text(value, 3)//' +- '//to_text(error, 2)
+      text = to_text(value, 3)//' MPa (standard error '//to_text(error, 2)//')'
    end function with_error
 
 end module app_surface_verify

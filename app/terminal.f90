@@ -3,7 +3,7 @@ module app_terminal
    use asperity, only: error_type, find_pair, pair_preset, validity_remark, wp
    use asperity_text, only: to_text
    use asperity_version, only: version
-   use app_keys, only: belongs, command_names, command_pairs, keys, kind_file, &
+   use app_keys, only: belongs, command_names, command_pairs, command_surface, keys, kind_file, &
       kind_integer, kind_list, kind_logical, kind_real, n_keys
    use app_report, only: report_type
    use app_settings, only: settings_type
@@ -180,7 +180,8 @@ contains
             call buffer%line(left//repeat(' ', max(1, source_column - len(left)))// &
                s%of(key)%source)
          end do
-         if (s%text_of('pair') == '') return
+         ! a map replaces what the note is about
+         if (s%text_of('pair') == '' .or. report%command == command_surface) return
          call find_pair(s%text_of('pair'), pair, error)
          if (.not. allocated(error)) call buffer%line('  Pair: '//trim(pair%note))
       end associate

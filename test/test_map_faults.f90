@@ -46,7 +46,8 @@ contains
          'is in no format that is known')
       call refused(char(255)//char(254)//'1'//achar(0), 'file: ', 'UTF-16')
       call refused('aISO-3.0'//nl, 'file: ', 'an SDF file of an unknown version')
-      call refused(repeat('no numbers here'//nl, 1100), 'file:1001:', 'no line of numbers so far')
+      call refused(repeat('no numbers here'//nl, 1100), 'file:1001:', &
+         'no line of numbers among the first 1000')
    end subroutine test_unknown
 
    subroutine test_no_file()

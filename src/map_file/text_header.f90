@@ -62,7 +62,7 @@ contains
             return
          else if (source%line > most_lines) then
             call line_error(error, source, source%first, &
-               'no line of numbers so far: this is no '// &
+               'no line of numbers among the first 1000: take comments out if this is a '// &
                'file of heights')
             return
          end if

@@ -22,8 +22,8 @@ module surface_pair
 
 contains
 
-   !> Parameters of the equivalent surface of a pair whose faces are not correlated: mean squares and
-   !> products of heights, slopes and curvatures add, each along its own direction, and all that
+   !> Parameters of the equivalent surface of a pair whose faces are not correlated: mean squares
+   !> and products of heights, slopes and curvatures add, each along its own direction, and all that
    !> follows from them. Parameters without such a rule are `no_parameter`.
    pure subroutine combine_values(sums_1, sums_2, mirror, values)
       !> Sums over each face

@@ -6,7 +6,8 @@ module surface_remarks
    use surface_nayak, only: alpha_min
    use surface_parameters, only: n_parameters, p_alpha, p_eta_nayak, p_eta_paper, p_m0, &
       p_m2_across, p_m2_along, p_m2_x, p_m2_y, p_m4_x, p_m4_y, p_radius_nayak, p_radius_paper, &
-      p_sigma_nayak, p_sigma_paper, p_sku, p_spc, p_spd, p_ssk, parameters
+      p_sigma_nayak, p_sigma_paper, p_sku, p_spc, p_spd, p_ssk, parameters, &
+      p_sdq, p_sp, p_sq, p_sv
    use surface_remark_list, only: add_remark, is_known, quantity, remark_type
    implicit none
    private
@@ -19,6 +20,12 @@ module surface_remarks
    !> m2 across over m2 along from which a surface is called anisotropic, and m2 along over m2
    !> across up to which it is rounding
    real(wp), parameter :: anisotropic = 2.0_wp, nothing = 1.0e-20_wp
+   !> Least and largest sdq of a scanned surface
+   real(wp), parameter :: least_slope = 1.0e-4_wp, largest_slope = 10.0_wp
+   !> Height over sq from which a point is an outlier; the highest of 1e9 Gaussian ones is at 6
+   real(wp), parameter :: far_out = 12.0_wp
+   !> Share of filled points that is worth a word
+   real(wp), parameter :: much_filled = 0.01_wp
    !> Peaks from which their mean is worth something
    real(wp), parameter :: enough_peaks = 20.0_wp
    !> Waves that a tile must hold, and steps that the shortest waves must span
@@ -32,6 +39,10 @@ module surface_remarks
       real(wp) :: tile_x = 0.0_wp, tile_y = 0.0_wp
       !> Number of peaks
       real(wp) :: peaks = 0.0_wp
+      !> Share of points that were filled in
+      real(wp) :: filled = 0.0_wp
+      !> Places of the highest and of the lowest point, mm
+      real(wp) :: top(2) = 0.0_wp, bottom(2) = 0.0_wp
    end type map_facts
 
 contains
@@ -48,6 +59,10 @@ contains
       real(wp), intent(in), optional :: coarse(n_parameters)
 
       allocate (remarks(0))
+      call remark_slope(values(p_sdq), remarks)
+      call remark_outlier('highest', values(p_sp), values(p_sq), facts%top, remarks)
+      call remark_outlier('lowest', values(p_sv), values(p_sq), facts%bottom, remarks)
+      call remark_filled(facts%filled, remarks)
       call remark_peaks(facts%peaks, remarks)
       call remark_routes(values, uncertainty, remarks)
       call remark_alpha(values, uncertainty, remarks)
@@ -68,8 +83,9 @@ contains
          call add_remark(remarks, 'no_peaks', 'No peak is left after pruning: spd is 0, and '// &
             'spc and the paper''s R do not exist. Take a larger map or a lower height of pruning.')
       else if (peaks < enough_peaks) then
-         call add_remark(remarks, 'few_peaks', 'spd and spc rest on '//to_text(nint(peaks))// &
-            ' peaks only, fewer than '//to_text(nint(enough_peaks))//'. Take a larger map.')
+         call add_remark(remarks, 'few_peaks', 'spd and spc rest on few peaks: '// &
+            to_text(nint(peaks))//', fewer than '//to_text(nint(enough_peaks))// &
+            '. Take a larger map.')
       end if
    end subroutine remark_peaks
 
@@ -104,6 +120,45 @@ contains
          'the same moments. Compare both with the sum over the map''s own summits (--verify), '// &
          'and do not mix them.')
    end subroutine remark_routes
+
+   !> Slopes of no scanned surface are a slip of units.
+   pure subroutine remark_slope(sdq, remarks)
+      real(wp), intent(in) :: sdq
+      type(remark_type), allocatable, intent(inout) :: remarks(:)
+
+      if (.not. is_known(sdq)) return
+      if (sdq >= least_slope .and. sdq <= largest_slope) return
+      call add_remark(remarks, 'slope', 'sdq = '//to_text(sdq, 4)//' is no slope of a scanned '// &
+         'surface, which is from '//to_text(least_slope)//' to '//to_text(largest_slope)// &
+         ': check units and step (--lateral-unit, --height-unit, --step). The routes do not '// &
+         'show such a slip: eta R sigma is the same in all units.')
+   end subroutine remark_slope
+
+   !> One point far out of the others.
+   pure subroutine remark_outlier(what, size, sq, place, remarks)
+      character(len=*), intent(in) :: what
+      real(wp), intent(in) :: size, sq, place(2)
+      type(remark_type), allocatable, intent(inout) :: remarks(:)
+
+      if (.not. (is_known(size) .and. is_known(sq))) return
+      if (size <= far_out*sq) return
+      call add_remark(remarks, 'outlier', 'The '//what//' point is '//to_text(size, 4)// &
+         ' mm off the mean plane, '//to_text(size/sq, 3)//' times sq, at x '// &
+         to_text(place(1), 5)//' mm, y '//to_text(place(2), 5)//' mm: a spike, or a number '// &
+         'that marks a missing point? It raises sq and sz, and with sz the height of '// &
+         'pruning: take it out of the file.')
+   end subroutine remark_outlier
+
+   !> Points that nobody measured.
+   pure subroutine remark_filled(share, remarks)
+      real(wp), intent(in) :: share
+      type(remark_type), allocatable, intent(inout) :: remarks(:)
+
+      if (share <= much_filled) return
+      call add_remark(remarks, 'filled', to_text(100.0_wp*share, 2)//' % of the points were '// &
+         'filled in: slopes and curvatures there are not those of the surface. --missing mask '// &
+         'leaves them out.')
+   end subroutine remark_filled
 
    pure subroutine remark_alpha(values, uncertainty, remarks)
       real(wp), intent(in) :: values(:), uncertainty(:)
@@ -197,8 +252,7 @@ contains
             'surfaces of alpha below 2.4 are under that limit and still exist.'
       else
          text = text//' No isotropic Gaussian surface has it by all its summits; peaks left '// &
-            'after pruning are fewer and sharper, so that one may be there by them. Else check '// &
-            'units and filter.'
+            'after pruning are fewer and sharper, so that one may be there by them.'
       end if
       call add_remark(remarks, 'roughness_number', text)
    end subroutine remark_number

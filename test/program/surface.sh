@@ -126,6 +126,25 @@ refuses 'surface: two maps without --pair' 2 't.sdf: a second map is only taken 
 refuses 'surface: three maps' 2 "'x.sdf': there is already the second map" \
    surface s.sdf t.sdf x.sdf --pair
 
+# One lay across the other: aligned or not, the same equivalent surface
+run surface --generate --map-points 200 --correlation-length 0.4,0.05 --map lay.sdf --csv -
+run surface --generate --map-points 200 --correlation-length 0.05,0.4 --seed 2 --map cross.sdf \
+   --csv -
+run surface --generate --map-points 201,200 --correlation-length 0.05,0.4 --seed 2 \
+   --map wide.sdf --csv -
+run surface lay.sdf cross.sdf --pair --csv aligned.csv
+run surface lay.sdf wide.sdf --pair --csv apart.csv
+check 'surface: crossed lays, maps that do not fit: the density of those that do' near \
+   "$(value aligned.csv eta_nayak)" "$(value apart.csv eta_nayak)" 0.05
+check 'surface: and the radius' near "$(value aligned.csv radius_nayak)" \
+   "$(value apart.csv radius_nayak)" 0.05
+refuses 'surface: no case by the paper of maps that do not fit' 2 '--case: route paper needs maps' \
+   surface lay.sdf wide.sdf --pair --case never.nml
+run surface lay.sdf wide.sdf --pair --route nayak --case apart.nml
+check 'surface: a case by moments of maps that do not fit' has apart.nml 'no first touch is known'
+run surface numbers.xyz s.sdf --pair --lateral-unit mm --height-unit um --csv -
+check 'surface: units for the one of two files that needs them' test "$status" -eq 0
+
 # Preparation
 run surface s.sdf --short-cutoff 0.2 --csv short.csv
 check 'surface: an S filter lowers m4' awk -v a="$(value short.csv m4)" -v b="$(value s.csv m4)" \
@@ -170,7 +189,17 @@ else
    skip 'surface: memory' 'no GNU time'
 fi
 
+awk 'NR == 5000 { $3 = 5 } { print }' numbers.xyz >spike.xyz
+run surface spike.xyz --lateral-unit mm --height-unit mm
+check 'surface: a spike is told, with its place' has out "times sq, at x $(awk 'NR == 5000 \
+   { print $1 + 0 }' numbers.xyz) mm"
+run surface numbers.xyz --lateral-unit nm --height-unit mm
+check 'surface: slopes of wrong units are told' has out 'check units and step'
+
 if command -v gnuplot >/dev/null; then
+   cp s.sdf 'n`touch was_run`"; a=" .sdf'
+   run surface 'n`touch was_run`"; a=" .sdf' --plot named.svg
+   check 'surface: a file name is no command of gnuplot' test "$status" -eq 0 -a ! -e was_run
    awk 'BEGIN { for (j = 0; j < 9; j++) for (i = 0; i < 9; i++) print i, j, (i - 4)^2 + j }' >pit.xyz
    run surface pit.xyz --lateral-unit mm --height-unit um --plot pit.svg
    check 'surface: picture of a map without peaks' test "$status" -eq 0 -a -s pit.svg
