@@ -1,17 +1,17 @@
 !> What a user should know about the parameters of a map before using them, in words.
 module surface_remarks
    use asperity_kinds, only: wp
-   use asperity_properties, only: pi, roughness_number_min
+   use asperity_properties, only: roughness_number_min
    use asperity_text, only: to_text
    use surface_nayak, only: alpha_min
-   use surface_parameters, only: n_parameters, p_alpha, p_eta_nayak, p_eta_paper, p_m0, &
-      p_m2_across, p_m2_along, p_m2_x, p_m2_y, p_m4_x, p_m4_y, p_radius_nayak, p_radius_paper, &
-      p_sigma_nayak, p_sigma_paper, p_sku, p_spc, p_spd, p_ssk, parameters, &
-      p_sdq, p_sp, p_sq, p_sv
+   use surface_parameters, only: n_parameters, p_alpha, p_eta_nayak, p_eta_paper, p_m2_across, &
+      p_m2_along, p_radius_nayak, p_radius_paper, p_sigma_nayak, p_sigma_paper, p_sku, p_spc, &
+      p_spd, p_ssk, parameters
    use surface_remark_list, only: add_remark, is_known, quantity, remark_type
+   use surface_scan_remarks, only: map_facts, remark_scan
    implicit none
    private
-   public :: find_remarks, remark_type
+   public :: find_remarks, map_facts, remark_type
 
    !> Difference of the routes that matters, over the larger of the two values
    real(wp), parameter :: routes_share = 0.2_wp
@@ -20,30 +20,8 @@ module surface_remarks
    !> m2 across over m2 along from which a surface is called anisotropic, and m2 along over m2
    !> across up to which it is rounding
    real(wp), parameter :: anisotropic = 2.0_wp, nothing = 1.0e-20_wp
-   !> Least and largest sdq of a scanned surface
-   real(wp), parameter :: least_slope = 1.0e-4_wp, largest_slope = 10.0_wp
-   !> Height over sq from which a point is an outlier; the highest of 1e9 Gaussian ones is at 6
-   real(wp), parameter :: far_out = 12.0_wp
-   !> Share of filled points that is worth a word
-   real(wp), parameter :: much_filled = 0.01_wp
    !> Peaks from which their mean is worth something
    real(wp), parameter :: enough_peaks = 20.0_wp
-   !> Waves that a tile must hold, and steps that the shortest waves must span
-   real(wp), parameter :: enough_waves = 1.0_wp, enough_steps = 6.0_wp
-
-   !> What is known of the map besides its values.
-   type, public :: map_facts
-      !> Steps, mm
-      real(wp) :: step_x = 0.0_wp, step_y = 0.0_wp
-      !> Sides of a tile, mm; zero without tiles
-      real(wp) :: tile_x = 0.0_wp, tile_y = 0.0_wp
-      !> Number of peaks
-      real(wp) :: peaks = 0.0_wp
-      !> Share of points that were filled in
-      real(wp) :: filled = 0.0_wp
-      !> Places of the highest and of the lowest point, mm
-      real(wp) :: top(2) = 0.0_wp, bottom(2) = 0.0_wp
-   end type map_facts
 
 contains
 
@@ -59,10 +37,7 @@ contains
       real(wp), intent(in), optional :: coarse(n_parameters)
 
       allocate (remarks(0))
-      call remark_slope(values(p_sdq), remarks)
-      call remark_outlier('highest', values(p_sp), values(p_sq), facts%top, remarks)
-      call remark_outlier('lowest', values(p_sv), values(p_sq), facts%bottom, remarks)
-      call remark_filled(facts%filled, remarks)
+      call remark_scan(values, facts, remarks)
       call remark_peaks(facts%peaks, remarks)
       call remark_routes(values, uncertainty, remarks)
       call remark_alpha(values, uncertainty, remarks)
@@ -70,8 +45,6 @@ contains
       call remark_anisotropy(values, remarks)
       call remark_number(values([p_eta_paper, p_radius_paper, p_sigma_paper]), 'paper', remarks)
       call remark_number(values([p_eta_nayak, p_radius_nayak, p_sigma_nayak]), 'Nayak', remarks)
-      call remark_waves(values, facts, remarks)
-      call remark_resolution(values, facts, remarks)
       if (present(coarse)) call remark_step(values, uncertainty, coarse, remarks)
    end subroutine find_remarks
 
@@ -120,45 +93,6 @@ contains
          'the same moments. Compare both with the sum over the map''s own summits (--verify), '// &
          'and do not mix them.')
    end subroutine remark_routes
-
-   !> Slopes of no scanned surface are a slip of units.
-   pure subroutine remark_slope(sdq, remarks)
-      real(wp), intent(in) :: sdq
-      type(remark_type), allocatable, intent(inout) :: remarks(:)
-
-      if (.not. is_known(sdq)) return
-      if (sdq >= least_slope .and. sdq <= largest_slope) return
-      call add_remark(remarks, 'slope', 'sdq = '//to_text(sdq, 4)//' is no slope of a scanned '// &
-         'surface, which is from '//to_text(least_slope)//' to '//to_text(largest_slope)// &
-         ': check units and step (--lateral-unit, --height-unit, --step). The routes do not '// &
-         'show such a slip: eta R sigma is the same in all units.')
-   end subroutine remark_slope
-
-   !> One point far out of the others.
-   pure subroutine remark_outlier(what, size, sq, place, remarks)
-      character(len=*), intent(in) :: what
-      real(wp), intent(in) :: size, sq, place(2)
-      type(remark_type), allocatable, intent(inout) :: remarks(:)
-
-      if (.not. (is_known(size) .and. is_known(sq))) return
-      if (size <= far_out*sq) return
-      call add_remark(remarks, 'outlier', 'The '//what//' point is '//to_text(size, 4)// &
-         ' mm off the mean plane, '//to_text(size/sq, 3)//' times sq, at x '// &
-         to_text(place(1), 5)//' mm, y '//to_text(place(2), 5)//' mm: a spike, or a number '// &
-         'that marks a missing point? It raises sq and sz, and with sz the height of '// &
-         'pruning: take it out of the file.')
-   end subroutine remark_outlier
-
-   !> Points that nobody measured.
-   pure subroutine remark_filled(share, remarks)
-      real(wp), intent(in) :: share
-      type(remark_type), allocatable, intent(inout) :: remarks(:)
-
-      if (share <= much_filled) return
-      call add_remark(remarks, 'filled', to_text(100.0_wp*share, 2)//' % of the points were '// &
-         'filled in: slopes and curvatures there are not those of the surface. --missing mask '// &
-         'leaves them out.')
-   end subroutine remark_filled
 
    pure subroutine remark_alpha(values, uncertainty, remarks)
       real(wp), intent(in) :: values(:), uncertainty(:)
@@ -256,40 +190,6 @@ contains
       end if
       call add_remark(remarks, 'roughness_number', text)
    end subroutine remark_number
-
-   pure subroutine remark_waves(values, facts, remarks)
-      real(wp), intent(in) :: values(:)
-      type(map_facts), intent(in) :: facts
-      type(remark_type), allocatable, intent(inout) :: remarks(:)
-      real(wp) :: waves
-
-      if (.not. all(is_known(values([p_m0, p_m2_x, p_m2_y])))) return
-      if (.not. min(facts%tile_x, facts%tile_y, values(p_m0)) > 0.0_wp) return
-      waves = min(facts%tile_x*sqrt(values(p_m2_x)/values(p_m0)), &
-         facts%tile_y*sqrt(values(p_m2_y)/values(p_m0)))/(2.0_wp*pi)
-      if (waves >= enough_waves) return
-      call add_remark(remarks, 'few_waves', 'A tile is only '//to_text(waves, 2)//' typical '// &
-         'waves, 2 pi sqrt(m0/m2), long: tiles are not independent of each other, and the '// &
-         'uncertainties too small. Take a larger map, fewer tiles, or remove the form or '// &
-         'longer waves.')
-   end subroutine remark_waves
-
-   pure subroutine remark_resolution(values, facts, remarks)
-      real(wp), intent(in) :: values(:)
-      type(map_facts), intent(in) :: facts
-      type(remark_type), allocatable, intent(inout) :: remarks(:)
-      real(wp) :: steps
-
-      if (.not. all(is_known(values([p_m2_x, p_m2_y, p_m4_x, p_m4_y])))) return
-      if (.not. min(facts%step_x, facts%step_y, values(p_m4_x), values(p_m4_y)) > 0.0_wp) return
-      steps = 2.0_wp*pi*min(sqrt(values(p_m2_x)/values(p_m4_x))/facts%step_x, &
-         sqrt(values(p_m2_y)/values(p_m4_y))/facts%step_y)
-      if (steps >= enough_steps) return
-      call add_remark(remarks, 'resolution', 'The shortest waves, 2 pi sqrt(m2/m4), span '// &
-         to_text(steps, 2)//' steps, fewer than '//to_text(nint(enough_steps))//': curvatures '// &
-         'and summits depend on the step, noise counts as roughness. Scan with a shorter step '// &
-         'or filter short waves out.')
-   end subroutine remark_resolution
 
    pure subroutine remark_step(values, uncertainty, coarse, remarks)
       real(wp), intent(in) :: values(:), uncertainty(:), coarse(:)
