@@ -153,6 +153,7 @@ contains
       integer :: i
 
       facts%filled = filled
+      facts%points = shape(map%heights)
       facts%top = map_place(map, maxloc(map%heights, mask=map%heights < missing_height))
       facts%bottom = map_place(map, minloc(map%heights))
       facts%step_x = map%step_x

@@ -10,9 +10,9 @@ module surface_remark_list
 
    !> One remark.
    type, public :: remark_type
-      !> What it is about, for programs: `slope`, `outlier`, `filled`, `no_peaks`, `few_peaks`,
-      !> `routes`, `alpha`, `ssk`, `sku`,
-      !> `anisotropic`, `roughness_number`, `few_waves`, `resolution` or `step`
+      !> What it is about, for programs: `shape`, `slope`, `outlier`, `filled`, `no_peaks`,
+      !> `few_peaks`, `routes`, `alpha`, `ssk`, `sku`, `anisotropic`, `roughness_number`,
+      !> `few_waves`, `resolution` or `step`
       character(len=16) :: code = ''
       !> Plain sentences
       character(len=:), allocatable :: text

@@ -11,6 +11,8 @@ module surface_scan_remarks
    private
    public :: remark_scan
 
+   !> Points across and length over width of a map that may be no map
+   integer, parameter :: narrow = 12, long = 50
    !> Least and largest sdq of a scanned surface
    real(wp), parameter :: least_slope = 1.0e-4_wp, largest_slope = 10.0_wp
    !> Height over sq from which a point is an outlier; the highest of 1e9 Gaussian ones is at 6
@@ -28,6 +30,8 @@ module surface_scan_remarks
       real(wp) :: tile_x = 0.0_wp, tile_y = 0.0_wp
       !> Number of peaks
       real(wp) :: peaks = 0.0_wp
+      !> Points along x and y
+      integer :: points(2) = 0
       !> Share of points that were filled in
       real(wp) :: filled = 0.0_wp
       !> Places of the highest and of the lowest point, mm
@@ -45,6 +49,7 @@ contains
       !> Where to add them
       type(remark_type), allocatable, intent(inout) :: remarks(:)
 
+      call remark_shape(facts%points, remarks)
       call remark_slope(values(p_sdq), remarks)
       call remark_outlier('highest', values(p_sp), values(p_sq), facts%top, remarks)
       call remark_outlier('lowest', values(p_sv), values(p_sq), facts%bottom, remarks)
@@ -52,6 +57,17 @@ contains
       call remark_waves(values, facts, remarks)
       call remark_resolution(values, facts, remarks)
    end subroutine remark_scan
+
+   !> A text of columns that was taken for a matrix.
+   pure subroutine remark_shape(points, remarks)
+      integer, intent(in) :: points(2)
+      type(remark_type), allocatable, intent(inout) :: remarks(:)
+
+      if (minval(points) > narrow .or. maxval(points) < long*max(minval(points), 1)) return
+      call add_remark(remarks, 'shape', 'The map is '//to_text(points(1))//' x '// &
+         to_text(points(2))//' points: if the file has columns of x, y, z and more, rather '// &
+         'than rows of heights, leave the other columns out.')
+   end subroutine remark_shape
 
    !> Slopes of no scanned surface are a slip of units.
    pure subroutine remark_slope(sdq, remarks)
