@@ -1,6 +1,7 @@
 !> Picture of `asperity surface` as a gnuplot script: the map, its heights, the law.
 module app_surface_plot
    use asperity, only: wp
+   use asperity_properties, only: pi
    use asperity_text, only: to_text
    use surface_height_map, only: height_map, missing_height
    use surface_parameters, only: p_sq
@@ -94,7 +95,7 @@ contains
       type(height_map), intent(in) :: map
       real(wp), intent(in) :: summits(:), sq
       real(wp) :: points(bins), tops(bins), width, z
-      real(wp), parameter :: root_2_pi = sqrt(2.0_wp*acos(-1.0_wp))
+      real(wp), parameter :: root_2_pi = sqrt(2.0_wp*pi)
       integer :: i
 
       width = 2.0_wp*reach*sq/bins

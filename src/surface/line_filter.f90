@@ -8,13 +8,13 @@
 !> sum N0 comes back.
 module surface_line_filter
    use asperity_kinds, only: wp
+   use asperity_properties, only: pi
    use surface_fourier, only: delete_line_transform, easy_length, line_transform, &
       new_line_transform, transform_lines_backward, transform_lines_forward
    implicit none
    private
    public :: delete_line_filter, filter_lines, line_filter, new_line_filter
 
-   real(wp), parameter :: pi = 4.0_wp*atan(1.0_wp)
    !> alpha of ISO 16610-21: half of a wave of the cutoff's length passes
    real(wp), parameter, public :: alpha = sqrt(log(2.0_wp)/pi)
    !> Weights below this share of the largest are left out

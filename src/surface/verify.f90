@@ -48,8 +48,7 @@ contains
       type(summit_curve), intent(out) :: curve
       !> Set when there is nothing to sum
       type(error_type), allocatable, intent(out) :: error
-      integer, allocatable :: order(:)
-      real(wp), allocatable :: z(:), ratio(:)
+      real(wp), allocatable :: ratio(:)
       type(normal_response) :: law
       integer :: i, n
 
@@ -60,13 +59,11 @@ contains
          call fatal_error(error, 'summits have as many heights as curvatures')
          return
       end if
-      call sort_rising(heights, order)
-      z = heights(order)
       ! radius over mean radius
-      allocate (ratio(size(z)), source=1.0_wp)
-      do i = 1, size(z)
-         if (curvatures(order(i))*properties%radius > tiny(1.0_wp)) then
-            ratio(i) = 1.0_wp/(curvatures(order(i))*properties%radius)
+      allocate (ratio(size(heights)), source=1.0_wp)
+      do i = 1, size(heights)
+         if (curvatures(i)*properties%radius > tiny(1.0_wp)) then
+            ratio(i) = 1.0_wp/(curvatures(i)*properties%radius)
          else
             curve%without_radius = curve%without_radius + 1
          end if
@@ -81,13 +78,13 @@ contains
          curve%gaussian(i) = law%pressure
          curve%gaussian_density(i) = law%contact_density
          curve%gaussian_area(i) = law%area_fraction
-         call sum_at(properties, z, ratio, area, separations(i), curve%mean_radius(i), &
+         call sum_at(properties, heights, ratio, area, separations(i), curve%mean_radius(i), &
             curve%own_radius(i), curve%mean_radius_error(i), curve%own_radius_error(i), &
             curve%contact_density(i), curve%area_fraction(i))
       end do
    end subroutine sum_over_summits
 
-   !> Sums at one separation, over summits in rising order.
+   !> Sums at one separation.
    pure subroutine sum_at(properties, z, ratio, area, d, mean_radius, own_radius, mean_error, &
          own_error, density, area_fraction)
       type(normal_properties), intent(in) :: properties
@@ -96,13 +93,15 @@ contains
          area_fraction
       type(asperity_response) :: summit
       real(wp) :: sums(2), squares(2), areas, force
-      integer :: i
+      integer :: i, touching
 
+      touching = 0
       sums = 0.0_wp
       squares = 0.0_wp
       areas = 0.0_wp
-      do i = size(z), 1, -1
-         if (.not. z(i) > d) exit
+      do i = 1, size(z)
+         if (.not. z(i) > d) cycle
+         touching = touching + 1
          summit = evaluate_asperity(properties, z(i) - d)
          areas = areas + summit%area
          sums(1) = sums(1) + summit%force
@@ -113,61 +112,12 @@ contains
          sums(2) = sums(2) + force
          squares(2) = squares(2) + force**2
       end do
-      density = real(size(z) - i, wp)/area
+      density = real(touching, wp)/area
       mean_radius = sums(1)/area
       own_radius = sums(2)/area
       mean_error = sqrt(squares(1))/area
       own_error = sqrt(squares(2))/area
       area_fraction = areas/area
    end subroutine sum_at
-
-   !> Places of numbers in rising order, by merging.
-   pure subroutine sort_rising(values, order)
-      real(wp), intent(in) :: values(:)
-      integer, allocatable, intent(out) :: order(:)
-      integer, allocatable :: other(:)
-      integer :: i, j, k, n, width, first, middle, last
-
-      n = size(values)
-      allocate (order(n), other(n))
-      do i = 1, n
-         order(i) = i
-      end do
-      width = 1
-      do while (width < n)
-         do first = 1, n, 2*width
-            middle = min(first + width, n + 1)
-            last = min(first + 2*width, n + 1)
-            i = first
-            j = middle
-            do k = first, last - 1
-               if (j >= last) then
-                  other(k) = order(i)
-                  i = i + 1
-               else if (i >= middle) then
-                  other(k) = order(j)
-                  j = j + 1
-               else if (values(order(j)) < values(order(i))) then
-                  other(k) = order(j)
-                  j = j + 1
-               else
-                  other(k) = order(i)
-                  i = i + 1
-               end if
-            end do
-         end do
-         call swap(order, other)
-         width = 2*width
-      end do
-   end subroutine sort_rising
-
-   pure subroutine swap(a, b)
-      integer, allocatable, intent(inout) :: a(:), b(:)
-      integer, allocatable :: c(:)
-
-      call move_alloc(a, c)
-      call move_alloc(b, a)
-      call move_alloc(c, b)
-   end subroutine swap
 
 end module surface_verify
