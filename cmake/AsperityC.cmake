@@ -7,9 +7,10 @@ if(CMAKE_Fortran_COMPILER_ID STREQUAL "LLVMFlang")
 endif()
 
 if(ASPERITY_BUILD_C)
-   # The objects of the static library, which are position independent
+   # The objects of the static library, which are position independent. Only a file's name tells
+   # those of UINTER and VUINTER: the folders before it are the user's
    add_library(asperity_c SHARED
-      "$<FILTER:$<TARGET_OBJECTS:asperity>,INCLUDE,/(src/asperity|interface/asperity_c)>")
+      "$<FILTER:$<TARGET_OBJECTS:asperity>,EXCLUDE,/v?uinter[^/]*$>")
    add_library(asperity::asperity_c ALIAS asperity_c)
    # 0.x may change the interface with every x
    set_target_properties(asperity_c PROPERTIES
@@ -20,10 +21,17 @@ if(ASPERITY_BUILD_C)
       $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
    if(CMAKE_SYSTEM_NAME STREQUAL "Linux")
       # Nothing is left for the program to supply, and nothing but asperity_* is seen from outside
-      set(symbols ${PROJECT_SOURCE_DIR}/cmake/asperity_c.map)
-      # -Wl, itself, as CMake 3.25 does not know how flang passes options on
+      set(symbols ${PROJECT_BINARY_DIR}/asperity_c.map)
+      configure_file(cmake/asperity_c.map ${symbols} COPYONLY)
+      # -Wl, itself, as CMake 3.25 does not know how flang passes options on. It splits at commas,
+      # which a folder may have: the map's path is relative to where the linker is started
+      set(link_folder ${PROJECT_BINARY_DIR})
+      if(CMAKE_GENERATOR MATCHES "^Ninja")
+         set(link_folder ${CMAKE_BINARY_DIR})
+      endif()
+      file(RELATIVE_PATH relative_symbols ${link_folder} ${symbols})
       target_link_options(asperity_c PRIVATE
-         -Wl,-z,defs -Wl,--version-script=${symbols})
+         -Wl,-z,defs -Wl,--version-script=${relative_symbols})
       set_target_properties(asperity_c PROPERTIES LINK_DEPENDS ${symbols})
    endif()
 

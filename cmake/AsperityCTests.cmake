@@ -12,7 +12,9 @@ find_package(Threads REQUIRED)
 
 file(GLOB c_test_sources CONFIGURE_DEPENDS test/c/*.c)
 add_executable(c_tests ${c_test_sources})
-set_target_properties(c_tests PROPERTIES C_STANDARD 99 C_STANDARD_REQUIRED ON C_EXTENSIONS OFF)
+set_target_properties(c_tests PROPERTIES C_STANDARD 99 C_STANDARD_REQUIRED ON C_EXTENSIONS OFF
+   # relative: -Wl,-rpath, would split a folder's name at a comma
+   BUILD_RPATH_USE_ORIGIN ON)
 target_compile_definitions(c_tests PRIVATE ASPERITY_TEST_VERSION="${PROJECT_VERSION}")
 target_compile_options(c_tests PRIVATE -Wall -Wextra -Wpedantic
    $<$<BOOL:${ASPERITY_WARNINGS_AS_ERRORS}>:-Werror>)

@@ -12,6 +12,9 @@ function(asperity_compile_options target)
    if(CMAKE_Fortran_COMPILER_ID STREQUAL "GNU")
       # -frecursive puts all locals on the stack, where threads do not share them
       target_compile_options(${target} PRIVATE -std=f2018 -frecursive -Wall -Wextra)
+   elseif(CMAKE_Fortran_COMPILER_ID MATCHES "^Intel(LLVM)?$")
+      # The same for Intel's, whose own floating-point model is the fast one; not tried
+      target_compile_options(${target} PRIVATE -fp-model=precise -auto)
    endif()
    if(ASPERITY_WARNINGS_AS_ERRORS AND CMAKE_Fortran_COMPILER_ID MATCHES "^(GNU|LLVMFlang)$")
       target_compile_options(${target} PRIVATE -Werror)
