@@ -7,10 +7,10 @@ module app_delivery
    use app_gnuplot, only: check_picture, draw
    use app_json, only: json_text
    use app_html, only: count_svg
-   use app_output, only: discard_files, open_target, output_file, write_files, &
-      write_standard_output
+   use app_output, only: open_target, output_file, write_files, write_standard_output
+   use app_path, only: resolved_path
    use app_plots, only: plot_script
-   use app_system, only: read_file, remove_file, resolved_path, standard_error, write_text
+   use app_system, only: standard_error, write_text
    use app_report, only: report_type
    use app_tenon_page, only: page_script, page_text
    use app_terminal, only: terminal_text, warning_text
@@ -30,8 +30,6 @@ module app_delivery
    !> Options that name a file; pictures first since they are most likely to fail
    character(len=*), parameter :: options(10) = [character(len=8) :: 'plot', 'report', 'csv', &
       'json', 'points', 'abaqus', 'calculix', 'inp', 'case', 'map']
-   !> Largest page, characters
-   integer, parameter :: largest_page = 64*1024*1024
    !> Path that stands for standard output
    character(len=*), parameter :: dash = '-'
 
@@ -116,25 +114,22 @@ contains
       type(report_type), intent(in) :: report
       !> Set on failure
       type(error_type), allocatable, intent(out) :: error
-      character(len=:), allocatable :: reason
+      character(len=:), allocatable :: picture, reason
       integer :: i
 
       do i = 1, size(delivery%files)
          associate (file => delivery%files(i))
             if (file%option == '--plot') then
-               call draw(file, plot_script(report), allocated(report%pictures), error)
+               call draw(file, plot_script(report), allocated(report%pictures), picture, error)
+               call move_alloc(picture, file%text)
             else if (file%option == '--report') then
                call draw_page(file, report, error)
             else
                file%text = text_for(file%option, report)
             end if
          end associate
-         if (allocated(error)) exit
+         if (allocated(error)) return
       end do
-      if (allocated(error)) then
-         call discard_files(delivery%files)
-         return
-      end if
       call write_files(delivery%files, error)
       if (allocated(error)) return
       if (delivery%standard == '') then
@@ -145,27 +140,21 @@ contains
       end if
    end subroutine deliver
 
-   !> Draw the pictures of a page under its temporary name, and make the page of them.
+   !> Draw the pictures of a page, and make the page of them.
    subroutine draw_page(file, report, error)
       type(output_file), intent(inout) :: file
       type(report_type), intent(in) :: report
       type(error_type), allocatable, intent(out) :: error
-      character(len=:), allocatable :: pictures, reason
+      character(len=:), allocatable :: pictures
 
-      call draw(file, page_script(report), .false., error)
+      call draw(file, page_script(report), .false., pictures, error)
       if (allocated(error)) return
-      call read_file(file%part, largest_page, pictures, reason)
-      if (.not. allocated(reason)) then
-         if (count_svg(pictures) /= size(report%pictures)) reason = 'gnuplot left out a picture'
+      if (count_svg(pictures) == size(report%pictures)) then
+         file%text = page_text(report, pictures)
+      else
+         call fatal_error(error, file%option//': '//file%path// &
+            ' cannot be written: gnuplot left out a picture', file_error)
       end if
-      if (allocated(reason)) then
-         call fatal_error(error, file%option//': '//file%path//' cannot be written: '//reason, &
-            file_error)
-         return
-      end if
-      file%text = page_text(report, pictures)
-      call remove_file(file%part)
-      file%staged = .false.
    end subroutine draw_page
 
    !> Whether an option's file is drawn by gnuplot.

@@ -1,19 +1,20 @@
-!> Draws pictures with gnuplot, which reads its script from a pipe and writes the picture to the
-!> temporary name of the file.
+!> Draws pictures with gnuplot, which reads its script from a pipe and writes the picture into a
+!> temporary file.
 module app_gnuplot
-   use, intrinsic :: iso_c_binding, only: c_int
    use asperity, only: computation_error, error_type, file_error
    use asperity_error, only: fatal_error
-   use asperity_text, only: to_text
-   use app_output, only: discard_files, output_file
+   use app_output, only: output_file
+   use app_part_file, only: close_part, create_part, free_name, part_file
+   use app_process, only: close_shell, held_interrupts, hold_interrupts, open_shell, &
+      release_interrupts, run_shell, shell_type
    use app_strings, only: backslash, escaped, lower_case, newline
-   use app_system, only: close_file, create_file, pipe_to_shell, read_file, run_shell
+   use app_system, only: read_file, remove_file
    implicit none
    private
    public :: check_picture, draw
 
-   !> Pictures are looked at up to this size, characters
-   integer, parameter :: largest = 16*1024*1024
+   !> Largest picture, characters
+   integer, parameter :: largest = 256*1024*1024
    !> Shell command that succeeds if gnuplot is installed
    character(len=*), parameter :: is_there = 'command -v gnuplot >/dev/null 2>&1'
 
@@ -40,47 +41,50 @@ contains
       end if
    end subroutine check_picture
 
-   !> Draw into the temporary name of a file. `error` is set when that cannot be written or
-   !> gnuplot fails; nothing is left then.
-   subroutine draw(file, script, large, error)
+   !> Draw the picture of a file. `error` is set when it cannot be had whole; nothing is left then.
+   subroutine draw(file, script, large, picture, error)
       !> The file
-      type(output_file), intent(inout) :: file
+      type(output_file), intent(in) :: file
       !> Commands of gnuplot without terminal and output
       character(len=*), intent(in) :: script
       !> A sheet of many panels
       logical, intent(in) :: large
+      !> What belongs into the file
+      character(len=:), allocatable, intent(out) :: picture
       !> Set on failure
       type(error_type), allocatable, intent(out) :: error
-      character(len=:), allocatable :: picture, reason, late_reason
-      type(output_file) :: files(1)
-      integer(c_int) :: descriptor
-      integer :: status
+      type(held_interrupts) :: held
+      type(part_file) :: part
+      type(shell_type) :: shell
+      character(len=:), allocatable :: failure, reason
 
-      call create_file(file%part, descriptor, reason)
-      if (.not. allocated(reason)) then
-         file%staged = .true.
-         call close_file(descriptor, reason)
-      end if
-      if (.not. allocated(reason)) then
-         status = pipe_to_shell('exec gnuplot -d >'//shell_word(file%part)//' 2>/dev/null', &
-            terminal(format_of(file%path), large)//script)
-         call read_file(file%part, largest, picture, late_reason)
-         if (allocated(late_reason)) reason = late_reason
+      ! Interrupts reach gnuplot but not the program, which tidies up. So gnuplot is there first, and
+      ! waits for a line before it takes the temporary file, which the program creates
+      part%path = free_name(file%target)
+      call open_shell(shell, 'read -r line && exec gnuplot -d >'//shell_word(part%path)// &
+         ' 2>/dev/null', failure)
+      if (.not. allocated(failure)) then
+         call hold_interrupts(held)
+         call create_part(part, reason)
+         if (allocated(reason)) then
+            call close_shell(shell, '', failure)
+         else
+            call close_part(part, reason)
+            call close_shell(shell, newline//terminal(format_of(file%path), large)//script, failure)
+            if (.not. allocated(reason)) call read_file(part%path, largest, picture, reason)
+            call remove_file(part%path)
+         end if
+         call release_interrupts(held)
       end if
       if (allocated(reason)) then
          call fatal_error(error, file%option//': '//file%path//' cannot be written: '//reason, &
             file_error)
-      else if (status /= 0) then
-         call fatal_error(error, file%option//': gnuplot failed with status '//to_text(status), &
-            computation_error)
+      else if (allocated(failure)) then
+         call fatal_error(error, file%option//': gnuplot '//failure, computation_error)
       else if (.not. is_complete(picture, format_of(file%path))) then
          call fatal_error(error, file%option//': '//file%path//' cannot be written: gnuplot '// &
             'left it incomplete, is the disk full?', file_error)
       end if
-      if (.not. allocated(error)) return
-      files(1) = file
-      call discard_files(files)
-      file%staged = .false.
    end subroutine draw
 
    !> `svg`, `png`, `pdf`, `html`, or nothing.
@@ -92,7 +96,7 @@ contains
       if (index(path, '.') == 0 .or. all(format /= ['svg ', 'png ', 'pdf ', 'html'])) format = ''
    end function format_of
 
-   !> Whether a picture has its end; one too large to be read is trusted.
+   !> Whether a picture has its end.
    pure logical function is_complete(picture, format)
       character(len=*), intent(in) :: picture, format
 
@@ -104,7 +108,6 @@ contains
       case default
          is_complete = index(picture, '%%EOF', back=.true.) > 0
       end select
-      is_complete = is_complete .or. len(picture) == largest
    end function is_complete
 
    !> The first commands of the script.

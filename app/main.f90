@@ -3,14 +3,15 @@ program asperity_main
    use asperity, only: error_type
    use app_cli, only: command_line_type, parse_command_line
    use app_driver, only: drive
-   use app_system, only: die_quietly_of_closed_pipe, standard_error, write_text
+   use app_process, only: set_signals
    use app_strings, only: newline
+   use app_system, only: standard_error, write_text
    implicit none
    type(command_line_type) :: line
    type(error_type), allocatable :: error
    character(len=:), allocatable :: reason
 
-   call die_quietly_of_closed_pipe()
+   call set_signals()
    call parse_command_line(line, error)
    if (.not. allocated(error)) call drive(line, error)
    if (allocated(error)) then

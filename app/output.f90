@@ -1,37 +1,41 @@
-!> Writes results so that a file is either complete or not there: everything goes to FILE.part
-!> in the same folder first, then all of them are renamed. Targets below /dev and /proc are
-!> written directly, since renaming would replace the device.
+!> Writes results so that a file is either complete or not there: everything goes to temporary files
+!> in the same folders first, then all of them are renamed. Devices, pipes and open descriptors are
+!> written directly, since renaming would replace them.
 module app_output
    use, intrinsic :: iso_c_binding, only: c_int
    use asperity, only: error_type, file_error
    use asperity_error, only: fatal_error
-   use app_system, only: close_file, create_file, held_interrupts, hold_interrupts, may_write, &
-      release_interrupts, remove_file, rename_file, resolved_path, standard_output, write_text
+   use app_file_facts, only: facts_of, facts_of_descriptor, file_facts
+   use app_part_file, only: close_part, create_part, free_name, part_file, write_part
+   use app_path, only: find_target, may_write, resolved_path
+   use app_process, only: held_interrupts, hold_interrupts, release_interrupts
    use app_strings, only: starts_with
+   use app_system, only: close_file, open_file, remove_file, rename_file, standard_error, &
+      standard_output, write_text
    implicit none
    private
-   public :: output_file, open_target, write_files, discard_files, write_standard_output
+   public :: output_file, open_target, write_files, write_standard_output
 
    !> One file to write.
    type :: output_file
       !> Option that asked for it, such as `--csv`
       character(len=:), allocatable :: option
-      !> Path as given
-      character(len=:), allocatable :: path
-      !> Path without links, and its temporary name
-      character(len=:), allocatable :: target, part
+      !> Path as given, and without links
+      character(len=:), allocatable :: path, target
       !> What to write
       character(len=:), allocatable :: text
-      !> Below /dev or /proc: written without a temporary name
+      !> Written without a temporary file
       logical :: is_device = .false.
-      !> The temporary file is complete
-      logical :: staged = .false.
+      !> Temporary file; allocated while it is there
+      character(len=:), allocatable :: part
+      !> Descriptor that the path names, such as /dev/stdout
+      integer(c_int), private :: descriptor = -1_c_int
    end type output_file
 
 contains
 
-   !> Prepare a file to write, before the work whose result it takes. `error` is set when its
-   !> folder is not there or cannot be written.
+   !> Prepare a file to write, before the work whose result it takes. `error` is set when it or its
+   !> folder cannot be written.
    subroutine open_target(file, option, path, error)
       !> The file
       type(output_file), intent(out) :: file
@@ -39,35 +43,55 @@ contains
       character(len=*), intent(in) :: option, path
       !> Set on failure
       type(error_type), allocatable, intent(out) :: error
-      character(len=:), allocatable :: folder, reason
-      integer :: name
+      type(file_facts) :: facts
+      character(len=:), allocatable :: reason
 
       file%option = option
       file%path = path
-      file%target = resolved_path(path)
-      if (file%target == '') then
-         ! A new file, in a folder that must be there
-         name = index(path, '/', back=.true.) + 1
-         folder = resolved_path('./')
-         if (name > 1) folder = resolved_path(path(:name - 1))
-         if (folder == '') then
-            call refuse(error, file, 'the folder does not exist')
-            return
-         end if
-         file%target = folder//'/'//path(name:)
-      end if
-      if (resolved_path(file%target//'/') /= '') then
-         call refuse(error, file, 'it is a folder')
+      file%descriptor = descriptor_in(path)
+      if (file%descriptor >= 0) then
+         file%is_device = .true.
+         file%target = path
+         facts = facts_of_descriptor(file%descriptor)
+         if (.not. facts%exists) call refuse(error, file, 'no such file is open')
          return
       end if
-      file%is_device = starts_with(file%target, '/dev/') .or. starts_with(file%target, '/proc/')
-      file%part = file%target//'.part'
-      if (file%is_device) return
-      call may_write(file%target(:index(file%target, '/', back=.true.)), reason)
+      call find_target(path, file%target, reason)
+      if (.not. allocated(reason)) then
+         facts = facts_of(file%target)
+         file%is_device = facts%exists .and. .not. facts%is_regular
+         if (resolved_path(file%target//'/') /= '') then
+            reason = 'it is a folder'
+         else if (facts%exists) then
+            call may_write(file%target, reason)
+         end if
+      end if
+      if (.not. (allocated(reason) .or. file%is_device)) &
+         call may_write(file%target(:index(file%target, '/', back=.true.)), reason)
       if (allocated(reason)) call refuse(error, file, reason)
    end subroutine open_target
 
-   !> Write all files, or none but devices. Those already staged are only renamed.
+   !> The descriptor that a path names, or a negative number. Opened by its path, a file that
+   !> standard output goes to would be emptied.
+   pure integer(c_int) function descriptor_in(path) result(descriptor)
+      character(len=*), intent(in) :: path
+      character(len=*), parameter :: folders(2) = ['/dev/fd/      ', '/proc/self/fd/']
+      character(len=:), allocatable :: number
+      integer :: i, status
+
+      descriptor = -1_c_int
+      if (path == '/dev/stdout') descriptor = standard_output
+      if (path == '/dev/stderr') descriptor = standard_error
+      do i = 1, size(folders)
+         if (.not. starts_with(path, trim(folders(i)))) cycle
+         number = path(len_trim(folders(i)) + 1:)
+         if (number == '' .or. verify(number, '0123456789') > 0) return
+         read (number, *, iostat=status) descriptor
+         if (status /= 0) descriptor = -1_c_int
+      end do
+   end function descriptor_in
+
+   !> Write all files, or none but devices.
    subroutine write_files(files, error)
       !> The files
       type(output_file), intent(inout) :: files(:)
@@ -79,58 +103,65 @@ contains
 
       call hold_interrupts(held)
       do i = 1, size(files)
-         if (files(i)%is_device .or. files(i)%staged) cycle
-         call write_file(files(i), files(i)%part, error)
-         if (allocated(error)) exit
+         if (files(i)%is_device) cycle
+         call write_file(files(i), reason)
+         if (allocated(reason)) exit
       end do
+      if (.not. allocated(reason)) then
+         do i = 1, size(files)
+            if (files(i)%is_device) cycle
+            call rename_file(files(i)%part, files(i)%target, reason)
+            if (allocated(reason)) exit
+            deallocate (files(i)%part)
+         end do
+      end if
+      if (allocated(reason)) call refuse(error, files(i), reason)
       do i = 1, size(files)
-         if (allocated(error)) exit
-         if (.not. files(i)%staged) cycle
-         call rename_file(files(i)%part, files(i)%target, reason)
-         if (allocated(reason)) then
-            call refuse(error, files(i), reason)
-         else
-            files(i)%staged = .false.
-         end if
+         if (allocated(files(i)%part)) call remove_file(files(i)%part)
       end do
-      call discard_files(files)
       call release_interrupts(held)
 
       do i = 1, size(files)
          if (allocated(error)) return
-         if (files(i)%is_device) call write_file(files(i), files(i)%target, error)
+         if (.not. files(i)%is_device) cycle
+         call write_device(files(i), reason)
+         if (allocated(reason)) call refuse(error, files(i), reason)
       end do
    end subroutine write_files
 
-   !> Remove temporary files.
-   subroutine discard_files(files)
-      !> The files
-      type(output_file), intent(inout) :: files(:)
-      integer :: i
-
-      do i = 1, size(files)
-         if (files(i)%staged) call remove_file(files(i)%part)
-         files(i)%staged = .false.
-      end do
-   end subroutine discard_files
-
-   !> Write the text of a file under some name; it is staged as soon as it exists.
-   subroutine write_file(file, name, error)
+   !> Write the text of a file into a temporary one.
+   subroutine write_file(file, reason)
       type(output_file), intent(inout) :: file
-      character(len=*), intent(in) :: name
-      type(error_type), allocatable, intent(out) :: error
-      character(len=:), allocatable :: reason, late_reason
+      character(len=:), allocatable, intent(out) :: reason
+      type(part_file) :: part
+      character(len=:), allocatable :: late_reason
+
+      part%path = free_name(file%target)
+      call create_part(part, reason)
+      if (allocated(reason)) return
+      file%part = part%path
+      call write_part(part, file%target, file%text, reason)
+      call close_part(part, late_reason)
+      if (.not. allocated(reason)) call move_alloc(late_reason, reason)
+   end subroutine write_file
+
+   !> Write the text of a file into a device, a pipe or an open descriptor.
+   subroutine write_device(file, reason)
+      type(output_file), intent(in) :: file
+      character(len=:), allocatable, intent(out) :: reason
+      character(len=:), allocatable :: late_reason
       integer(c_int) :: descriptor
 
-      call create_file(name, descriptor, reason)
-      if (.not. allocated(reason)) then
-         file%staged = .not. file%is_device
-         call write_text(descriptor, file%text, reason)
-         call close_file(descriptor, late_reason)
-         if (allocated(late_reason) .and. .not. allocated(reason)) reason = late_reason
+      if (file%descriptor >= 0) then
+         call write_text(file%descriptor, file%text, reason)
+         return
       end if
-      if (allocated(reason)) call refuse(error, file, reason)
-   end subroutine write_file
+      call open_file(file%target, descriptor, reason)
+      if (allocated(reason)) return
+      call write_text(descriptor, file%text, reason)
+      call close_file(descriptor, late_reason)
+      if (.not. allocated(reason)) call move_alloc(late_reason, reason)
+   end subroutine write_device
 
    !> Write to standard output.
    subroutine write_standard_output(text, error)

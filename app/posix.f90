@@ -1,12 +1,25 @@
-!> Interfaces of the C functions that `app_system` wraps; POSIX says what they do. Sizes and
-!> constants are those of Linux.
+!> Interfaces of the C functions that the program calls; POSIX says what they do, for flock and statx
+!> the Linux manual. Sizes and constants are those of Linux.
 module app_posix
-   use, intrinsic :: iso_c_binding, only: c_char, c_funptr, c_int, c_ptr, c_size_t
+   use, intrinsic :: iso_c_binding, only: c_char, c_funptr, c_int, c_int16_t, c_int32_t, c_int64_t, &
+      c_long, c_ptr, c_size_t
    implicit none
    private
-   public :: c_access, c_close, c_creat, c_errno_location, c_fclose, c_ferror, c_fopen, c_fread, &
-      c_fwrite, c_isatty, c_pclose, c_popen, c_realpath, c_rename, c_signal, c_strerror, &
-      c_strlen, c_system, c_unlink, c_write
+   public :: c_access, c_close, c_creat, c_errno_location, c_fchmod, c_fchown, c_fclose, c_ferror, &
+      c_fileno, c_flock, c_fopen, c_fread, c_fsync, c_ftruncate, c_fwrite, c_getpid, c_isatty, &
+      c_pclose, c_popen, c_readlink, c_realpath, c_rename, c_signal, c_statx, c_strerror, c_strlen, &
+      c_system, c_unlink, c_write, statx_type
+
+   !> What statx tells; unlike that of stat, it is laid out in one way on every machine.
+   type, bind(c) :: statx_type
+      integer(c_int32_t) :: mask, block_size
+      integer(c_int64_t) :: attributes
+      integer(c_int32_t) :: links, owner, group
+      integer(c_int16_t) :: mode, spare
+      integer(c_int64_t) :: inode, size, blocks, attributes_mask, times(8)
+      integer(c_int32_t) :: own_major, own_minor, device_major, device_minor
+      integer(c_int64_t) :: later(14)
+   end type statx_type
 
    interface
       integer(c_int) function c_creat(path, mode) bind(c, name='creat')
@@ -24,6 +37,33 @@ module app_posix
          import :: c_int
          integer(c_int), value :: file
       end function c_close
+      integer(c_int) function c_fsync(file) bind(c, name='fsync')
+         import :: c_int
+         integer(c_int), value :: file
+      end function c_fsync
+      integer(c_int) function c_ftruncate(file, length) bind(c, name='ftruncate')
+         import :: c_int, c_long
+         integer(c_int), value :: file
+         integer(c_long), value :: length
+      end function c_ftruncate
+      integer(c_int) function c_fchmod(file, mode) bind(c, name='fchmod')
+         import :: c_int
+         integer(c_int), value :: file, mode
+      end function c_fchmod
+      integer(c_int) function c_fchown(file, owner, group) bind(c, name='fchown')
+         import :: c_int
+         integer(c_int), value :: file, owner, group
+      end function c_fchown
+      integer(c_int) function c_flock(file, operation) bind(c, name='flock')
+         import :: c_int
+         integer(c_int), value :: file, operation
+      end function c_flock
+      integer(c_int) function c_statx(folder, path, flags, mask, status) bind(c, name='statx')
+         import :: c_char, c_int, statx_type
+         integer(c_int), value :: folder, flags, mask
+         character(kind=c_char), intent(in) :: path(*)
+         type(statx_type), intent(out) :: status
+      end function c_statx
       integer(c_int) function c_rename(from, to) bind(c, name='rename')
          import :: c_char, c_int
          character(kind=c_char), intent(in) :: from(*), to(*)
@@ -46,6 +86,15 @@ module app_posix
          character(kind=c_char), intent(in) :: path(*)
          character(kind=c_char), intent(out) :: resolved(*)
       end function c_realpath
+      integer(c_size_t) function c_readlink(path, text, length) bind(c, name='readlink')
+         import :: c_char, c_size_t
+         character(kind=c_char), intent(in) :: path(*)
+         character(kind=c_char), intent(out) :: text(*)
+         integer(c_size_t), value :: length
+      end function c_readlink
+      integer(c_int) function c_getpid() bind(c, name='getpid')
+         import :: c_int
+      end function c_getpid
       integer(c_int) function c_system(command) bind(c, name='system')
          import :: c_char, c_int
          character(kind=c_char), intent(in) :: command(*)
@@ -78,6 +127,10 @@ module app_posix
          import :: c_int, c_ptr
          type(c_ptr), value :: stream
       end function c_ferror
+      integer(c_int) function c_fileno(stream) bind(c, name='fileno')
+         import :: c_int, c_ptr
+         type(c_ptr), value :: stream
+      end function c_fileno
       integer(c_int) function c_fclose(stream) bind(c, name='fclose')
          import :: c_int, c_ptr
          type(c_ptr), value :: stream

@@ -5,13 +5,14 @@ module app_sweep_file
    use asperity_error, only: fatal_error
    use app_cli, only: command_line_type
    use app_csv, only: csv_text
-   use app_output, only: open_target, output_file, write_files
+   use app_locked_file, only: append_text, locked_file, open_locked, remove_locked, shorten
+   use app_output, only: open_target, output_file
    use app_print_case, only: case_text
    use app_settings, only: settings_type
    use app_strings, only: newline, starts_with
    use app_sweep, only: axis_type
    use app_sweep_table, only: case_result, n_figures, sweep_table
-   use app_system, only: append_text, read_file, remove_file, resolved_path
+   use app_system, only: read_file
    use app_table, only: no_value
    implicit none
    private
@@ -27,6 +28,8 @@ module app_sweep_file
    type :: partial_type
       !> Its path
       character(len=:), allocatable :: path
+      !> While it is written, no other sweep may
+      type(locked_file), private :: file
    end type partial_type
 
 contains
@@ -46,9 +49,9 @@ contains
       type(case_result), intent(inout) :: results(:)
       !> Set on failure
       type(error_type), allocatable, intent(out) :: error
-      type(output_file) :: csv, files(1)
+      type(output_file) :: csv, target
       character(len=:), allocatable :: path, head, text, reason
-      integer :: i
+      integer, parameter :: no_rows(*) = [integer ::]
 
       partial%path = ''
       ! Not by ASSOCIATE, after which gfortran frees such a function's result twice
@@ -56,25 +59,32 @@ contains
       if (path == '' .or. path == '-') return
       call open_target(csv, '--csv', path, error)
       if (allocated(error) .or. csv%is_device) return
-      call open_target(files(1), '--csv', path//ending, error)
+      call open_target(target, '--csv', path//ending, error)
       if (allocated(error)) return
       partial%path = path//ending
-      head = heading(line, settings)
-      if (resolved_path(partial%path) /= '') then
-         call read_file(partial%path, largest, text, reason)
-         if (allocated(reason)) then
-            call fatal_error(error, partial%path//': cannot be read: '//reason, file_error)
-         else if (.not. starts_with(text, head)) then
+      if (target%is_device) then
+         call fatal_error(error, partial%path//': is no file', file_error)
+         return
+      end if
+      head = heading(line, settings)//csv_text(sweep_table(axes, results, no_rows))
+      call open_locked(partial%file, target%target, reason)
+      if (.not. allocated(reason)) call read_file(target%target, largest, text, reason)
+      if (.not. allocated(reason)) then
+         if (starts_with(head, text)) then
+            ! New, or ended within its head
+            call shorten(partial%file, 0, reason)
+            if (.not. allocated(reason)) call append_text(partial%file, head, reason)
+            if (allocated(reason)) call remove_locked(partial%file)
+         else if (starts_with(text, head)) then
+            call read_cases(text(len(head) + 1:), size(axes), results)
+            call shorten(partial%file, index(text, newline, back=.true.), reason)
+         else
             call fatal_error(error, partial%path//': is of another sweep; remove it, or name '// &
                'another file with --csv')
-         else
-            call read_cases(text(len(head) + 1:), size(axes), results)
          end if
-         if (allocated(error)) return
       end if
-      files(1)%text = head//csv_text(sweep_table(axes, results, &
-         pack([(i, i=1, size(results))], results%done)))
-      call write_files(files, error)
+      if (allocated(reason)) call fatal_error(error, partial%path//': cannot be used: '//reason, &
+         file_error)
    end subroutine open_partial
 
    !> What tells one sweep from another: all input, as comment lines.
@@ -103,8 +113,8 @@ contains
       type(case_result), intent(inout) :: results(:)
       integer :: first, length
 
-      ! the first line names the columns; a line without its end is not complete
-      first = 1 + index(text, newline)
+      ! a line without its end is not complete
+      first = 1
       do while (first <= len(text))
          length = index(text(first:), newline) - 1
          if (length < 0) return
@@ -183,7 +193,7 @@ contains
 
       if (partial%path == '') return
       text = csv_text(sweep_table(axes, results, [which]))
-      call append_text(partial%path, text(index(text, newline) + 1:), reason)
+      call append_text(partial%file, text(index(text, newline) + 1:), reason)
       if (allocated(reason)) call fatal_error(error, partial%path//': cannot be written: '// &
          reason, file_error)
    end subroutine append_case
@@ -191,9 +201,9 @@ contains
    !> Remove the file when the results are where they belong.
    subroutine close_partial(partial)
       !> The file
-      type(partial_type), intent(in) :: partial
+      type(partial_type), intent(inout) :: partial
 
-      if (partial%path /= '') call remove_file(partial%path)
+      if (partial%path /= '') call remove_locked(partial%file)
    end subroutine close_partial
 
 end module app_sweep_file

@@ -65,7 +65,7 @@ truncate -s 200M bad.nml
 refuses '200 MB of zeros' 2 'bad.nml:1: control character 0' curve bad.nml
 head -c 200000000 /dev/zero | tr '\0' '1' >>line.txt
 { printf '&asperity\n sigma = '; cat line.txt; } >bad.nml
-check 'a line of 200 MB is not read into memory' sh -c 'ulimit -v 150000; "$1" curve bad.nml 2>err
+check 'a line of 200 MB is not read into memory' limited sh -c 'ulimit -v 150000; "$1" curve bad.nml 2>err
    [ $? -eq 2 ] && grep -q "bad.nml:2: the line is longer than 10000" err' sh "$program"
 rm -f line.txt
 yes '! many short lines' | head -c 20000000 >bad.nml

@@ -103,7 +103,7 @@ read_alike() {
    for file in "$@"; do
       : >effective
       for command in curve press shear tenon table "deck shear" "deck tenon"; do
-         "$program" $command "$file" --print-case >printed.nml 2>/dev/null </dev/null || continue
+         limited "$program" $command "$file" --print-case >printed.nml 2>/dev/null </dev/null || continue
          ./read_case printed.nml >>effective || return
       done
       [ -s effective ] || continue

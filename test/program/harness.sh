@@ -3,10 +3,14 @@ passed=0
 failed=0
 skipped=0
 
+# limited COMMAND...: status 124 for a command that takes five minutes, ten times the longest one here
+timeout=$(command -v timeout)
+limited() { "$timeout" -k 10 300 "$@"; }
+
 # run ARGUMENT...: run the program; leaves files out and err, and status. What gfortran's checks
 # (-fcheck=all) remark about copies of arrays is not the program's word
 run() {
-   "$program" "$@" >out 2>all_err </dev/null
+   limited "$program" "$@" >out 2>all_err </dev/null
    status=$?
    sed '/^At line .* of file /{N;/Fortran runtime warning: An array temporary/d;}' all_err >err
 }

@@ -30,13 +30,13 @@ refuses 'a folder as output' 3 '--json: \. cannot be written: it is a folder' cu
 refuses 'disk full: file' 3 '--csv: /dev/full cannot be written: No space left' \
    curve --csv /dev/full
 : >out
-"$program" curve >/dev/full 2>err
+limited "$program" curve >/dev/full 2>err
 status=$?
 check 'disk full: standard output' is_refused 3 'standard output cannot be written: No space left'
-"$program" help >/dev/full 2>err
+limited "$program" help >/dev/full 2>err
 status=$?
 check 'disk full: help' is_refused 3 'standard output cannot be written: No space left'
-"$program" curve --print-case >/dev/full 2>err
+limited "$program" curve --print-case >/dev/full 2>err
 status=$?
 check 'disk full: print-case' is_refused 3 'standard output cannot be written: No space left'
 refuses 'two outputs on standard output' 2 '--json: standard output already takes --csv' \
@@ -55,40 +55,22 @@ echo before >keep.csv
 refuses 'one of two outputs fails' 3 '--json: taken.json cannot be written' \
    curve --csv keep.csv --json taken.json
 check 'the other keeps what it was' test "$(cat keep.csv)" = before
-mkdir taken.csv.part
-run curve --csv taken.csv --json never.json
-check 'temporary name is taken' has err '--csv: taken.csv cannot be written: Is a directory'
-check 'temporary name is taken: status 3' test "$status" -eq 3
-rmdir taken.csv.part
-check 'no other output is written then' sh -c '! ls never.json* 2>/dev/null'
-check 'no output of that name' absent taken.csv
 run curve --sigma -1 --csv keep.csv
 check 'bad input keeps an older file' test "$(cat keep.csv)" = before
-ln -s keep.csv link.csv
-run curve --csv link.csv
-check 'a link stays a link' test -L link.csv
-check 'what it points to is written' cmp keep.csv csv
 run curve --csv /dev/null
 check '/dev/null stays a device' test -c /dev/null
 run curve --csv "a name with ' and blanks.csv"
 check 'any file name' cmp "a name with ' and blanks.csv" csv
-if [ "$(id -u)" -ne 0 ]; then
-   mkdir locked
-   chmod a-w locked
-   refuses 'folder without permission' 3 '--csv: locked/x.csv cannot be written: Permission' \
-      curve --csv locked/x.csv
-fi
-
-"$program" curve --separation 0.1:0.2:100000 --csv - 2>err | head -n 1 >out
+limited "$program" curve --separation 0.1:0.2:100000 --csv - 2>err | head -n 1 >out
 statuses=("${PIPESTATUS[@]}")
 check 'closed pipe: quiet' test ! -s err
 check 'closed pipe: ended by the pipe, or in time' \
    sh -c '[ "$1" -eq 141 ] || [ "$1" -eq 0 ]' sh "${statuses[0]}"
-"$program" curve --csv closed.csv 2>err | true
+limited "$program" curve --csv closed.csv 2>err | true
 check 'closed pipe: files are complete' cmp closed.csv csv
 
 # An interrupt during the run leaves nothing; in a second 100 000 increments are not done
-timeout -s INT 1 "$program" press --increments 1000000 --csv int.csv --json int.json >out 2>err
+timeout -k 60 -s INT 1 "$program" press --increments 1000000 --csv int.csv --json int.json >out 2>err
 status=$?
 check 'interrupt: ends the program' test "$status" -eq 124
 check 'interrupt: no file' sh -c '! ls int.csv* int.json* 2>/dev/null'

@@ -31,7 +31,7 @@ mkdir tools
 refuses_with_tools() {
    local name=$1 expected=$2 pattern=$3
    shift 3
-   PATH=$PWD/tools:$tools_path "$program" "$@" >out 2>err </dev/null
+   PATH=$PWD/tools:$tools_path limited "$program" "$@" >out 2>err </dev/null
    status=$?
    check "$name" is_refused "$expected" "$pattern"
 }
@@ -41,12 +41,27 @@ refuses_with_tools 'no gnuplot' 1 '--plot: gnuplot is not installed; .* gnuplot-
 tools_path=$PATH
 printf '#!/bin/sh\ncat >/dev/null\nexit 3\n' >tools/gnuplot
 chmod +x tools/gnuplot
-refuses_with_tools 'gnuplot fails' 1 '--plot: gnuplot failed' \
+refuses_with_tools 'gnuplot fails' 1 '--plot: gnuplot failed with exit status 3$' \
    curve --plot never.svg --csv never.csv
 printf '#!/bin/sh\nexit 3\n' >tools/gnuplot
-refuses_with_tools 'gnuplot fails without reading' 1 '--plot: gnuplot failed' \
+refuses_with_tools 'gnuplot fails without reading' 1 '--plot: gnuplot failed with exit status 3$' \
    curve --separation 0.1:0.2:100000 --plot never.svg --csv never.csv
+for signal in 9 11 15; do
+   printf '#!/bin/sh\nkill -%s $$\n' $signal >tools/gnuplot
+   refuses_with_tools "gnuplot is ended by signal $signal" 1 \
+      "--plot: gnuplot was ended by signal $signal\$" curve --plot never.svg --csv never.csv
+done
 printf '#!/bin/sh\ncat >/dev/null\necho "<svg>"\n' >tools/gnuplot
 refuses_with_tools 'gnuplot leaves half a picture' 3 '--plot: never.svg cannot be written' \
    curve --plot never.svg --csv never.csv
 check 'no picture and no table then' sh -c '! ls never* 2>/dev/null'
+
+# Signals that would end the program reach it while gnuplot draws, when a temporary file is there
+for signal in HUP INT QUIT USR1 USR2 ALRM TERM XCPU; do
+   printf '#!/bin/sh\ncat >/dev/null\nkill -%s $PPID\necho "<svg></svg>"\n' $signal >tools/gnuplot
+   PATH=$PWD/tools:$tools_path limited "$program" curve --plot held.svg >out 2>err </dev/null
+   status=$?
+   check "SIG$signal while a picture is drawn: it is whole, nothing else stays" \
+      sh -c '[ "$1" -eq 0 ] && grep -q "</svg>" held.svg && ! ls *.part 2>/dev/null' sh $status
+   rm -f held.svg
+done

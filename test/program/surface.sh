@@ -181,7 +181,7 @@ if /usr/bin/time -f %M true 2>/dev/null; then
             --map noise.sdf --csv -
       fi
       # shellcheck disable=SC2086  # several words are meant
-      memory=$(/usr/bin/time -f %M "$program" surface $file $options 2>&1 >out | tail -n 1)
+      memory=$(limited /usr/bin/time -f %M "$program" surface $file $options 2>&1 >out | tail -n 1)
       check "surface: memory, $file $options: $memory KiB" test "$memory" -le 122880 -a -s out
    done
    rm -f large.sdf noise.sdf

@@ -136,7 +136,7 @@ refuses 'tenon: history without that column' 2 "way.csv:1: there is no column 'd
    tenon --history way.csv --displacement-column drift
 
 # An interrupt leaves nothing; a programme of 1e5 steps takes minutes
-timeout -s INT 1 "$program" tenon --displacement-increment 0.016 --csv int.csv --points int_p.csv \
+timeout -k 60 -s INT 1 "$program" tenon --displacement-increment 0.016 --csv int.csv --points int_p.csv \
    >out 2>err
 status=$?
 check 'tenon: interrupt ends the program' test "$status" -eq 124
