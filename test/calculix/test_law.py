@@ -10,7 +10,8 @@ from harness import at_most
 def law_of_program(law, asperity):
     """Pressures of `asperity curve` for the pair that the tests use."""
     printed = subprocess.run([str(asperity), "curve", "--separation", "0.06:0.24:10", "--csv", "-"],
-                             stdout=subprocess.PIPE, check=True, encoding="utf-8").stdout
+                             stdout=subprocess.PIPE, check=True, encoding="utf-8",
+                             timeout=60).stdout
     table = [line for line in printed.splitlines() if not line.startswith("#")]
     rows = list(csv.DictReader(io.StringIO("\n".join(table))))
     names = {name.split("_")[0]: name for name in rows[0]}

@@ -15,6 +15,7 @@ import signal
 import subprocess
 import sys
 import tempfile
+import threading
 import time
 
 sys.dont_write_bytecode = True
@@ -327,6 +328,8 @@ def test_terminal():
     with subprocess.Popen([sys.executable, RUN, "l.inp"], stdout=writer, stderr=writer,
                           env={**os.environ, "FAKE": "slow", "CCX": FAKE}) as process:
         os.close(writer)
+        limit = threading.Timer(50, process.kill)
+        limit.start()
         seen = b""
         try:
             while True:
@@ -336,6 +339,7 @@ def test_terminal():
                 seen += data
         except OSError:
             pass
+    limit.cancel()
     os.close(reader)
     check("a terminal gets a line that changes", process.returncode == 0
           and b"\rstep 2/4  increment " in seen, seen.decode(errors="replace"))
