@@ -23,8 +23,8 @@ module app_file_facts
    integer(c_int), parameter :: here = -100_c_int, of_descriptor = int(z'1000', c_int), &
       no_follow = int(z'100', c_int), basic = int(z'7ff', c_int)
    !> Parts of a file's mode
-   integer(c_int), parameter :: kind_bits = int(o'170000', c_int), regular = int(o'100000', c_int), &
-      right_bits = int(o'777', c_int)
+   integer(c_int), parameter :: kind_bits = int(o'170000', c_int), &
+      regular = int(o'100000', c_int), right_bits = int(o'777', c_int)
 
 contains
 

@@ -58,8 +58,8 @@ contains
       type(shell_type) :: shell
       character(len=:), allocatable :: failure, reason
 
-      ! Interrupts reach gnuplot but not the program, which tidies up. So gnuplot is there first, and
-      ! waits for a line before it takes the temporary file, which the program creates
+      ! Interrupts reach gnuplot but not the program, which tidies up. So gnuplot is there first,
+      ! and waits for a line before it takes the temporary file, which the program creates
       part%path = free_name(file%target)
       call open_shell(shell, 'read -r line && exec gnuplot -d >'//shell_word(part%path)// &
          ' 2>/dev/null', failure)
@@ -70,7 +70,8 @@ contains
             call close_shell(shell, '', failure)
          else
             call close_part(part, reason)
-            call close_shell(shell, newline//terminal(format_of(file%path), large)//script, failure)
+            call close_shell(shell, newline//terminal(format_of(file%path), large)// &
+               script, failure)
             if (.not. allocated(reason)) call read_file(part%path, largest, picture, reason)
             call remove_file(part%path)
          end if

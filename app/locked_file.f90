@@ -1,7 +1,8 @@
-!> A file that grows and belongs to one process at a time. The lock is the system's: it ends with the
-!> process, however that ends.
+!> A file that grows and belongs to one process at a time. The lock is the system's: it ends with
+!> the process, however that ends.
 module app_locked_file
-   use, intrinsic :: iso_c_binding, only: c_associated, c_int, c_long, c_null_char, c_null_ptr, c_ptr
+   use, intrinsic :: iso_c_binding, only: c_associated, c_int, c_long, c_null_char, &
+      c_null_ptr, c_ptr
    use app_errno, only: ewouldblock, last_error, last_reason
    use app_file_facts, only: facts_of, facts_of_descriptor, file_facts
    use app_posix, only: c_fclose, c_fileno, c_flock, c_fopen, c_ftruncate

@@ -36,8 +36,8 @@ contains
       if (.not. c_associated(part%stream)) reason = last_reason()
    end subroutine create_part
 
-   !> Path of a temporary file: `NAME.PROCESS.part` beside the target, numbered if that is left of an
-   !> earlier process.
+   !> Path of a temporary file: `NAME.PROCESS.part` beside the target, numbered if that is left of
+   !> an earlier process.
    function free_name(target) result(path)
       !> Absolute path of the file that it becomes
       character(len=*), intent(in) :: target
@@ -79,8 +79,8 @@ contains
       if (last_error() /= einval) reason = last_reason()
    end subroutine write_part
 
-   !> Give an open file the rights of another, where there are any: some file systems have none. Only
-   !> root gives files away; who may write the other as one of its group can give that.
+   !> Give an open file the rights of another, where there are any: some file systems have none.
+   !> Only root gives files away; who may write the other as one of its group can give that.
    subroutine take_rights(file, other)
       integer(c_int), intent(in) :: file
       type(file_facts), intent(in) :: other

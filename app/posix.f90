@@ -1,14 +1,14 @@
-!> Interfaces of the C functions that the program calls; POSIX says what they do, for flock and statx
-!> the Linux manual. Sizes and constants are those of Linux.
+!> Interfaces of the C functions that the program calls; POSIX says what they do, for flock and
+!> statx the Linux manual. Sizes and constants are those of Linux.
 module app_posix
-   use, intrinsic :: iso_c_binding, only: c_char, c_funptr, c_int, c_int16_t, c_int32_t, c_int64_t, &
-      c_long, c_ptr, c_size_t
+   use, intrinsic :: iso_c_binding, only: c_char, c_funptr, c_int, c_int16_t, c_int32_t, &
+      c_int64_t, c_long, c_ptr, c_size_t
    implicit none
    private
    public :: c_access, c_close, c_creat, c_errno_location, c_fchmod, c_fchown, c_fclose, c_ferror, &
       c_fileno, c_flock, c_fopen, c_fread, c_fsync, c_ftruncate, c_fwrite, c_getpid, c_isatty, &
-      c_pclose, c_popen, c_readlink, c_realpath, c_rename, c_signal, c_statx, c_strerror, c_strlen, &
-      c_system, c_unlink, c_write, statx_type
+      c_pclose, c_popen, c_readlink, c_realpath, c_rename, c_signal, c_statx, c_strerror, &
+      c_strlen, c_system, c_unlink, c_write, statx_type
 
    !> What statx tells; unlike that of stat, it is laid out in one way on every machine.
    type, bind(c) :: statx_type

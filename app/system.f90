@@ -1,6 +1,6 @@
-!> Files by the operating system (POSIX, Linux), because Fortran's own output neither reports a full
-!> disk reliably nor renames. Every return value is checked. A subroutine sets `reason` to the system's
-!> words on failure and leaves it unallocated else.
+!> Files by the operating system (POSIX, Linux), because Fortran's own output neither reports a
+!> full disk reliably nor renames. Every return value is checked. A subroutine sets `reason` to the
+!> system's words on failure and leaves it unallocated else.
 module app_system
    use, intrinsic :: iso_c_binding, only: c_associated, c_int, c_null_char, c_ptr, c_size_t
    use app_errno, only: eintr, last_error, last_reason

@@ -7,8 +7,8 @@ module asperity_kinds
 
    !> Working precision of every real number: IEEE double, whatever the compiler's default is.
    integer, parameter, public :: wp = real64
-   !> 1. A compiler for 32 bits stops here, at a division by zero: addresses and doubles at multiples
-   !> of 8 bytes are what UINTER and the C interface need
+   !> 1. A compiler for 32 bits stops here, at a division by zero: UINTER and the C interface need
+   !> addresses and doubles at multiples of 8 bytes
    integer, parameter, public :: asperity_needs_a_64_bit_system = 1/(storage_size( &
       0_c_intptr_t)/64)
 end module asperity_kinds

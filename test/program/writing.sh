@@ -157,7 +157,7 @@ fi
 # Two sweeps and one file
 sweep=(tenon --amplitudes 4 --face-points 20 --side-points 4 --displacement-increment 0.5
    --sweep gap=mean_plane,first_touch)
-limited "$program" "${sweep[@]}" --csv sweep_alone.csv >/dev/null
+limited "$program" "${sweep[@]}" --csv sweep_alone.csv >/dev/null 2>&1
 if command -v flock >/dev/null; then
    : >sweep_2.csv.partial
    limited flock sweep_2.csv.partial sleep 5 &
@@ -188,7 +188,7 @@ check 'eight sweeps and one file: some succeed, the others say why not' \
 check 'its rows are those of one sweep' cmp sweep_3.csv sweep_alone.csv
 check 'no partial file stays' absent sweep_3.csv.partial
 # A head that was not finished, as on a full disk
-limited "$program" "${sweep[@]}" --csv sweep_4.csv >/dev/null
+limited "$program" "${sweep[@]}" --csv sweep_4.csv >/dev/null 2>&1
 printf '# --sweep' >sweep_4.csv.partial
 run "${sweep[@]}" --csv sweep_4.csv
 check 'a partial file that ends in its head' is_quiet
