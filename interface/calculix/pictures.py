@@ -6,6 +6,8 @@ import shutil
 import subprocess
 import textwrap
 
+from whole_file import whole_file
+
 STATES = {"open": (0, "#56b4e9"), "slip": (1, "#009e73"), "stick": (2, "#d55e00"),
           "closed": (2, "#d55e00")}
 PRESSURE_PALETTE = ("defined (0 '#f2f2f2', 0.02 '#fff3b8', 0.25 '#fdbb63', 0.5 '#f4713b', "
@@ -26,15 +28,12 @@ def draw(path, script, width, height):
         raise PictureError(f"{path} has no known ending: .svg or .png")
     if shutil.which("gnuplot") is None:
         raise PictureError("gnuplot is not installed; on Debian: apt-get install gnuplot-nox")
-    part = path + ".part"
-    text = f"set terminal {terminal}\nset output '{quoted(part)}'\n{script}\nunset output\n"
-    done = subprocess.run(["gnuplot"], input=text, capture_output=True, text=True, check=False)
-    if done.returncode != 0 or not os.path.exists(part) or os.path.getsize(part) == 0:
-        if os.path.exists(part):
-            os.remove(part)
-        said = done.stderr.strip().splitlines()
-        raise PictureError(f"{path}: gnuplot failed: {said[-1] if said else 'no picture'}")
-    os.replace(part, path)
+    with whole_file(path) as part:
+        text = f"set terminal {terminal}\nset output '{quoted(part)}'\n{script}\nunset output\n"
+        done = subprocess.run(["gnuplot"], input=text, capture_output=True, text=True, check=False)
+        if done.returncode != 0 or os.path.getsize(part) == 0:
+            said = done.stderr.strip().splitlines()
+            raise PictureError(f"{path}: gnuplot failed: {said[-1] if said else 'no picture'}")
 
 
 def quoted(text):

@@ -512,13 +512,35 @@ def test_contact():
     check("a picture of no elements", r.status == 1 and not os.path.exists("n.svg"), r.text)
 
 
+def test_whole_files():
+    whole_file = importlib.import_module("whole_file").whole_file
+    write("w.csv.part", "mine")
+    os.symlink("w.csv.part", "l.csv.part")
+    write("w.csv", "before")
+    os.symlink("w.csv", "l.csv")
+    for name in ("w.csv", "l.csv"):
+        with whole_file(name) as part:
+            write(part, name)
+        check(f"{name} is written, and what is called {name}.part stays",
+              read("w.csv") == name and read(name + ".part") == "mine", read("w.csv"))
+    check("a link stays a link", os.path.islink("l.csv") and os.path.islink("l.csv.part"))
+    try:
+        with whole_file("w.csv") as part:
+            write(part, "half")
+            raise KeyboardInterrupt
+    except KeyboardInterrupt:
+        pass
+    check("a file that is not finished is not there", read("w.csv") == "l.csv"
+          and not os.path.exists(part), os.listdir("."))
+
+
 def main():
     folder = tempfile.mkdtemp(prefix="asperity-run-")
     os.chdir(folder)
     try:
         for test in (test_whole_run, test_springs, test_errors, test_resume, test_interruption,
                      test_terminal, test_history_options, test_restart_files, test_readers,
-                     test_contact):
+                     test_contact, test_whole_files):
             test()
     finally:
         os.chdir("/")

@@ -119,6 +119,22 @@ check 'flags of one of several types of build' \
 export FFLAGS=-Ofast
 check 'FFLAGS in the environment' refused "FFLAGS.* has -Ofast.*$unsafe"
 unset FFLAGS
+with_compiler() {
+   local FC="${FC:-gfortran} -ffast-math"
+   export FC
+   refused "CMAKE_Fortran_COMPILER has -ffast-math.*$unsafe"
+}
+check 'a flag with the name of the compiler' with_compiler
+options_around() {
+   mkdir -p "$work/around"
+   printf '%s\n' 'cmake_minimum_required(VERSION 3.20)' 'project(other LANGUAGES Fortran)' \
+      'add_compile_options(-g -Ofast)' "add_subdirectory($root asperity)" \
+      >"$work/around/CMakeLists.txt"
+   ! configure "$work/around" "$work/around/build" >"$log.refused" 2>&1 || return 1
+   cat "$log.refused"
+   tr -s '\n ' ' ' <"$log.refused" | grep -Eq "add_compile_options .* has -Ofast.*$unsafe"
+}
+check 'options of the project around' options_around
 check 'safe flags are taken, whatever their names resemble' configure "$root" "$work/safe" \
    -DCMAKE_Fortran_FLAGS="-O3 -ffp-contract=fast -fno-fast-math -I$work/-Ofast" \
    -DASPERITY_BUILD_C=OFF
