@@ -45,8 +45,9 @@ add_test(NAME single_tests COMMAND asperity_single_tests WORKING_DIRECTORY ${PRO
 
 # What the CalculiX interface computes itself, without CalculiX
 set(calculix_sources test/calculix/main.f90 test/calculix/test_springs.f90
-   test/calculix/test_keyword.f90 test/calculix/test_masters.f90 test/random_inputs.f90 test/abaqus_stubs.f90)
-foreach(name faces kinematics interactions slots host springs masters keyword)
+   test/calculix/test_keyword.f90 test/calculix/test_masters.f90 test/calculix/test_areas.f90
+   test/calculix/test_outputs.f90 test/random_inputs.f90 test/abaqus_stubs.f90)
+foreach(name refusal faces kinematics interactions slots outputs host springs masters keyword areas)
    list(APPEND calculix_sources interface/calculix/${name}.f90)
 endforeach()
 if(NOT PFUNIT_FOUND)

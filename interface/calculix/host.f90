@@ -6,11 +6,13 @@ module calculix_host
    use, intrinsic :: iso_fortran_env, only: int64
    use asperity_kinds, only: wp
    use calculix_interactions, only: find_interaction, has_interactions
+   use calculix_outputs, only: optional_left
+   use calculix_refusal, only: refuse
    use calculix_slots, only: slot_pnewdt
    implicit none
    private
-   public :: before_results, after_results, report_time, count_call, host_type, host, know_pairs, &
-      pair_of, name_of
+   public :: before_results, after_results, report_time, count_call, host_type, host, know_job, &
+      know_pairs, pair_of, name_of, surface_name
 
    !> The solver's variables, which stay where they are during a step.
    type :: host_type
@@ -23,16 +25,31 @@ module calculix_host
       integer :: iteration = 0
       !> The solver evaluates the start of a step: nothing moves
       logical :: at_rest = .true.
+      !> This evaluation is the first of an attempt at an increment
+      logical :: new_attempt = .false.
+      !> What springs keep, as the solver has it now (value, spring), and elements before the springs
+      real(wp), pointer :: states(:, :) => null()
+      integer :: elements = 0
       !> Names of the interactions, 80 characters each
       character(kind=c_char), pointer :: material_names(:) => null()
       !> Names of a pair: own use, slave, master; 81 characters each
       character(kind=c_char), pointer :: pair_names(:) => null()
       !> The last slave node of the pairs before each pair, then that of all
       integer, allocatable :: last_node(:)
-      !> Which pairs a UINTER serves
+      !> Slave nodes of all pairs
+      integer, allocatable :: slave_nodes(:)
+      !> Materials of the pairs, and which of these a UINTER serves
+      integer, allocatable :: materials(:)
       logical, allocatable :: serves(:)
       !> Use the symmetric part of the stiffness, to compare with
       logical :: symmetric = .false.
+      !> Look for outputs that UINTER does not set
+      logical :: poisoned = .false.
+      !> Write STATEV of every increment
+      logical :: writes_states = .false.
+      !> Name of the job, and whether it began from a restart file
+      character(len=132) :: job = ''
+      logical :: resumed = .false.
    end type host_type
 
    ! CalculiX' routines have no argument that could carry it
@@ -47,16 +64,17 @@ contains
    !> Take over the solver's variables, and put every spring back to the start of the increment, so
    !> that one that existed in an earlier iteration alone leaves nothing behind.
    subroutine before_results(vini, mi, nk, time, dtime, ttime, istep, iinc, iout, ielas, &
-         matname, tieset, ntie, nstate, ne0, xstateini, xstate) bind(c)
+         matname, tieset, ntie, nstate, ne0, xstateini, xstate, mortar) bind(c)
       !> As in CalculiX
       type(c_ptr), value :: vini, time, dtime, ttime, istep, iinc, matname, tieset
       type(c_ptr), value :: xstateini, xstate
-      integer(c_int), intent(in) :: mi(*), nk, iout, ielas, ntie, nstate, ne0
-      real(wp), pointer :: from(:, :), to(:, :)
+      integer(c_int), intent(in) :: mi(*), nk, iout, ielas, ntie, nstate, ne0, mortar
+      real(wp), pointer :: from(:, :)
       integer :: pair, nodes, first, last
-      character(len=16) :: tangent
 
       if (.not. has_interactions()) return
+      if (mortar /= 0) call refuse('UINTER serves TYPE=NODE TO SURFACE on *CONTACT PAIR alone: '// &
+         'with SURFACE TO SURFACE and the others CalculiX does not call it')
       call c_f_pointer(vini, host%start, [mi(2) + 1, nk])
       call c_f_pointer(time, host%time)
       call c_f_pointer(dtime, host%increment)
@@ -66,9 +84,11 @@ contains
       call c_f_pointer(matname, host%material_names, [huge(1)])
       call c_f_pointer(tieset, host%pair_names, [3*81*ntie])
       host%at_rest = ielas == 1
-      call get_environment_variable('ASPERITY_CALCULIX_TANGENT', tangent)
-      host%symmetric = tangent == 'symmetric'
-      if (any(abs(counted - increment_now()) > 0.0_wp)) host%iteration = 0
+      host%symmetric = is_set('TANGENT', 'symmetric')
+      host%poisoned = is_set('POISON', '1')
+      host%writes_states = is_set('STATES', '1')
+      host%new_attempt = any(abs(counted - increment_now()) > 0.0_wp)
+      if (host%new_attempt) host%iteration = 0
       counted = increment_now()
       ! zero after a solution; else displacements are prescribed, or known
       if (iout == 0) host%iteration = host%iteration + 1
@@ -76,12 +96,13 @@ contains
       if (.not. allocated(host%serves)) return
       nodes = host%last_node(ntie + 1)
       call c_f_pointer(xstateini, from, [nstate*mi(1), ne0 + nodes])
-      call c_f_pointer(xstate, to, [nstate*mi(1), ne0 + nodes])
+      call c_f_pointer(xstate, host%states, [nstate*mi(1), ne0 + nodes])
+      host%elements = ne0
       do pair = 1, ntie
          if (.not. host%serves(pair)) cycle
          first = ne0 + host%last_node(pair) + 1
          last = ne0 + host%last_node(pair + 1)
-         to(:, first:last) = from(:, first:last)
+         host%states(:, first:last) = from(:, first:last)
       end do
    end subroutine before_results
 
@@ -120,24 +141,53 @@ contains
       ticks = ticks + (ended - began)
    end subroutine count_call
 
-   !> Say at the end of the job how long UINTER took.
+   !> Say at the end of the job how long UINTER took, and what it left unset.
    subroutine report_time() bind(c)
       integer(int64) :: rate
 
       call system_clock(count_rate=rate)
       if (calls > 0_int64) write (*, '(a, i0, a, f0.3, a)') ' asperity: ', calls, &
          ' calls of UINTER took ', real(ticks, wp)/real(rate, wp), ' s'
+      if (has_interactions() .and. calls == 0_int64) &
+         write (*, '(a)') ' *WARNING: UINTER was never called: no slave node came near a master'
+      if (optional_left() /= '') write (*, '(2a)') &
+         ' asperity: UINTER sets all that it must; it leaves unset, as it may:', &
+         trim(optional_left())
    end subroutine report_time
 
+   !> Whether the variable ASPERITY_CALCULIX_NAME of the environment has a value.
+   logical function is_set(name, value)
+      character(len=*), intent(in) :: name, value
+      character(len=16) :: found
+
+      call get_environment_variable('ASPERITY_CALCULIX_'//name, found)
+      is_set = found == value
+   end function is_set
+
+   !> What the job is called.
+   subroutine know_job(name, resumed)
+      !> The solver's name
+      character(len=*), intent(in) :: name
+      !> It began from a restart file
+      logical, intent(in) :: resumed
+
+      host%job = name
+      host%resumed = resumed
+   end subroutine know_job
+
    !> Which of the contact pairs a UINTER serves, and which slave nodes they have.
-   subroutine know_pairs(materials, last_node)
+   subroutine know_pairs(materials, last_node, slave_nodes)
       !> Material of every pair
       integer, intent(in) :: materials(:)
       !> The last slave node of the pairs before each pair, then that of all
       integer, intent(in) :: last_node(:)
+      !> Slave nodes of all pairs
+      integer, intent(in) :: slave_nodes(:)
       integer :: pair
 
+      host%materials = materials
       host%last_node = last_node
+      host%slave_nodes = slave_nodes
       if (allocated(host%serves)) deallocate (host%serves)
       allocate (host%serves(size(materials)))
       do pair = 1, size(materials)
@@ -174,5 +224,18 @@ contains
          name(i:i) = names(length*(number - 1) + i)
       end do
    end function name_of
+
+   !> Name of the slave (2) or the master surface (3) of a pair, without the letter of its kind that
+   !> the solver appends.
+   function surface_name(pair, which) result(name)
+      !> Number of the pair; which of the two
+      integer, intent(in) :: pair, which
+      character(len=80) :: name
+      integer :: last
+
+      name = name_of(host%pair_names, 3*(pair - 1) + which, 81)
+      last = len_trim(name)
+      if (last > 0) name(last:last) = ' '
+   end function surface_name
 
 end module calculix_host

@@ -4,6 +4,7 @@ module calculix_restart
    use asperity_kinds, only: wp
    use calculix_interactions, only: add_interaction, all_interactions, find_interaction, &
       interaction_type
+   use calculix_refusal, only: refuse
    implicit none
    private
    public :: keep_interactions
@@ -14,14 +15,17 @@ contains
 
    !> Read the interactions if the solver has some from a restart file that are not known, else
    !> write them. Ends the job where that cannot be done.
-   subroutine keep_interactions(job, needed)
+   subroutine keep_interactions(job, needed, resumed)
       !> Name of the job, without suffix
       character(len=*), intent(in) :: job
       !> Materials that a UINTER serves, by the solver's account
       integer, intent(in) :: needed(:)
+      !> The job began from a restart file
+      logical, intent(out) :: resumed
       integer :: i
       logical :: known
 
+      resumed = .false.
       if (size(needed) == 0) return
       known = .true.
       do i = 1, size(needed)
@@ -31,6 +35,7 @@ contains
          call write_interactions(trim(job)//'.uinter')
          return
       end if
+      resumed = .true.
       call read_interactions(trim(job)//'.uinter')
       do i = 1, size(needed)
          if (.not. associated(find_interaction(needed(i)))) &
@@ -80,12 +85,5 @@ contains
       close (unit)
       if (status /= 0) call refuse(name//' is damaged')
    end subroutine read_interactions
-
-   subroutine refuse(what)
-      character(len=*), intent(in) :: what
-
-      write (*, '(2a)') ' *ERROR: ', what
-      stop 201
-   end subroutine refuse
 
 end module calculix_restart

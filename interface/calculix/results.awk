@@ -24,7 +24,7 @@ END {
       names = names (i > 1 ? ", " : "") name
       known[name] = 1
    }
-   before = "vini mi nk time dtime ttime istep iinc iout ielas matname tieset ntie nstate_ ne0 xstateini xstate"
+   before = "vini mi nk time dtime ttime istep iinc iout ielas matname tieset ntie nstate_ ne0 xstateini xstate mortar"
    after = "qa mi nstate_ ne0 ntie xstate"
    m = split(before " " after, wanted, " ")
    for (i = 1; i <= m; i++) if (!(wanted[i] in known)) {
@@ -38,13 +38,16 @@ END {
    print "#include \"CalculiX.h\""
    print "void before_results();"
    print "void after_results();"
+   print "void begin_attempt();"
+   print "void end_job();"
    print "void report_time();"
    print "static int registered = 0;"
    print "void ccx_results(" declared ");"
    print "void results(" declared ")"
    print "{"
-   print "   if (!registered) registered = !atexit(report_time);"
+   print "   if (!registered) registered = !atexit(report_time) && !atexit(end_job);"
    print "   before_results(" before ");"
+   print "   begin_attempt();"
    print "   ccx_results(" names ");"
    print "   after_results(" after ");"
    print "}"

@@ -158,7 +158,8 @@ subroutine gencontelem_n2f(tieset, ntie, itietri, ne, ipkon, kon, lakon, cg, str
    inoels, springarea, set, nset, istartset, iendset, ialset, tietol, reltime, filab, nasym, &
    xnoels, icutb, ne0, jobnamef, mortar, auw, jqw, iroww, nzsw, imastnode, nmastnode)
    use asperity_kinds, only: wp
-   use calculix_host, only: know_pairs
+   use calculix_areas, only: leave_out_sides
+   use calculix_host, only: host, know_job, know_pairs
    use calculix_interactions, only: mark
    use calculix_masters, only: keep_faces
    use calculix_restart, only: keep_interactions
@@ -169,7 +170,8 @@ subroutine gencontelem_n2f(tieset, ntie, itietri, ne, ipkon, kon, lakon, cg, str
    character(len=132) :: jobnamef(*)
    integer :: ntie, itietri(*), ne, ipkon(*), kon(*), ifree, koncont(*), nx(*), ny(*), nz(*)
    integer :: ielmat(*), istep, iinc, iit, ncmat_, ntmat_, nmethod, mi(*), imastop(*)
-   integer :: nslavnode(*), islavnode(*), islavsurf(*), itiefac(*), iponoels(*), inoels(*), nset
+   integer :: nslavnode(*), islavnode(*), islavsurf(2, *), itiefac(2, *), iponoels(*)
+   integer :: inoels(2, *), nset
    integer :: istartset(*), iendset(*), ialset(*), nasym, icutb, ne0, mortar, jqw(*), iroww(*)
    integer :: nzsw, imastnode(*), nmastnode(*)
    real(wp) :: cg(*), straight(*), co(3, *), vold(0:mi(2), *), xo(*), yo(*), zo(*), x(*), y(*)
@@ -177,15 +179,23 @@ subroutine gencontelem_n2f(tieset, ntie, itietri, ne, ipkon, kon, lakon, cg, str
    real(wp) :: reltime, xnoels(*), auw(*)
    external :: ccx_gencontelem_n2f
    integer :: first, free, i, materials(ntie)
-   logical :: marked(ntie)
+   logical :: marked(ntie), resumed
 
    materials = [(merge(int(tietol(2, i)), 0, tieset(1, i)(81:81) == 'C'), i=1, ntie)]
    marked = .false.
    do i = 1, ntie
       if (materials(i) > 0) marked(i) = abs(elcon(4, 1, materials(i)) - mark) < 0.5_wp
    end do
-   if (iit < 0) call keep_interactions(jobnamef(1), pack(materials, marked))
-   call know_pairs(materials, nslavnode(:ntie + 1))
+   if (iit < 0 .and. any(marked)) then
+      call keep_interactions(jobnamef(1), pack(materials, marked), resumed)
+      if (host%job == '') call know_job(jobnamef(1), resumed)
+   end if
+   call know_pairs(materials, nslavnode(:ntie + 1), islavnode(:nslavnode(ntie + 1)))
+   do i = 1, ntie
+      if (.not. host%serves(i)) cycle
+      call leave_out_sides(islavnode(nslavnode(i) + 1:nslavnode(i + 1)), itiefac(:, i), ipkon, &
+         kon, lakon, islavsurf, iponoels, inoels, xnoels)
+   end do
    first = ne + 1
    free = ifree
    call ccx_gencontelem_n2f(tieset, ntie, itietri, ne, ipkon, kon, lakon, cg, straight, ifree, &
@@ -198,3 +208,20 @@ subroutine gencontelem_n2f(tieset, ntie, itietri, ne, ipkon, kon, lakon, cg, str
    ! springs that were put back need room
    ifree = max(ifree, free)
 end subroutine gencontelem_n2f
+
+!> Write a line of JOB.sta: an increment has converged.
+subroutine writesta(istep, j, icutb, l, ttime, time, dtime)
+   use asperity_kinds, only: wp
+   use calculix_events, only: end_increment
+   use calculix_interactions, only: has_interactions
+   use calculix_states, only: write_states
+   implicit none
+   integer :: istep, j, icutb, l
+   real(wp) :: ttime, time, dtime
+   external :: ccx_writesta
+
+   call ccx_writesta(istep, j, icutb, l, ttime, time, dtime)
+   if (.not. has_interactions()) return
+   call write_states(istep, j, ttime + time)
+   call end_increment(istep, j, time, ttime + time, dtime)
+end subroutine writesta

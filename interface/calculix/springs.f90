@@ -4,10 +4,12 @@ module calculix_springs
    use, intrinsic :: iso_fortran_env, only: int64
    use asperity_kinds, only: wp
    use calculix_faces, only: has_face, most_nodes
-   use calculix_host, only: count_call, host, name_of, pair_of
+   use calculix_host, only: count_call, host, name_of, pair_of, surface_name
    use calculix_interactions, only: interaction_type
    use calculix_kinematics, only: find_motion, find_variation, most_freedoms, motion_type, &
       variation_type
+   use calculix_outputs, only: new_outputs, note_optional, outputs_type, unset_outputs
+   use calculix_refusal, only: refuse
    use calculix_slots, only: own_slots, slot_energy, slot_pnewdt, slot_slip, slot_status, &
       slot_stress, slot_time, slot_user_status
    use uinter_signature, only: uinter_interface
@@ -69,9 +71,11 @@ contains
       integer :: i, n
 
       n = size(initial, 2)
-      if (method /= 1 .and. method /= 4) call refuse('a step that is neither static nor dynamic')
-      if (.not. has_face(n - 1)) call refuse('a master face with other than 3, 4, 6 or 8 nodes')
-      if (.not. area > 0.0_wp) call refuse('a slave node without a face of its own')
+      if (method /= 1 .and. method /= 4) call refuse('UINTER does not serve a step that is '// &
+         'neither static nor dynamic')
+      if (.not. has_face(n - 1)) call refuse('UINTER does not serve a master face with other '// &
+         'than 3, 4, 6 or 8 nodes')
+      if (.not. area > 0.0_wp) call refuse_node(numbers(n))
       spring%interaction => interaction
       spring%nodes = n
       spring%node = numbers(n)
@@ -83,13 +87,15 @@ contains
       end do
    end subroutine fill_spring
 
-   !> End the job.
-   subroutine refuse(what)
-      character(len=*), intent(in) :: what
+   !> End the job for want of an area.
+   subroutine refuse_node(node)
+      integer, intent(in) :: node
+      character(len=12) :: number
 
-      write (*, '(3a)') ' *ERROR: UINTER does not serve ', what, ' in CalculiX'
-      stop 201
-   end subroutine refuse
+      write (number, '(i0)') node
+      call refuse('slave node '//trim(number)//' has no area: no face of an element has all of '// &
+         'its nodes in the slave surface. Name the faces, or all nodes of each')
+   end subroutine refuse_node
 
    !> Kinematics and UINTER.
    subroutine evaluate_spring(spring, start, state, response)
@@ -131,40 +137,74 @@ contains
       state(slot_time) = host%total + host%time
    end subroutine evaluate_spring
 
-   !> Call UINTER once. The state goes in as of the start of the increment.
+   !> Call UINTER, in a poisoned run once more from other stresses. The state goes in as of the start
+   !> of the increment.
    subroutine call_uinter(spring, state, rdisp, drdisp, response)
       type(spring_type), intent(in) :: spring
       real(wp), intent(inout) :: state(:)
       real(wp), intent(in) :: rdisp(3), drdisp(3)
       type(response_type), intent(inout) :: response
-      real(wp) :: viscous(3, 3), structural(3, 3), flux(2), heat(2, 2), thermal(3, 2), mixed(2, 3)
-      real(wp) :: frictional, plastic, creep, damped, factor, none(2, 0)
+      !> MPa, a number that no law begins with
+      real(wp), parameter :: shift(3) = [0.1234567_wp, 0.2345671_wp, 0.3456712_wp]
+      type(outputs_type) :: outputs, again
+      real(wp) :: start(3, 2), thrown_away(size(state))
+
+      start(:, 1) = state(slot_stress:slot_stress + 2)
+      if (host%poisoned) then
+         start(:, 2) = start(:, 1) + shift
+         thrown_away = state
+         again = new_outputs(start(:, 2), poisoned=.true.)
+         call pass(spring, thrown_away, rdisp, drdisp, response%motion, again)
+      end if
+      outputs = new_outputs(start(:, 1), host%poisoned)
+      call pass(spring, state, rdisp, drdisp, response%motion, outputs)
+      if (host%poisoned) then
+         call refuse_unset(spring, rdisp, unset_outputs(outputs, again, start, drdisp))
+         call note_optional(outputs)
+      end if
+      response%stress = outputs%stress
+      response%stiffness = outputs%ddsddr
+      response%energy = state(slot_energy)
+      response%dissipation = outputs%sfd + outputs%spd + outputs%svd + outputs%scd
+      state(slot_stress:slot_stress + 2) = response%stress
+   end subroutine call_uinter
+
+   !> End the job when UINTER left something unset.
+   subroutine refuse_unset(spring, rdisp, names)
+      type(spring_type), intent(in) :: spring
+      real(wp), intent(in) :: rdisp(3)
+      character(len=*), intent(in) :: names
+      character(len=160) :: place
+
+      if (names == '') return
+      write (place, '(3(a, i0), a, es12.4)') 'node ', spring%node, ', step ', host%step, &
+         ', increment ', host%number, ', RDISP(1) = ', rdisp(1)
+      call refuse('UINTER did not set'//trim(names)//' at '//trim(place))
+   end subroutine refuse_unset
+
+   !> The call with all its arguments.
+   subroutine pass(spring, state, rdisp, drdisp, motion, outputs)
+      type(spring_type), intent(in) :: spring
+      real(wp), intent(inout) :: state(:)
+      real(wp), intent(in) :: rdisp(3), drdisp(3)
+      type(motion_type), intent(in) :: motion
+      type(outputs_type), intent(inout) :: outputs
+      real(wp) :: flux(2), factor, none(2, 0)
       integer :: opened, user_status, discontinuity, pair
       integer(int64) :: began
 
-      viscous = 0.0_wp
-      structural = 0.0_wp
       flux = 0.0_wp
-      heat = 0.0_wp
-      thermal = 0.0_wp
-      mixed = 0.0_wp
-      frictional = 0.0_wp
-      plastic = 0.0_wp
-      damped = 0.0_wp
-      creep = 0.0_wp
       factor = no_request
       opened = nint(state(slot_status)) - 1
       user_status = nint(state(slot_user_status)) - 1
       discontinuity = 0
       pair = pair_of(spring%counter)
-      response%stress = state(slot_stress:slot_stress + 2)
-      response%stiffness = 0.0_wp
-      response%energy = state(slot_energy)
       call system_clock(began)
-      associate (motion => response%motion, interaction => spring%interaction)
-         call uinter(response%stress, response%stiffness, viscous, structural, flux, heat, &
-            thermal, mixed, state(own_slots + 1:own_slots + interaction%depvar), &
-            response%energy, frictional, plastic, damped, creep, factor, rdisp, drdisp, &
+      associate (interaction => spring%interaction)
+         call uinter(outputs%stress, outputs%ddsddr, outputs%dviscous, outputs%dstructural, flux, &
+            outputs%ddfddt, outputs%ddsddt, outputs%ddfddr, &
+            state(own_slots + 1:own_slots + interaction%depvar), state(slot_energy), &
+            outputs%sfd, outputs%spd, outputs%svd, outputs%scd, factor, rdisp, drdisp, &
             [0.0_wp, 0.0_wp], [0.0_wp, 0.0_wp], none, none, [host%time, host%total + host%time], &
             host%increment, 0.0_wp, &
             name_of(host%material_names, interaction%material, 80), surface_name(pair, 2), &
@@ -174,26 +214,11 @@ contains
             host%iteration, 0, opened, user_status, discontinuity, 0)
       end associate
       call count_call(began)
-      response%dissipation = frictional + plastic + damped + creep
-      state(slot_stress:slot_stress + 2) = response%stress
-      state(slot_energy) = response%energy
       state(slot_status) = opened + 1
       state(slot_user_status) = user_status + 1
       state(slot_pnewdt) = 0.0_wp
       if (factor < 1.0_wp) state(slot_pnewdt) = max(factor, tiny(factor))
-   end subroutine call_uinter
-
-   !> Name of the slave (2) or the master surface (3) of a pair, without the letter of its kind that
-   !> the solver appends.
-   function surface_name(pair, which) result(name)
-      integer, intent(in) :: pair, which
-      character(len=80) :: name
-      integer :: last
-
-      name = name_of(host%pair_names, 3*(pair - 1) + which, 81)
-      last = len_trim(name)
-      if (last > 0) name(last:last) = ' '
-   end function surface_name
+   end subroutine pass
 
    !> Internal forces (3, node): what the slave node is pressed and sheared with, and the face's
    !> share by its shape functions.

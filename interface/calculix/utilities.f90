@@ -1,4 +1,5 @@
-!> The ABAQUS utilities that a UINTER may call.
+!> The ABAQUS utilities that a UINTER may call, and what stands in for the user's other routines: a
+!> file of the user's that has one of these takes its place.
 
 !> Print a message with its placeholders %I, %R and %S filled in.
 subroutine stdb_abqerr(lop, string, intv, realv, charv)
@@ -57,3 +58,85 @@ subroutine xit()
 
    stop 201
 end subroutine xit
+
+!> Folder of the results, without a blank or a slash at its end.
+subroutine getoutdir(outdir, lenoutdir)
+   use, intrinsic :: iso_c_binding, only: c_char, c_associated, c_char, c_loc, c_null_char, &
+      c_ptr, c_size_t
+   implicit none
+   !> The folder, and the length of its name
+   character(len=*), intent(out) :: outdir
+   integer, intent(out) :: lenoutdir
+   interface
+      function getcwd(buffer, size) bind(c)
+         import :: c_ptr, c_size_t
+         type(c_ptr), value :: buffer
+         integer(c_size_t), value :: size
+         type(c_ptr) :: getcwd
+      end function getcwd
+   end interface
+   character(kind=c_char), target :: buffer(4096)
+   integer :: i
+
+   outdir = ''
+   lenoutdir = 0
+   if (.not. c_associated(getcwd(c_loc(buffer), size(buffer, kind=c_size_t)))) return
+   do i = 1, len(outdir)
+      if (buffer(i) == c_null_char) exit
+      outdir(i:i) = buffer(i)
+      lenoutdir = i
+   end do
+end subroutine getoutdir
+
+!> Name of the job: that of the deck where the runner tells it.
+subroutine getjobname(jobname, lenjobname)
+   use calculix_host, only: host
+   implicit none
+   !> The name, and its length
+   character(len=*), intent(out) :: jobname
+   integer, intent(out) :: lenjobname
+
+   call get_environment_variable('ASPERITY_CALCULIX_JOB', jobname)
+   if (jobname == '') jobname = host%job
+   lenjobname = len_trim(jobname)
+end subroutine getjobname
+
+!> ABAQUS' results file is not there to be read.
+subroutine posfil(nstep, ninc, array, jrcd)
+   use asperity_kinds, only: wp
+   use calculix_refusal, only: refuse
+   implicit none
+   integer :: nstep, ninc, jrcd
+   real(wp) :: array(*)
+
+   call refuse('POSFIL was called: CalculiX writes no results file of ABAQUS (.fil)')
+end subroutine posfil
+
+!> ABAQUS' results file is not there to be read.
+subroutine dbfile(lop, array, jrcd)
+   use asperity_kinds, only: wp
+   use calculix_refusal, only: refuse
+   implicit none
+   integer :: lop, jrcd
+   real(wp) :: array(*)
+
+   call refuse('DBFILE was called: CalculiX writes no results file of ABAQUS (.fil)')
+end subroutine dbfile
+
+!> The user has none.
+subroutine uexternaldb(lop, lrestart, time, dtime, kstep, kinc)
+   use asperity_kinds, only: wp
+   implicit none
+   integer :: lop, lrestart, kstep, kinc
+   real(wp) :: time(2), dtime
+
+end subroutine uexternaldb
+
+!> The user has none.
+subroutine urdfil(lstop, lovrwrt, kstep, kinc, dtime, time)
+   use asperity_kinds, only: wp
+   implicit none
+   integer :: lstop, lovrwrt, kstep, kinc
+   real(wp) :: dtime, time(2)
+
+end subroutine urdfil

@@ -58,7 +58,7 @@ contains
       co(:, slave) = [0.5_wp*x, 5.0_wp, -height]
       vold(1, slave) = 0.5_wp*x
       n = size(found)
-      call know_pairs([material], [0, 1])
+      call know_pairs([material], [0, 1], [slave])
       ! an element before it
       last = 1
       free = 1

@@ -375,10 +375,10 @@ contains
       pairs = ' '
       call before_results(c_loc(vini), [1, 3], most_nodes + 1, c_loc(time), c_loc(dtime), &
          c_loc(ttime), c_loc(istep), c_loc(iinc), 0, 0, c_loc(names), c_loc(pairs), 1, 1, 0, &
-         c_null_ptr, c_null_ptr)
+         c_null_ptr, c_null_ptr, 0)
       call fill_spring(spring, find_interaction(1), from, to_displacements(from, to), &
          [(i, i=1, n), 1], 2.5_wp, 1)
-      call know_pairs([0], [0, 1])
+      call know_pairs([0], [0, 1], [n])
       call evaluate_spring(spring, start, state, response)
    end subroutine evaluate
 

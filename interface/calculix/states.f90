@@ -1,0 +1,61 @@
+!> STATEV of every contact spring after every increment, as a CSV file, JOB.states.csv.
+module calculix_states
+   use asperity_kinds, only: wp
+   use calculix_host, only: host, pair_of, surface_name
+   use calculix_interactions, only: find_interaction, most_depvar
+   use calculix_refusal, only: refuse
+   use calculix_slots, only: own_slots, slot_time
+   implicit none
+   private
+   public :: write_states
+
+   ! CalculiX' routines have no argument that could carry it
+   !> Unit of the file, 0 before it is opened
+   integer :: unit = 0
+
+contains
+
+   !> Write what the springs have after an increment.
+   subroutine write_states(step, increment, time)
+      !> Where the job is; total time
+      integer, intent(in) :: step, increment
+      real(wp), intent(in) :: time
+      !> Share of an increment by which times may differ and still be the same
+      real(wp), parameter :: same_time = 1.0e-6_wp
+      integer :: node, pair, i, depvar
+
+      if (.not. host%writes_states) return
+      if (unit == 0) call open_file()
+      do node = 1, size(host%slave_nodes)
+         pair = pair_of(node)
+         if (.not. host%serves(pair)) cycle
+         associate (state => host%states(:, host%elements + node), &
+               interaction => find_interaction(host%materials(pair)))
+            ! a spring that has gone
+            if (abs(state(slot_time) - time) > same_time*host%increment) cycle
+            depvar = interaction%depvar
+            write (unit, '(2(i0, a), es0.9e2, 3a, i0)', advance='no') step, ',', increment, ',', &
+               time, ',', trim(surface_name(pair, 2)), ',', host%slave_nodes(node)
+            do i = 1, most_depvar()
+               if (i <= depvar) write (unit, '(a, es0.15e3)', advance='no') ',', &
+                  state(own_slots + i)
+               if (i > depvar) write (unit, '(a)', advance='no') ','
+            end do
+            write (unit, '(a)') ''
+         end associate
+      end do
+      flush (unit)
+   end subroutine write_states
+
+   !> Open the file and name its columns.
+   subroutine open_file()
+      integer :: i, status
+
+      open (newunit=unit, file=trim(host%job)//'.states.csv', status='replace', action='write', &
+         iostat=status)
+      if (status /= 0) call refuse(trim(host%job)//'.states.csv cannot be written')
+      write (unit, '(a, *(a, i0))') 'step,increment,time,pair,node', &
+         (',statev_', i, i=1, most_depvar())
+   end subroutine open_file
+
+end module calculix_states
