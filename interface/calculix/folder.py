@@ -6,7 +6,14 @@ import shutil
 
 import history
 import restart
+import tables
 from progress import say
+
+# What a run leaves of a job
+ENDINGS = ("inp", "dat", "frd", "sta", "cvg", "12d", "rout", "rin", "uinter", "log",
+           "increments.csv", "states.csv")
+# Bytes of a file's name, of which the endings need some
+LONGEST_NAME = 200
 
 
 class Failure(Exception):
@@ -22,8 +29,12 @@ class Run:
 
     def __init__(self, options, deck):
         self.deck, self.options = deck, options
-        self.name = os.path.splitext(os.path.basename(options.deck))[0]
-        self.folder = options.output or os.path.splitext(options.deck)[0] + ".results"
+        place, name = os.path.split(options.deck)
+        name = os.fsencode(os.path.splitext(name)[0])[:LONGEST_NAME]
+        self.name = os.fsdecode(name)
+        # ccx cuts the name of a job at a blank, and hands it to a shell: its files are renamed
+        self.plain = "ccx" if self.name.startswith("job") else "job"
+        self.folder = options.output or os.path.join(place, self.name + ".results")
         self.state = {"deck": deck.fingerprints(), "parts": [], "finished_steps": 0,
                       "most_springs": 0, "outcome": "begun"}
 
@@ -42,6 +53,8 @@ class Run:
         os.makedirs(self.folder, exist_ok=True)
         self.lock()
         before = self.read_state()
+        if before is not None:
+            self.settle(before["parts"])
         if before is None or self.options.anew:
             self.clean(before)
             return
@@ -75,14 +88,17 @@ class Run:
 
     def clean(self, before):
         """Remove what an earlier run left, and only that."""
-        jobs = [part["job"] for part in (before or {"parts": []})["parts"]] or [self.name]
-        for job in jobs:
-            for ending in ("inp", "dat", "frd", "sta", "cvg", "12d", "rout", "rin", "uinter",
-                           "log", "increments.csv"):
-                self.remove(f"{job}.{ending}")
-        for name in ("history.csv", "history.unfinished.csv", "increments.csv", "run.json",
-                     "temporaryrestartfile"):
+        self.remove_files([part["job"] for part in (before or {"parts": []})["parts"]]
+                          or [self.name])
+        for name in ("history.csv", "history.unfinished.csv", "increments.csv", "states.csv",
+                     "run.json", "temporaryrestartfile"):
             self.remove(name)
+
+    def remove_files(self, jobs):
+        """Remove the files of jobs."""
+        for job in jobs:
+            for ending in ENDINGS:
+                self.remove(f"{job}.{ending}")
 
     def remove(self, name):
         try:
@@ -128,11 +144,10 @@ class Run:
         return 0
 
     def start(self, program):
-        """Write the deck of the next part and start ccx; return the job."""
-        done, parts = self.state["finished_steps"], self.state["parts"]
-        job = self.name if done == 0 else f"{self.name}-{len(parts) + 1}"
-        for ending in ("dat", "frd", "sta", "cvg", "rout", "rin", "uinter", "increments.csv"):
-            self.remove(f"{job}.{ending}")
+        """Write the deck of the next part and start ccx; return its name for the job."""
+        done, parts, job = self.state["finished_steps"], self.state["parts"], self.plain
+        name = f"{self.name}-{len(parts) + 1}" if done else self.name
+        self.remove_files([job, name])
         if done:
             before = parts[-1]["job"]
             shutil.copyfile(self.path(before + ".rout"), self.path(job + ".rin"))
@@ -142,16 +157,29 @@ class Run:
         text = self.deck.resumed_text(done) if done else self.deck.text()
         with open(self.path(job + ".inp"), "w", encoding="utf-8", errors="surrogateescape") as file:
             file.write(text)
-        parts.append({"job": job, "first_step": done + 1, "program": program})
+        parts.append({"job": job, "name": name, "first_step": done + 1, "program": program})
         self.save()
         return job
+
+    def settle(self, parts):
+        """Give the files of parts that have ended the deck's name."""
+        for part in parts:
+            job, name = part["job"], part.get("name", part["job"])
+            for file in os.listdir(self.folder) if job != name else ():
+                if file.startswith(job + "."):
+                    os.replace(self.path(file), self.path(name + file[len(job):]))
+            part["job"] = name
 
     def write_results(self, complete):
         """increments.csv and history.csv of all parts. Unfinished, it has another name."""
         parts = [{**part, "increments": history.read_increments(
             self.path(part["job"] + ".increments.csv"))} for part in self.state["parts"]]
-        history.write_rows(self.path("increments.csv"), history.INCREMENT_COLUMNS,
-                           [list(row.values()) for _, row in history.select(parts)])
+        tables.write_rows(self.path("increments.csv"), history.INCREMENT_COLUMNS,
+                          [list(row.values()) for _, row in history.select(parts)])
+        names, rows = history.states(self.folder, parts)
+        if rows:
+            tables.write_rows(self.path("states.csv"), names, rows)
+            say(f"written: {self.path('states.csv')}: STATEV of {len(rows)} points and increments")
         options, deck = self.options, self.deck
         factor = options.force_factor or (2.0 if deck.half_model else 1.0)
         gauge = options.gauge or (None if options.set else deck.gauge)
@@ -164,7 +192,7 @@ class Run:
         self.remove("history.csv")
         self.remove("history.unfinished.csv")
         name = "history.csv" if complete else "history.unfinished.csv"
-        history.write_rows(self.path(name), ("step", "time", "displacement", "force"), rows)
+        tables.write_rows(self.path(name), ("step", "time", "displacement", "force"), rows)
         if complete:
             say(f"written: {self.path(name)}: {len(rows)} points in direction {direction}"
                 + (f", force times {factor:g}" if factor != 1.0 else ""))

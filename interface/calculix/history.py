@@ -1,12 +1,12 @@
 """Force and displacement of the loaded node set per increment, joined over the parts of a run."""
 
-import csv
 import os
 
 import dat
+import tables
 
 INCREMENT_COLUMNS = ("step", "increment", "attempts", "iterations", "springs", "increment_time",
-                     "step_time", "total_time", "wall_seconds", "cpu_seconds")
+                     "step_time", "total_time", "wall_time", "cpu_time")
 
 
 class HistoryError(Exception):
@@ -17,13 +17,12 @@ def read_increments(path):
     """Rows of an increments file, [{column: number}]; a line cut short is left out."""
     rows = []
     try:
-        with open(path, encoding="ascii", newline="") as file:
-            for row in csv.DictReader(file):
-                try:
-                    rows.append({name: (int if name in INCREMENT_COLUMNS[:5] else float)(row[name])
-                                 for name in INCREMENT_COLUMNS})
-                except (TypeError, ValueError):
-                    pass
+        for row in tables.read_rows(path):
+            try:
+                rows.append({name: (int if name in INCREMENT_COLUMNS[:5] else float)(row[name])
+                             for name in INCREMENT_COLUMNS})
+            except (KeyError, TypeError, ValueError):
+                pass
     except OSError:
         pass
     return rows
@@ -82,10 +81,15 @@ def take(part, time):
     return None
 
 
-def write_rows(path, header, rows):
-    """A CSV file, whole or not at all."""
-    with open(path + ".part", "w", encoding="ascii", newline="") as file:
-        writer = csv.writer(file, lineterminator="\n")
-        writer.writerow(header)
-        writer.writerows([f"{v:.9g}" if isinstance(v, float) else v for v in row] for row in rows)
-    os.replace(path + ".part", path)
+def states(folder, parts):
+    """(names, rows) of STATEV of the contact points in the increments that count."""
+    names, chosen = [], []
+    for part in parts:
+        path = os.path.join(folder, part["job"] + ".states.csv")
+        good = {(row["step"], row["increment"]) for other, row in select(parts) if other is part}
+        for row in tables.read_rows(path) if os.path.exists(path) else ():
+            if None in row.values() or (int(row["step"]), int(row["increment"])) not in good:
+                continue
+            names = names or list(row)
+            chosen.append([row[name] for name in names])
+    return names, chosen

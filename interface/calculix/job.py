@@ -2,6 +2,7 @@
 
 import os
 import select
+import shutil
 import signal
 import subprocess
 import sys
@@ -11,25 +12,23 @@ try:
     import fcntl
     import pty
     import termios
-except ImportError:                         # no POSIX system: a pipe, whose lines come late
+except ImportError:                         # no POSIX system
     pty = None
 
 
 class Job:
     """A ccx process. lines() yields what it prints."""
 
-    def __init__(self, program, name, folder):
-        environment = {"OMP_NUM_THREADS": "1", **os.environ}
+    def __init__(self, program, name, folder, variables):
+        environment = {"OMP_NUM_THREADS": "1", **os.environ, **variables}
         self.started = time.monotonic()
         # ccx puts its output into the folder it runs in
         command, options = [program, "-i", name], {"cwd": folder, "env": environment,
                                                    "stdin": subprocess.DEVNULL}
-        if pty is None:
-            self.process = subprocess.Popen(command, stdout=subprocess.PIPE,
-                                            stderr=subprocess.STDOUT, **options)
-            self._reader = self.process.stdout.fileno()
+        self._reader, writer = _terminal()
+        if writer is None:
+            self._start_on_pipe(command, environment, options)
             return
-        self._reader, writer = pty.openpty()
         try:
             # the session ends, and ccx with it, when the runner is killed
             self.process = subprocess.Popen(
@@ -40,6 +39,18 @@ class Job:
             raise
         finally:
             os.close(writer)
+
+    def _start_on_pipe(self, command, environment, options):
+        """Where there is no terminal. C and Fortran each keep back what they write, unless told
+        otherwise: lines would come late, and not in their order."""
+        environment["GFORTRAN_UNBUFFERED_PRECONNECTED"] = "y"
+        line_by_line = shutil.which("stdbuf")
+        if line_by_line:
+            command = [line_by_line, "-oL", "-eL", *command]
+        self.process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+                                        **options)
+        self._reader = os.dup(self.process.stdout.fileno())
+        self.process.stdout.close()
 
     def lines(self, seconds=1.0):
         """Yield lines, and None when there was none for so many seconds."""
@@ -75,8 +86,7 @@ class Job:
     def wait(self):
         """Exit status, negative if by a signal."""
         status = self.process.wait()
-        if pty is not None:
-            os.close(self._reader)
+        os.close(self._reader)
         return status
 
     def stop(self):
@@ -87,6 +97,14 @@ class Job:
                 self.process.wait(5)
             except subprocess.TimeoutExpired:
                 self.process.kill()
+
+
+def _terminal():
+    """Both ends of a new terminal, or (None, None): a minimal container may have none."""
+    try:
+        return pty.openpty() if pty else (None, None)
+    except OSError:
+        return None, None
 
 
 def _own_terminal(descriptor):

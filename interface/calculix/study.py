@@ -1,6 +1,5 @@
 """What the comparison studies share: programs, runs of decks, tables, curves."""
 
-import csv
 import math
 import os
 import shutil
@@ -9,6 +8,7 @@ import sys
 
 import history
 import pictures
+import tables
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 ROOT = os.path.dirname(os.path.dirname(HERE))
@@ -78,9 +78,8 @@ def run_deck(program, deck, folder, *arguments):
 
 
 def table(path):
-    """Rows of a CSV file, numbers as numbers."""
-    with open(path, encoding="utf-8", newline="") as file:
-        return [{name: number(text) for name, text in row.items()} for row in csv.DictReader(file)]
+    """Rows of a CSV file by the names of its columns, numbers as numbers."""
+    return [{name: number(text) for name, text in row.items()} for row in tables.read_rows(path)]
 
 
 def number(text):
@@ -93,7 +92,7 @@ def number(text):
 def costs(folder, run):
     """What a run took: increments, iterations, cutbacks, seconds, and the share of UINTER."""
     rows = history.read_increments(os.path.join(folder, "increments.csv"))
-    cpu = sum(row["cpu_seconds"] for row in rows)
+    cpu = sum(row["cpu_time"] for row in rows)
     known = [part["uinter"] for part in run["parts"] if "uinter" in part]
     share = sum(part["seconds"] for part in known)/max(
         sum(part["of_seconds"] for part in known), 0.01) if known else math.nan

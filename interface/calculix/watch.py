@@ -12,6 +12,7 @@ TOTAL_TIME = re.compile(r" ?actual total time=\s*" + NUMBER)
 ITERATION = re.compile(r" ?iteration (\d+)\s*$")
 SPRINGS = re.compile(r" ?Number of contact spring elements=\s*(\d+)")
 CONVERGED = re.compile(r" ?convergence\b")
+NOTE = re.compile(r" ?(?:asperity: |\*WARNING: )(UINTER .*)")
 UINTER = re.compile(r" ?asperity: (\d+) calls of UINTER took\s+([.\d]+) s")
 RESIDUAL = re.compile(r" ?(largest (?:residual force|correction to disp)=.*)")
 NO_CONVERGENCE = re.compile(
@@ -51,6 +52,7 @@ class Watcher:
         self.failure, self.reason = None, ""
         self.job_finished = False
         self.uinter = None              # calls and seconds, where ccx tells
+        self.notes = []                 # what else our host of UINTER says
         self._in_error = False
         self._clues = {}
         self._step_springs = 0          # most in a converged increment of this step
@@ -171,6 +173,7 @@ TAKERS = (
     (STEP_TIME, lambda self, found: setattr(self, "step_time", float(found[1]))),
     (TOTAL_TIME, lambda self, found: setattr(self, "total_time", float(found[1]))),
     (RESIDUAL, Watcher._note), (UINTER, Watcher._take_uinter),
+    (NOTE, lambda self, found: self.notes.append(found[1])),
     (re.compile(r" ?Job finished"), Watcher._finish))
 
 

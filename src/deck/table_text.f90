@@ -129,14 +129,17 @@ contains
       at_rest = evaluate_normal_law(properties%normal, properties%initial_separation)
       call comment(text, 'CalculiX 2.20: TYPE=NODE TO SURFACE on *CONTACT PAIR only: with '// &
          'SURFACE TO SURFACE a table')
-      call comment(text, '  gives wrong pressures or a crash. The larger face is master. No '// &
-         '*CONTACT PRINT: it crashes')
+      call comment(text, '  gives no pressure at all, without a message, or a crash. The larger '// &
+         'face is master')
+      call comment(text, '  *CONTACT PRINT: CDIS and CSTR are right, the totals CF, CFN, CFS are zero')
       call comment(text, '  Contact only where the clearance is below '// &
          short(calculix_clearance)//' sqrt(area of the slave node): rows of')
       call comment(text, '  larger clearance have no effect, and faces meet and part with a '// &
          'jump of about '//short(at_rest%pressure)//' MPa,')
       call comment(text, '  the law at zero overclosure')
-      call comment(text, '  Penetration at the start is taken away again over the first step')
+      call comment(text, '  Penetration at the start stays: in the first increment that '// &
+         'increment''s share of it counts, from')
+      call comment(text, '  the second on all of it. So let the first step be one increment')
       call comment(text, '  Beyond the last row, '//short(table%pressure(size(table%pressure)))// &
          ' MPa, the pressure stays constant')
       if (.not. properties%friction_coefficient > 0.0_wp) then

@@ -32,8 +32,13 @@ def restart_file(step):
             + record(struct.pack("=d", step)) + record(struct.pack("=2i", 1, 1)))
 
 
+def name_of_job():
+    """ccx cuts it at a blank."""
+    return sys.argv[sys.argv.index("-i") + 1].split()[0]
+
+
 def main():
-    job = sys.argv[sys.argv.index("-i") + 1]
+    job = name_of_job()
     with open(job + ".inp", encoding="utf-8") as file:
         deck = file.read()
     fake = dict((word.split("=") + ["1:1"])[:2] for word in os.environ.get("FAKE", "").split())
@@ -65,6 +70,8 @@ def main():
             os.replace("temporaryrestartfile", job + ".rout")
     if "late" in places:
         print(" *ERROR in something\n")
+    if "ASPERITY_CALCULIX_POISON" in os.environ:
+        print(" asperity: UINTER sets all that it must; it leaves unset, as it may: SPD SVD\n")
     print("\n Job finished\n\n asperity: 1200 calls of UINTER took .002 s\n")
     return 0
 
@@ -111,10 +118,21 @@ def run_step(step, places, table):
                     f"      1001  0.000000E+00  0.000000E+00 {side*increment*0.5:13.6E}\n"
                     f"      1002  0.000000E+00  0.000000E+00 {side*increment*1.5:13.6E}\n")
         table.flush()
+        if "ASPERITY_CALCULIX_STATES" in os.environ:
+            write_states(*place, total)
         if place > places.get("vanish", (99, 0)):
             with open("went_on", "w", encoding="ascii"):
                 pass
     return None
+
+
+def write_states(step, increment, total):
+    path = name_of_job() + ".states.csv"
+    first = not os.path.exists(path)
+    with open(path, "a", encoding="ascii") as table:
+        if first:
+            table.write("step,increment,time,pair,node,statev_1,statev_2\n")
+        table.write(f"{step},{increment},{total},TOP,1001,{10*step + increment},.5\n")
 
 
 def iterate(place, attempt, springs):

@@ -86,7 +86,7 @@ class Result:
 
     def __init__(self, arguments, fake="", **options):
         done = subprocess.run([sys.executable, *arguments], capture_output=True, text=True,
-                              env={**os.environ, "FAKE": fake, "CCX": FAKE}, check=False,
+                              errors="surrogateescape", env={**os.environ, "FAKE": fake, "CCX": FAKE}, check=False,
                               timeout=50, **options)
         self.status, self.out, self.err = done.returncode, done.stdout, done.stderr
         self.text = f"status {self.status}\n{self.err}{self.out}"
@@ -97,8 +97,10 @@ def run(*arguments, fake=""):
 
 
 def rows(path):
+    """Rows of a CSV file by the names of its columns, without their units."""
     with open(path, encoding="ascii", newline="") as file:
-        return list(csv.DictReader(file))
+        return [{name.split(" (")[0]: value for name, value in row.items()}
+                for row in csv.DictReader(file)]
 
 
 def test_whole_run():
@@ -107,7 +109,7 @@ def test_whole_run():
     check("a run to the end", r.status == 0 and r.err == "", r.text)
     table = rows("a.results/history.csv")
     check("history: start and every increment", len(table) == 17
-          and list(table[0]) == ["step", "time", "displacement", "force"]
+          and read("a.results/history.csv").startswith("step,time,displacement (mm),force (N)\n")
           and float(table[0]["force"]) == 0.0, table[:2])
     check("history: mean displacement and sum of force in the direction that moves",
           float(table[4]["displacement"]) == 4.0 and float(table[4]["force"]) == 200.0
@@ -293,7 +295,7 @@ def test_interruption():
 
 
 def increments(name):
-    path = f"{name}.results/{name}.increments.csv"
+    path = f"{name}.results/job.increments.csv"
     return len(rows(path)) if os.path.exists(path) else 0
 
 
@@ -320,6 +322,64 @@ def wait_for(condition, seconds=15):
             return True
         time.sleep(0.05)
     return False
+
+
+def test_names():
+    names = ["my deck", "it's", 'a"b', "-dash", "\u00fcber \u00e4", "$(touch pwned)", "`touch pwned`",
+             "a;touch pwned", "a,b", "job", "job-2", "run.json", "x"*240,
+             os.fsdecode(b"latin \xfc")]
+    for name in names:
+        write(f"./{name}.inp", deck_text())
+        folder = f"./{name[:200]}.results"
+        r = run(f"./{name}.inp", "--states", fake="killed=3:2")
+        again = run(f"./{name}.inp", "--resume", "--states")
+        files = os.listdir(folder) if os.path.isdir(folder) else []
+        check(f"a deck called {ascii(name[:30])}: run, resumed", r.status == 1 and again.status == 0
+              and len(rows(f"{folder}/history.csv")) == 17
+              and {f"{name[:200]}.rout", f"{name[:200]}-2.rout"} <= set(files),
+              f"{r.text}{again.text}{files}")
+        if name in ("my deck", "job"):
+            seen = [(row["step"], row["increment"], row["statev_1"]) for row in rows(
+                f"{folder}/states.csv")]
+            check("states: each increment once, of all parts", seen == [
+                (str(i), str(j), str(10*i + j)) for i in range(1, 5) for j in range(1, 5)], seen)
+    check("no shell has read a name", not os.path.exists("pwned")
+          and not any("pwned" in os.listdir(f) for f in os.listdir(".") if os.path.isdir(f)))
+    r = run("my deck.inp", "--anew", "--poison")
+    check("what a poisoned run tells", "run: UINTER sets all that it must; it leaves unset, as it "
+          "may: SPD SVD" in r.out, r.text)
+
+
+def test_pairs():
+    """What CalculiX computes wrongly without a word."""
+    law = "*SURFACE INTERACTION,NAME=WOOD\n*SURFACE BEHAVIOR, pressure-overclosure = {}\n1.,2.\n"
+    pair = "*CONTACT PAIR,INTERACTION=Wood,\nTYPE={}\nS,M\n"
+    for name, behavior, kind, status, text in (
+            ("UINTER", "UINTER, PROPERTIES=2", "surface to surface", 2, "NODE TO SURFACE alone"),
+            ("UINTER and mortar", "UINTER, PROPERTIES=2", "LINMORTAR", 2, "NODE TO SURFACE alone"),
+            ("UINTER, right", "UINTER, PROPERTIES=2", "Node To Surface", 0, ""),
+            ("a table", "Tabular", "SURFACE TO SURFACE", 2, "no pressure at all"),
+            ("a table, right", "TABULAR", "NODE TO SURFACE", 0, ""),
+            ("a line", "LINEAR", "SURFACE TO SURFACE", 0, "")):
+        write("p.inp", law.format(behavior) + pair.format(kind) + STEP.format(1))
+        r = run("p.inp", "--anew")
+        check(f"pairs: {name}", r.status == status and text in r.err, r.text)
+    write("p.inp", pair.format("NODE TO SURFACE") + STEP.format(1).replace(
+        "*END", "*CONTACT PRINT,SLAVE=S,MASTER=M\nCDIS,CF\n*END"))
+    r = run("p.inp", "--anew")
+    check("pairs: totals that are zero", r.status == 0 and "CalculiX writes zeros" in r.out, r.text)
+
+
+def test_no_terminal():
+    write("n.inp", deck_text())
+    run("n.inp", "--output", "with")
+    without = ("import pty, runpy, sys\ndef none():\n   raise OSError('out of pty devices')\n"
+               f"pty.openpty = none\nsys.path.insert(0, {INTERFACE!r})\n"
+               f"sys.argv = [{RUN!r}, 'n.inp', '--output', 'without']\n"
+               f"runpy.run_path({RUN!r}, run_name='__main__')\n")
+    r = Result(["-c", without])
+    check("a machine without terminals", r.status == 0 and os.path.exists("without/history.csv")
+          and read("without/history.csv") == read("with/history.csv"), r.text)
 
 
 def test_terminal():
@@ -491,7 +551,7 @@ def test_contact():
     write("two/run.json", json.dumps({"parts": [{"job": "c", "first_step": 1},
                                                 {"job": "c-2", "first_step": 2}]}))
     header = "step,increment,attempts,iterations,springs,increment_time,step_time,total_time," \
-             "wall_seconds,cpu_seconds\n"
+             "wall_time (s),cpu_time (s)\n"
     write("two/c.increments.csv", header + "1,1,1,1,4,1,1,1,1,1\n1,2,1,1,4,1,1,1,1,1\n")
     write("two/c-2.increments.csv", header + "2,1,1,1,4,1,1,1,1,1\n")
     r = Result([CONTACT, "two", "--at", "1,2"])
@@ -539,8 +599,8 @@ def main():
     os.chdir(folder)
     try:
         for test in (test_whole_run, test_springs, test_errors, test_resume, test_interruption,
-                     test_terminal, test_history_options, test_restart_files, test_readers,
-                     test_contact, test_whole_files):
+                     test_terminal, test_no_terminal, test_names, test_pairs, test_history_options,
+                     test_restart_files, test_readers, test_contact, test_whole_files):
             test()
     finally:
         os.chdir("/")

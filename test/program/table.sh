@@ -50,6 +50,10 @@ done
 check 'table: gcrit for ABAQUS' has t.abaqus '*FRICTION, ELASTIC SLIP=0.31'
 check 'table: stick slope for CalculiX' test "$(tail -n 1 t.calculix)" = '0.5, 7.58064516129'
 check 'table: CalculiX, surface to surface' has t.calculix 'NODE TO SURFACE on *CONTACT PAIR only'
+check 'table: CalculiX, a table with surface to surface' has t.calculix 'no pressure at all, without a message'
+check 'table: CalculiX, penetration at the start' has t.calculix 'Penetration at the start stays'
+check 'table: CalculiX, penetration is not taken away' lacks t.calculix 'taken away'
+check 'table: CalculiX, what *CONTACT PRINT gives' has t.calculix 'the totals CF, CFN, CFS are zero'
 check 'table: CalculiX, clearance' has t.calculix '0.001 sqrt(area of the slave node)'
 run table --stick-pressure 0.2 --calculix -
 check 'table: stick slope at another pressure' test "$(tail -n 1 out)" = '0.5, 0.322580645161'

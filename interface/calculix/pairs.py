@@ -1,0 +1,39 @@
+"""What CalculiX (2.20) computes wrongly, without a word, of a deck's contact pairs."""
+
+from deck import DeckError
+from mesh import cards
+
+# Types of contact pairs whose springs are node to surface
+NODE_TO_SURFACE = ("NODETOSURFACE", "MASSLESS")
+
+
+def squeezed(text):
+    """As ccx compares: in capitals, without blanks."""
+    return "".join(text.split()).upper()
+
+
+def check_pairs(deck):
+    """Refuse pairs that would come out wrong; return remarks on the others."""
+    laws, types, name = {}, set(), ""
+    for word, values, data in cards(deck.model):
+        if word == "*SURFACEINTERACTION":
+            name = squeezed(values.get("NAME", ""))
+        elif word == "*SURFACEBEHAVIOR":
+            laws[name] = squeezed(values.get("PRESSURE-OVERCLOSURE", ""))
+        elif word == "*CONTACTPAIR":
+            kind = squeezed(values.get("TYPE", ""))
+            types.add(kind)
+            law = laws.get(squeezed(values.get("INTERACTION", "")))
+            at = f"{deck.path}: *CONTACT PAIR {', '.join(data[0]) if data else ''}"
+            if law == "UINTER" and kind not in NODE_TO_SURFACE:
+                raise DeckError(f"{at}: UINTER serves TYPE=NODE TO SURFACE alone: with others, such "
+                                "as SURFACE TO SURFACE, CalculiX does not call it")
+            if law == "TABULAR" and kind == "SURFACETOSURFACE":
+                raise DeckError(f"{at}: a table with SURFACE TO SURFACE gives no pressure at all in "
+                                "CalculiX, and no message: take NODE TO SURFACE")
+    totals = {squeezed(text) for step in deck.steps for word, _, data in cards(step)
+              if word == "*CONTACTPRINT" for row in data for text in row} & {"CF", "CFN", "CFS"}
+    if totals and types <= set(NODE_TO_SURFACE):
+        return [f"*CONTACT PRINT of {', '.join(sorted(totals))}: CalculiX writes zeros for NODE TO "
+                "SURFACE; interface/calculix/contact sums pressures"]
+    return []
