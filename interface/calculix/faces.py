@@ -87,7 +87,8 @@ class Results:
         found = self.read(key, ("DISP", "CONTACT"))
         moved = found["DISP"].values if "DISP" in found else {}
         surfaces = self.mesh.slave_faces()
-        shares = [areas(self.mesh.nodes, faces) for _, faces in surfaces]
+        shares = [{**dict.fromkeys(self.mesh.node_surfaces.get(pair.slave, ()), 0.0),
+                   **areas(self.mesh.nodes, faces)} for pair, faces in surfaces]
         springs = by_pair(found["CONTACT"].rows if "CONTACT" in found else [], shares,
                           lambda node, number: self.clearance(node, surfaces[number][0], moved))
         rows = []

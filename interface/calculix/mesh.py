@@ -16,7 +16,8 @@ class Mesh:
     def __init__(self, lines):
         self.nodes, self.elements = {}, {}
         self.node_sets, self.element_sets = {}, {}
-        self.surfaces, self.pairs, self.friction = {}, [], {}
+        self.surfaces, self.node_surfaces = {}, {}
+        self.pairs, self.friction = [], {}
         for word, values, data in cards(lines):
             reader = READERS.get(word)
             if reader:
@@ -61,7 +62,9 @@ class Mesh:
         self._read_set(self.element_sets, values.get("ELSET", ""), values, data)
 
     def _read_surface(self, values, data):
-        if values.get("TYPE", "ELEMENT").upper() != "ELEMENT":
+        if values.get("TYPE", "ELEMENT").upper() == "NODE":
+            self._read_set(self.node_surfaces, values.get("NAME", ""), values,
+                           [self._numbers(row[0]) for row in data])
             return
         faces = self.surfaces.setdefault(values.get("NAME", "").upper(), [])
         for row in data:
@@ -74,6 +77,10 @@ class Mesh:
                 corners = self.elements.get(element)
                 if corners:
                     faces.append(tuple(corners[i] for i in HEX_FACES[int(label[1:]) - 1]))
+
+    def _numbers(self, text):
+        """A node, or those of a set, as texts."""
+        return [text] if text.isdigit() else [str(n) for n in self.node_sets.get(text.upper(), [])]
 
     def _read_pair(self, values, data):
         for row in data:
@@ -93,12 +100,18 @@ class Mesh:
             self.friction[self._name] = float(data[0][0])
 
     def slave_faces(self):
-        """[(pair, faces)] of all contact pairs whose slave is a surface of element faces.
+        """[(pair, faces)] of all contact pairs.
 
-        A surface given by all elements of a body has faces inside it: these do not count."""
-        outside = {tuple(sorted(face)) for face in self.skin()}
-        found = [(pair, [face for face in self.surfaces.get(pair.slave, [])
-                         if tuple(sorted(face)) in outside]) for pair in self.pairs]
+        A surface given by all elements of a body has faces inside it: these do not count. One given
+        by nodes has the outer faces all of whose nodes it has, as with UINTER."""
+        skin = self.skin()
+        outside = {tuple(sorted(face)) for face in skin}
+        found = []
+        for pair in self.pairs:
+            slaves = set(self.node_surfaces.get(pair.slave, ()))
+            faces = [face for face in self.surfaces.get(pair.slave, [])
+                     if tuple(sorted(face)) in outside]
+            found.append((pair, faces + [face for face in skin if slaves.issuperset(face)]))
         return [(pair, faces) for pair, faces in found if faces]
 
     def skin(self):

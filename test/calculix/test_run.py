@@ -520,11 +520,22 @@ def test_contact():
     table = rows("c.csv") if os.path.exists("c.csv") else []
     check("contact: table", r.status == 0 and len(table) == 8
           and [row["state"] for row in table[4:]] == ["slip", "stick", "slip", "open"]
-          and float(table[4]["pressure"]) == 2.0 and float(table[4]["uz"]) == -0.2,
+          and float(table[4]["pressure"]) == 2.0 and float(table[4]["uz"]) == -0.2
+          and read("c.csv").startswith("step,increment,time,pair,node,x (mm),y (mm),z (mm),ux (mm),"
+                                       "uy (mm),uz (mm),area (mm^2),opening (mm),slip_1 (mm),"
+                                       "slip_2 (mm),pressure (MPa),shear_1 (MPa),shear_2 (MPa),"
+                                       "state\n"),
           f"{r.text}{table[4:]}")
     check("contact: summary", "TOP: 3 of 4 points closed, 2 slip, largest pressure 2 MPa, "
           "force 1.5 N"
           in r.out, r.text)
+    for name, nodes in (("numbers", "11,\n12,\n13,\n14,\n"), ("a set", "corners\n")):
+        write("c/n.inp", "*NSET,NSET=CORNERS\n11,12,13,14\n" + read("c/c.inp").replace(
+            "*SURFACE, NAME=TOP\nHIGH, S1\n", f"*SURFACE, TYPE=NODE, NAME=TOP\n{nodes}"))
+        r = Result([CONTACT, "c/c.frd", "--deck", "c/n.inp", "--csv", "n.csv"])
+        check(f"contact: a slave surface of nodes, {name}", r.status == 0 and read("n.csv") == (
+            read("c.csv").split("\n")[0] + "\n" + "\n".join(read("c.csv").split("\n")[5:])),
+            r.text)
     rows_of = [(9, (0.1,)), (5, (0.3,)), (8, (0.2,)), (5, (0.1,)), (3, (0.0,))]
     openings = {(5, 0): 0.1, (5, 1): 0.3}
     springs = faces.by_pair(rows_of, [{3, 5, 8}, {5, 9}], lambda n, i: openings[n, i])
