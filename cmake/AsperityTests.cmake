@@ -67,6 +67,8 @@ find_package(Python3 COMPONENTS Interpreter)
 if(Python3_FOUND)
    add_test(NAME calculix_run_tests
       COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/test/calculix/test_run.py)
+   add_test(NAME calculix_source_tests
+      COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/test/calculix/test_source.py)
 endif()
 
 if(ASPERITY_BUILD_PROGRAM)
