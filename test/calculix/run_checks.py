@@ -1,8 +1,10 @@
 #!/usr/bin/env python3
-"""All checks of CalculiX with UINTER: run_checks.py STOCK UINTER RECORDER ASPERITY FOLDER
+"""All checks of CalculiX with UINTER:
+run_checks.py STOCK UINTER RECORDER PENALTY EVENTS ASPERITY FOLDER
 
-Programs: a stock ccx, ccx with asperity's UINTER, ccx with recorder.f90, and asperity. What a
-program that is not there (-) would be needed for is left out. Python 3 alone is needed.
+Programs: a stock ccx, ccx with asperity's UINTER, ccx with recorder.f90, penalty.f and events.for,
+and asperity. What a program that is not there (-) would be needed for is left out. Python 3 alone
+is needed.
 """
 
 import sys
@@ -18,13 +20,14 @@ import test_patch
 import test_restart
 import test_threads
 import test_turn
+import test_user_file
 from harness import COUNTS, group
 from rough_law import RoughLaw
 
 
 def main():
     """Run the groups whose programs are there."""
-    stock, uinter, recorder, asperity, folder = sys.argv[1:]
+    stock, uinter, recorder, penalty, events, asperity, folder = sys.argv[1:]
     law = RoughLaw()
     groups = [("law", test_law.law_of_program, law, asperity)]
     for name, angle in (("matching", 0.0), ("tilted", 20.0), ("upright", 90.0), ("offset", 0.0)):
@@ -52,6 +55,11 @@ def main():
         ("cutbacks of the solver", test_cutback.solver_cutback, uinter, recorder, law, folder),
         ("restart", test_restart.restart, law, uinter, folder),
         ("threads", test_threads.threads, law, uinter, folder),
+        ("the course of a job", test_user_file.course, events, folder),
+        ("the end by URDFIL", test_user_file.stopped, events, folder),
+        ("a slave surface of nodes", test_user_file.node_surface, events, folder),
+        ("outputs that are not set", test_user_file.poison, penalty, uinter, law, folder),
+        ("pairs that are not node to surface", test_user_file.pairs, stock, events, folder),
     ]
     began = time.monotonic()
     for name, function, *arguments in groups:

@@ -36,12 +36,14 @@ build() {
    echo "0 passed, 1 failed"
    exit 1
 }
-recorder=${CCX_RECORDER:-}
+recorder=${CCX_RECORDER:-} penalty=- events=-
 if [ -z "$recorder" ]; then
    recorder=$work/ccx_recorder
    build recorder.f90 "$recorder"
+   penalty=$work/ccx_penalty events=$work/ccx_events
    # fixed form, implicit types and an include, as user subroutines usually are
-   build penalty.f "$work/ccx_penalty"
+   build penalty.f "$penalty"
+   build events.for "$events"
 fi
 PYTHONDONTWRITEBYTECODE=1 python3 "$here/run_checks.py" \
-   "$stock" "$uinter" "$recorder" "$asperity" "$decks"
+   "$stock" "$uinter" "$recorder" "$penalty" "$events" "$asperity" "$decks"

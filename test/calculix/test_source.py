@@ -45,7 +45,7 @@ def fixed(names, begin="      SUBROUTINE UINTER(", go_on="     &", body=BODY):
 
 def look(path):
     """(status, options, words) of source.py."""
-    done = subprocess.run([sys.executable, SOURCE, path, shutil.which("gfortran") or "none", "."],
+    done = subprocess.run([sys.executable, SOURCE, path, shutil.which("gfortran") or "true", "."],
                           capture_output=True, text=True, check=False)
     return done.returncode, done.stdout, done.stderr
 
