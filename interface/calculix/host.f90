@@ -56,8 +56,10 @@ module calculix_host
    type(host_type), protected :: host
    !> The increment that `iteration` counts in
    real(wp) :: counted(4) = -1.0_wp
-   !> Calls of UINTER, and the clock's ticks that they took
-   integer(int64) :: calls = 0_int64, ticks = 0_int64
+   !> Calls of UINTER, those in which the faces overlapped, and the clock's ticks that all took
+   integer(int64) :: calls = 0_int64, overlapping = 0_int64, ticks = 0_int64
+   !> Some call with an overlap gave a stress
+   logical :: stressed = .false.
 
 contains
 
@@ -129,12 +131,22 @@ contains
    end subroutine after_results
 
    !> Count a call of UINTER; called on several threads.
-   subroutine count_call(began)
+   subroutine count_call(began, overclosure, stress)
       !> The clock when it began
       integer(int64), intent(in) :: began
+      !> RDISP(1) and STRESS of the call
+      real(wp), intent(in) :: overclosure, stress(:)
       integer(int64) :: ended
 
       call system_clock(ended)
+      if (overclosure > 0.0_wp) then
+         !$omp atomic
+         overlapping = overlapping + 1_int64
+         if (any(abs(stress) > 0.0_wp)) then
+            !$omp atomic write
+            stressed = .true.
+         end if
+      end if
       !$omp atomic
       calls = calls + 1_int64
       !$omp atomic
@@ -150,6 +162,9 @@ contains
          ' calls of UINTER took ', real(ticks, wp)/real(rate, wp), ' s'
       if (has_interactions() .and. calls == 0_int64) &
          write (*, '(a)') ' *WARNING: UINTER was never called: no slave node came near a master'
+      if (overlapping > 0_int64 .and. .not. stressed) write (*, '(a, i0, a)') &
+         ' *WARNING: UINTER gave no stress in any of ', overlapping, &
+         ' calls in which the faces overlapped'
       if (optional_left() /= '') write (*, '(2a)') &
          ' asperity: UINTER sets all that it must; it leaves unset, as it may:', &
          trim(optional_left())

@@ -213,7 +213,7 @@ contains
             interaction%depvar, 0, size(interaction%props), 3, host%step, host%number, &
             host%iteration, 0, opened, user_status, discontinuity, 0)
       end associate
-      call count_call(began)
+      call count_call(began, rdisp(1), outputs%stress)
       state(slot_status) = opened + 1
       state(slot_user_status) = user_status + 1
       state(slot_pnewdt) = 0.0_wp

@@ -55,6 +55,8 @@ def main():
         ("cutbacks of the solver", test_cutback.solver_cutback, uinter, recorder, law, folder),
         ("restart", test_restart.restart, law, uinter, folder),
         ("threads", test_threads.threads, law, uinter, folder),
+        ("what build says", test_user_file.built, events, uinter),
+        ("no stress at all", test_user_file.no_stress, events, folder),
         ("the course of a job", test_user_file.course, events, folder),
         ("the end by URDFIL", test_user_file.stopped, events, folder),
         ("a slave surface of nodes", test_user_file.node_surface, events, folder),

@@ -30,8 +30,8 @@ fi
 # Another UINTER in the folder of CCX_UINTER: source, program
 build() {
    "$here/../../interface/calculix/build" --uinter "$here/$1" --folder "$(dirname "$uinter")" \
-      --output "$2" >"$work/build.log" 2>&1 && return
-   cat "$work/build.log"
+      --output "$2" >"$2.log" 2>&1 && return
+   cat "$2.log"
    echo "FAIL ccx with test/calculix/$1 was not built"
    echo "0 passed, 1 failed"
    exit 1

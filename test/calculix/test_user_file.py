@@ -2,10 +2,13 @@
 that it leaves unset, areas of slave nodes, pairs that UINTER cannot serve. Two blocks, penalty law."""
 
 import csv
+import subprocess
+from pathlib import Path
 
 from blocks import Deck, Interaction
 from harness import Run, at_most, check, close
 
+ROOT = Path(__file__).resolve().parents[2]
 SIDE, PENALTY = 10.0, 1000.0
 RIGID = 1e9
 NAME = "two blocks"
@@ -29,6 +32,34 @@ def by_nodes(deck, nodes):
     place = deck.model.index("*SURFACE,NAME=HIGH_DOWN")
     deck.model[place:place + 5] = ["*SURFACE,NAME=HIGH_DOWN,TYPE=NODE",
                                    *[f"{node}," for node in nodes]]
+
+
+def built(events, uinter):
+    """What build said of events.for; what it refuses."""
+    said = Path(events + ".log").read_text(encoding="utf-8")
+    for text in ("UEXTERNALDB of the same file is called", "URDFIL of the same file is called",
+                 "own dsort : CalculiX, which has such names too, does not call them",
+                 "COMMON blocks, or variables that last from call to call: COUNTS EVENTS",
+                 "the compiler warns", "COMMON block"):
+        check(f"build says: {text}", text in said, "" if text in said else said)
+    before = Path(uinter).stat().st_mtime
+    for name, text in (("args28.for", "28 arguments"), ("args44.for", "44 arguments")):
+        done = subprocess.run(
+            [ROOT / "interface/calculix/build", "--uinter", ROOT / "test/data/uinter" / name,
+             "--folder", Path(uinter).parent, "--output", uinter], capture_output=True, text=True,
+            check=False)
+        check(f"build refuses {name}", done.returncode == 1 and text in done.stderr
+              and Path(uinter).stat().st_mtime == before, done.stderr)
+
+
+def no_stress(events, folder):
+    """A UINTER that gives no stress is told."""
+    for penalty, told in ((0.0, True), (PENALTY, False)):
+        deck, _, _ = blocks([penalty, 99.0, 0.0])
+        deck.step({"LOW_BOTTOM": (0, 0, 0), "HIGH_TOP": (0, 0, -0.01)})
+        run = Run(events, folder, f"stress-{penalty:g}", deck).completed(1)
+        check(f"no stress at all is told, penalty {penalty:g}",
+              ("*WARNING: UINTER gave no stress in any of" in run.log) == told)
 
 
 def course(events, folder):
