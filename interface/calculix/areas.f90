@@ -75,8 +75,8 @@ contains
       if (contains_node) contains_node = nodes(low) == node
    end function contains_node
 
-   !> Places of a face's nodes among those of its element, as CalculiX numbers faces: corners, and the
-   !> middles of the edges between them; zeros after them.
+   !> Places of a face's nodes among those of its element, as CalculiX numbers faces: corners, and
+   !> the middles of the edges between them; zeros after them.
    pure function places_of(kind, face) result(places)
       !> Kind of the element, such as C3D8I
       character(len=8), intent(in) :: kind

@@ -1,5 +1,6 @@
-!> What ABAQUS tells user subroutines of the course of a job: UEXTERNALDB at the beginning and end of
-!> job, step and increment, URDFIL after every increment. They are called if UINTER's file has them.
+!> What ABAQUS tells user subroutines of the course of a job: UEXTERNALDB at the beginning and end
+!> of job, step and increment, URDFIL after every increment. They are called if UINTER's file has
+!> them.
 module calculix_events
    use asperity_kinds, only: wp
    use calculix_host, only: host

@@ -27,7 +27,7 @@ module calculix_host
       logical :: at_rest = .true.
       !> This evaluation is the first of an attempt at an increment
       logical :: new_attempt = .false.
-      !> What springs keep, as the solver has it now (value, spring), and elements before the springs
+      !> What springs keep, as the solver has it now (value, spring), and elements before springs
       real(wp), pointer :: states(:, :) => null()
       integer :: elements = 0
       !> Names of the interactions, 80 characters each

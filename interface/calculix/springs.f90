@@ -137,8 +137,8 @@ contains
       state(slot_time) = host%total + host%time
    end subroutine evaluate_spring
 
-   !> Call UINTER, in a poisoned run once more from other stresses. The state goes in as of the start
-   !> of the increment.
+   !> Call UINTER, in a poisoned run once more from other stresses. The state goes in as of the
+   !> start of the increment.
    subroutine call_uinter(spring, state, rdisp, drdisp, response)
       type(spring_type), intent(in) :: spring
       real(wp), intent(inout) :: state(:)

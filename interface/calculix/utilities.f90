@@ -106,8 +106,9 @@ subroutine posfil(nstep, ninc, array, jrcd)
    use asperity_kinds, only: wp
    use calculix_refusal, only: refuse
    implicit none
-   integer :: nstep, ninc, jrcd
-   real(wp) :: array(*)
+   integer, intent(in) :: nstep, ninc
+   real(wp), intent(inout) :: array(*)
+   integer, intent(inout) :: jrcd
 
    call refuse('POSFIL was called: CalculiX writes no results file of ABAQUS (.fil)')
 end subroutine posfil
@@ -117,8 +118,9 @@ subroutine dbfile(lop, array, jrcd)
    use asperity_kinds, only: wp
    use calculix_refusal, only: refuse
    implicit none
-   integer :: lop, jrcd
-   real(wp) :: array(*)
+   integer, intent(in) :: lop
+   real(wp), intent(inout) :: array(*)
+   integer, intent(inout) :: jrcd
 
    call refuse('DBFILE was called: CalculiX writes no results file of ABAQUS (.fil)')
 end subroutine dbfile
@@ -127,8 +129,8 @@ end subroutine dbfile
 subroutine uexternaldb(lop, lrestart, time, dtime, kstep, kinc)
    use asperity_kinds, only: wp
    implicit none
-   integer :: lop, lrestart, kstep, kinc
-   real(wp) :: time(2), dtime
+   integer, intent(in) :: lop, lrestart, kstep, kinc
+   real(wp), intent(in) :: time(2), dtime
 
 end subroutine uexternaldb
 
@@ -136,7 +138,9 @@ end subroutine uexternaldb
 subroutine urdfil(lstop, lovrwrt, kstep, kinc, dtime, time)
    use asperity_kinds, only: wp
    implicit none
-   integer :: lstop, lovrwrt, kstep, kinc
-   real(wp) :: dtime, time(2)
+   integer, intent(inout) :: lstop, lovrwrt
+   integer, intent(in) :: kstep, kinc
+   real(wp), intent(inout) :: dtime
+   real(wp), intent(in) :: time(2)
 
 end subroutine urdfil

@@ -129,9 +129,10 @@ contains
       at_rest = evaluate_normal_law(properties%normal, properties%initial_separation)
       call comment(text, 'CalculiX 2.20: TYPE=NODE TO SURFACE on *CONTACT PAIR only: with '// &
          'SURFACE TO SURFACE a table')
-      call comment(text, '  gives no pressure at all, without a message, or a crash. The larger '// &
-         'face is master')
-      call comment(text, '  *CONTACT PRINT: CDIS and CSTR are right, the totals CF, CFN, CFS are zero')
+      call comment(text, '  gives no pressure at all, without a message, or a crash. The '// &
+         'larger face is master')
+      call comment(text, '  *CONTACT PRINT: CDIS and CSTR are right, the totals CF, CFN, CFS '// &
+         'are zero')
       call comment(text, '  Contact only where the clearance is below '// &
          short(calculix_clearance)//' sqrt(area of the slave node): rows of')
       call comment(text, '  larger clearance have no effect, and faces meet and part with a '// &
