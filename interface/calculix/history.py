@@ -19,9 +19,11 @@ def read_increments(path):
     try:
         for row in tables.read_rows(path):
             try:
-                rows.append({name: (int if name in INCREMENT_COLUMNS[:5] else float)(row[name])
+                # version 0.1 named the last two by their unit
+                rows.append({name: (int if name in INCREMENT_COLUMNS[:5] else float)(
+                    row.get(name, row.get(name.replace("time", "seconds"))))
                              for name in INCREMENT_COLUMNS})
-            except (KeyError, TypeError, ValueError):
+            except (TypeError, ValueError):
                 pass
     except OSError:
         pass

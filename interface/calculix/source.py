@@ -38,7 +38,7 @@ class SourceError(Exception):
 
 def read(path):
     with open(path, encoding="utf-8", errors="surrogateescape") as file:
-        return file.read().expandtabs(1).splitlines()
+        return file.read().splitlines()
 
 
 def form_of(path, lines):
@@ -80,11 +80,9 @@ def statements(lines, form):
             if line[:1].lower() in ("c", "*", "d", "!", "#"):
                 continue
             text = without_comment(line)
-            # after a tab, which is one blank here, a digit continues
-            tabbed = re.match(r" ?[1-9]\D", line[:3]) if line[:1] == " " else None
-            goes_on = (text[:5].strip() == "" and text[5:6] not in ("", " ", "0"))
-            if tabbed:
-                goes_on, text = True, "      " + text.lstrip()[1:]
+            if text.startswith("\t"):       # after a tab a digit continues
+                text = "     " + (text[1:] if text[1:2] in tuple("123456789") else text)
+            goes_on = text[:5].strip() == "" and text[5:6] not in ("", " ", "\t", "0")
             part = text[6:] if goes_on else text
             if not part.strip():
                 continue

@@ -25,8 +25,8 @@ INTERFACE = os.path.abspath(sys.argv[1] if len(sys.argv) > 1 else
 RUN, CONTACT = os.path.join(INTERFACE, "run"), os.path.join(INTERFACE, "contact")
 FAKE = os.path.join(HERE, "fake_ccx.py")
 sys.path.insert(0, INTERFACE)
-deck, dat, frd, faces, mesh, restart, watch = map(
-    importlib.import_module, ("deck", "dat", "frd", "faces", "mesh", "restart", "watch"))
+deck, dat, frd, faces, history, mesh, restart, watch = map(
+    importlib.import_module, ("deck", "dat", "frd", "faces", "history", "mesh", "restart", "watch"))
 
 MODEL = """*HEADING
 two blocks
@@ -364,6 +364,12 @@ def test_pairs():
         write("p.inp", law.format(behavior) + pair.format(kind) + STEP.format(1))
         r = run("p.inp", "--anew")
         check(f"pairs: {name}", r.status == status and text in r.err, r.text)
+    for behavior, told in (("LINEAR", True), ("UINTER, PROPERTIES=2", False)):
+        write("p.inp", "*SURFACE,NAME=s,TYPE=NODE\n1,\n" + law.format(behavior)
+              + pair.format("NODE TO SURFACE") + STEP.format(1))
+        r = run("p.inp", "--anew")
+        check(f"pairs: a slave surface of nodes, {behavior[:6]}", r.status == 0
+              and ("is given by nodes" in r.out) == told, r.text)
     write("p.inp", pair.format("NODE TO SURFACE") + STEP.format(1).replace(
         "*END", "*CONTACT PRINT,SLAVE=S,MASTER=M\nCDIS,CF\n*END"))
     r = run("p.inp", "--anew")
@@ -513,6 +519,10 @@ def test_contact():
     check("a model's elements, sets and pair", len(model.elements) == 2
           and model.element_sets["BOTH"] == [1, 11] and model.elements[1][7] == 8
           and model.pairs[0].slave == "TOP" and model.friction == {"WOOD": 0.5}, vars(model))
+    write("old.csv", "step,increment,attempts,iterations,springs,increment_time,step_time,total_time,"
+          "wall_seconds,cpu_seconds\n1,1,1,2,50,.5,.5,.5,.1,.25\n")
+    seen = history.read_increments("old.csv")
+    check("increments as version 0.1 wrote them", len(seen) == 1 and seen[0]["cpu_time"] == .25, seen)
     check("the skin of two bodies", len(model.skin()) == 12)
     check("areas of a face", faces.areas(model.nodes, model.slave_faces()[0][1])
           == {11: 0.25, 12: 0.25, 13: 0.25, 14: 0.25})

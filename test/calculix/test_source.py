@@ -82,6 +82,7 @@ def forms():
             ("a .for", "a.for", fixed(NAMES), FIXED),
             ("digits continue, comments between", "b.f", "C  subroutine uinter(nothing)\n"
              + fixed(NAMES, go_on="C    a comment ('\n!\n     2 "), FIXED),
+            ("labels of one digit", "x.f", " 5   CONTINUE\n      END\n" + fixed(NAMES), FIXED),
             ("tabs", "c.f", fixed(NAMES, "\tSUBROUTINE UINTER(", "\t1"), FIXED),
             ("blanks in names, as fixed form allows", "d.f",
              fixed(NAMES, "      SUB ROUTINE  U INTER  ("), FIXED),
