@@ -27,9 +27,11 @@ if [ -n "${KEEP:-}" ]; then
    [ -z "$(ls -A "$KEEP")" ] || { echo "run_tests.sh: KEEP=$KEEP is not empty" >&2; exit 2; }
    decks=$(realpath "$KEEP")
 fi
-# Another UINTER in the folder of CCX_UINTER: source, program
+# Another UINTER in the folder of CCX_UINTER, by a path that scripts like to break on: source, program
+folder="$work/a folder, o'clock \"new\"; \$(x)"
+ln -s "$(dirname "$uinter")" "$folder" || exit 3
 build() {
-   "$here/../../interface/calculix/build" --uinter "$here/$1" --folder "$(dirname "$uinter")" \
+   "$here/../../interface/calculix/build" --uinter "$here/$1" --folder "$folder" \
       --output "$2" >"$2.log" 2>&1 && return
    cat "$2.log"
    echo "FAIL ccx with test/calculix/$1 was not built"
