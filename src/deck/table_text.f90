@@ -138,9 +138,9 @@ contains
       call comment(text, '  larger clearance have no effect, and faces meet and part with a '// &
          'jump of about '//short(at_rest%pressure)//' MPa,')
       call comment(text, '  the law at zero overclosure')
-      call comment(text, '  Penetration at the start stays: in the first increment that '// &
-         'increment''s share of it counts, from')
-      call comment(text, '  the second on all of it. So let the first step be one increment')
+      call comment(text, '  Penetration at the start stays: the first increment counts its '// &
+         'share of it, the others all')
+      call comment(text, '  of it. So let the first step be one increment')
       call comment(text, '  Beyond the last row, '//short(table%pressure(size(table%pressure)))// &
          ' MPa, the pressure stays constant')
       if (.not. properties%friction_coefficient > 0.0_wp) then
