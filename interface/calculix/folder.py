@@ -180,6 +180,8 @@ class Run:
         if rows:
             tables.write_rows(self.path("states.csv"), names, rows)
             say(f"written: {self.path('states.csv')}: STATEV of {len(rows)} points and increments")
+        elif self.options.states:
+            say("no states: they need a ccx of interface/calculix/build, and a deck with UINTER")
         options, deck = self.options, self.deck
         factor = options.force_factor or (2.0 if deck.half_model else 1.0)
         gauge = options.gauge or (None if options.set else deck.gauge)

@@ -165,9 +165,10 @@ contains
       if (overlapping > 0_int64 .and. .not. stressed) write (*, '(a, i0, a)') &
          ' *WARNING: UINTER gave no stress in any of ', overlapping, &
          ' calls in which the faces overlapped'
+      if (.not. host%poisoned .or. calls == 0_int64) return
+      write (*, '(a)') ' asperity: UINTER sets STRESS and DDSDDR in every call that was made'
       if (optional_left() /= '') write (*, '(2a)') &
-         ' asperity: UINTER sets all that it must; it leaves unset, as it may:', &
-         trim(optional_left())
+         ' asperity: UINTER leaves unset, as it may:', trim(optional_left())
    end subroutine report_time
 
    !> Whether the variable ASPERITY_CALCULIX_NAME of the environment has a value.

@@ -2,7 +2,7 @@
 module calculix_states
    use asperity_kinds, only: wp
    use calculix_host, only: host, pair_of, surface_name
-   use calculix_interactions, only: find_interaction, most_depvar
+   use calculix_interactions, only: find_interaction, interaction_type, most_depvar
    use calculix_refusal, only: refuse
    use calculix_slots, only: own_slots, slot_time
    implicit none
@@ -22,24 +22,24 @@ contains
       real(wp), intent(in) :: time
       !> Share of an increment by which times may differ and still be the same
       real(wp), parameter :: same_time = 1.0e-6_wp
-      integer :: node, pair, i, depvar
+      type(interaction_type), pointer :: interaction
+      integer :: node, pair, i
 
       if (.not. host%writes_states) return
       if (unit == 0) call open_file()
       do node = 1, size(host%slave_nodes)
          pair = pair_of(node)
          if (.not. host%serves(pair)) cycle
-         associate (state => host%states(:, host%elements + node), &
-               interaction => find_interaction(host%materials(pair)))
+         interaction => find_interaction(host%materials(pair))
+         associate (state => host%states(:, host%elements + node))
             ! a spring that has gone
             if (abs(state(slot_time) - time) > same_time*host%increment) cycle
-            depvar = interaction%depvar
             write (unit, '(2(i0, a), es0.9e2, 3a, i0)', advance='no') step, ',', increment, ',', &
                time, ',', trim(surface_name(pair, 2)), ',', host%slave_nodes(node)
             do i = 1, most_depvar()
-               if (i <= depvar) write (unit, '(a, es0.15e3)', advance='no') ',', &
+               write (unit, '(a)', advance='no') ','
+               if (i <= interaction%depvar) write (unit, '(es0.15e3)', advance='no') &
                   state(own_slots + i)
-               if (i > depvar) write (unit, '(a)', advance='no') ','
             end do
             write (unit, '(a)') ''
          end associate

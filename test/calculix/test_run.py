@@ -346,8 +346,11 @@ def test_names():
     check("no shell has read a name", not os.path.exists("pwned")
           and not any("pwned" in os.listdir(f) for f in os.listdir(".") if os.path.isdir(f)))
     r = run("my deck.inp", "--anew", "--poison")
-    check("what a poisoned run tells", "run: UINTER sets all that it must; it leaves unset, as it "
-          "may: SPD SVD" in r.out, r.text)
+    check("what a poisoned run tells", "run: UINTER leaves unset, as it may: SPD SVD" in r.out
+          and "nothing to look at" not in r.out, r.text)
+    r = run("my deck.inp", "--anew", "--states", "--poison", fake="stock")
+    check("a ccx that knows of neither states nor poison", "--poison found nothing" in r.out
+          and "no states" in r.out, r.text)
 
 
 def test_pairs():
