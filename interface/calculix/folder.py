@@ -8,6 +8,7 @@ import history
 import restart
 import tables
 from progress import say
+from whole_file import whole_file
 
 # What a run leaves of a job
 ENDINGS = ("inp", "dat", "frd", "sta", "cvg", "12d", "rout", "rin", "uinter", "log",
@@ -43,10 +44,9 @@ class Run:
 
     def save(self):
         """Write what --resume needs."""
-        with open(self.path("run.json.part"), "w", encoding="utf-8") as file:
+        with whole_file(self.path("run.json")) as part, open(part, "w", encoding="utf-8") as file:
             json.dump(self.state, file, indent=1)
             file.write("\n")
-        os.replace(self.path("run.json.part"), self.path("run.json"))
 
     def open(self):
         """Find what is there; decide where to begin."""

@@ -1,7 +1,8 @@
 """CSV files: a column is headed by its name, with the unit in brackets where it has one."""
 
 import csv
-import os
+
+from whole_file import whole_file
 
 UNITS = {"displacement": "mm", "force": "N", "wall_time": "s", "cpu_time": "s", "area": "mm^2",
          **dict.fromkeys(("x", "y", "z", "ux", "uy", "uz", "opening", "slip_1", "slip_2"), "mm"),
@@ -20,11 +21,10 @@ def name_in(text):
 
 def write_rows(path, names, rows):
     """A CSV file, whole or not at all."""
-    with open(path + ".part", "w", encoding="ascii", newline="") as file:
+    with whole_file(path) as part, open(part, "w", encoding="ascii", newline="") as file:
         writer = csv.writer(file, lineterminator="\n")
         writer.writerow(map(heading, names))
         writer.writerows([f"{v:.9g}" if isinstance(v, float) else v for v in row] for row in rows)
-    os.replace(path + ".part", path)
 
 
 def read_rows(path):
