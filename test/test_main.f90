@@ -33,6 +33,7 @@ program test_main
    use test_replay_host, only: suite_replay_host
    use test_shear_box, only: suite_shear_box
    use test_single_asperity, only: suite_single_asperity
+   use test_surface_cholesky, only: suite_surface_cholesky
    use test_surface_fourier, only: suite_surface_fourier
    use test_surface_level, only: suite_surface_level
    use test_surface_holes, only: suite_surface_holes
@@ -104,6 +105,7 @@ program test_main
    call all_suites%addTest(suite_tenon_joint())
    call all_suites%addTest(suite_tenon_solver())
    call all_suites%addTest(suite_surface_fourier())
+   call all_suites%addTest(suite_surface_cholesky())
    call all_suites%addTest(suite_surface_level())
    call all_suites%addTest(suite_surface_holes())
    call all_suites%addTest(suite_surface_gaussian_filter())

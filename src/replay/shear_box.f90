@@ -54,17 +54,6 @@ module replay_shear_box
    real(wp), parameter :: default_displacement = 3.0_wp
    procedure(uinter_interface) :: uinter
 
-   interface
-      !> LAPACK: solve a x = b by elimination.
-      subroutine dgesv(n, nrhs, a, lda, ipiv, b, ldb, info)
-         use asperity_kinds, only: wp
-         implicit none
-         integer, intent(in) :: n, nrhs, lda, ldb
-         real(wp), intent(inout) :: a(lda, *), b(ldb, *)
-         integer, intent(out) :: ipiv(*), info
-      end subroutine dgesv
-   end interface
-
 contains
 
    !> Replay a shear test. The first step is the seated box at rest. `error` is set when a setting
@@ -118,8 +107,8 @@ contains
       real(wp), intent(in) :: displacement, dtime
       type(error_type), allocatable, intent(out) :: error
       real(wp) :: pressure, area, separation, compliance, overclosure, slip, low, high
-      real(wp) :: residual(2, 1), jacobian(2, 2), allowed(2)
-      integer :: iteration, pivots(2), info
+      real(wp) :: r(2), j(2, 2), allowed(2), determinant
+      integer :: iteration
 
       area = current_area(settings, displacement)
       pressure = settings%normal_stress*overlap_area(settings%diameter, 0.0_wp)/area
@@ -135,24 +124,24 @@ contains
          if (.not. allocated(error)) call refuse_cut(point, error)
          if (allocated(error)) return
          associate (stress => point%trial%stress, tangent => point%trial%ddsddr)
-            residual(:, 1) = [stress(1) - pressure, slip + compliance*stress(2) - displacement]
+            r = [stress(1) - pressure, slip + compliance*stress(2) - displacement]
             ! no closer than round-off of overclosure and displacement allows
             allowed = balance_tolerance*[pressure, properties%critical_slip] &
                + 4.0_wp*[tangent(1, 1)*spacing(max(abs(overclosure), &
                abs(properties%initial_separation))), spacing(max(abs(displacement), abs(high)))]
-            if (all(abs(residual(:, 1)) <= allowed)) return
-            if (residual(2, 1) > 0.0_wp) then
+            if (all(abs(r) <= allowed)) return
+            if (r(2) > 0.0_wp) then
                high = slip
             else
                low = slip
             end if
-            jacobian(1, :) = tangent(1, :)
-            jacobian(2, :) = compliance*tangent(2, :) + [0.0_wp, 1.0_wp]
+            j(1, :) = tangent(1, :)
+            j(2, :) = compliance*tangent(2, :) + [0.0_wp, 1.0_wp]
          end associate
-         call dgesv(2, 1, jacobian, 2, pivots, residual, 2, info)
-         if (info /= 0) exit
-         overclosure = overclosure - residual(1, 1)
-         slip = slip - residual(2, 1)
+         determinant = j(1, 1)*j(2, 2) - j(1, 2)*j(2, 1)
+         if (.not. abs(determinant) > 0.0_wp) exit
+         overclosure = overclosure - (j(2, 2)*r(1) - j(1, 2)*r(2))/determinant
+         slip = slip - (j(1, 1)*r(2) - j(2, 1)*r(1))/determinant
          if (.not. (slip > low .and. slip < high)) slip = 0.5_wp*(low + high)
       end do
       call fatal_error(error, 'no balance found at displacement = '//to_text(displacement)// &

@@ -3,6 +3,7 @@ module surface_level
    use asperity_error, only: error_type, fatal_error
    use asperity_kinds, only: wp
    use asperity_text, only: to_text
+   use surface_cholesky, only: factorize, reciprocal_condition, solve
    use surface_height_map, only: height_map, missing_height
    implicit none
    private
@@ -13,37 +14,6 @@ module surface_level
    !> Smallest reciprocal condition number of the normal equations, scaled to a diagonal of ones.
    !> The first fit errs by up to epsilon over this, relatively, and the second takes out the rest
    real(wp), parameter :: least_condition = 1.0e-10_wp
-
-   interface
-      !> LAPACK: Cholesky factor of a symmetric positive definite matrix.
-      pure subroutine dpotrf(uplo, n, a, lda, info)
-         import :: wp
-         character, intent(in) :: uplo
-         integer, intent(in) :: n, lda
-         real(wp), intent(inout) :: a(lda, n)
-         integer, intent(out) :: info
-      end subroutine dpotrf
-
-      !> LAPACK: estimate of its reciprocal condition number from that factor.
-      pure subroutine dpocon(uplo, n, a, lda, anorm, rcond, work, iwork, info)
-         import :: wp
-         character, intent(in) :: uplo
-         integer, intent(in) :: n, lda
-         real(wp), intent(in) :: a(lda, n), anorm
-         real(wp), intent(out) :: rcond, work(3*n)
-         integer, intent(out) :: iwork(n), info
-      end subroutine dpocon
-
-      !> LAPACK: solution with that factor.
-      pure subroutine dpotrs(uplo, n, nrhs, a, lda, b, ldb, info)
-         import :: wp
-         character, intent(in) :: uplo
-         integer, intent(in) :: n, nrhs, lda, ldb
-         real(wp), intent(in) :: a(lda, n)
-         real(wp), intent(inout) :: b(ldb, nrhs)
-         integer, intent(out) :: info
-      end subroutine dpotrs
-   end interface
 
 contains
 
@@ -88,21 +58,20 @@ contains
       integer, intent(in) :: degree
       !> Whether the measured points determine the fit; the map is kept otherwise
       logical, intent(out) :: is_determined
-      real(wp), allocatable :: px(:, :), py(:, :), normal(:, :), right(:, :), scales(:), work(:)
-      integer, allocatable :: a(:), b(:), iwork(:)
-      integer :: terms, i, j, pass, info
-      real(wp) :: condition
+      real(wp), allocatable :: px(:, :), py(:, :), normal(:, :), right(:), scales(:)
+      integer, allocatable :: a(:), b(:)
+      integer :: terms, i, j, pass
+      real(wp) :: norm
 
       terms = (degree + 1)*(degree + 2)/2
-      allocate (a(terms), b(terms), iwork(terms), normal(terms, terms), right(terms, 1), &
-         scales(terms), work(3*terms), px(size(map%heights, 1), 0:degree), &
-         py(size(map%heights, 2), 0:degree))
+      allocate (a(terms), b(terms), normal(terms, terms), right(terms), scales(terms), &
+         px(size(map%heights, 1), 0:degree), py(size(map%heights, 2), 0:degree))
       a(:) = [((i, i=0, degree - j), j=0, degree)]
       b(:) = [((j, i=0, degree - j), j=0, degree)]
       call legendre(px)
       call legendre(py)
       do pass = 1, 2
-         call sum_products(map%heights, px, py, a, b, normal, right(:, 1), only_right=pass == 2)
+         call sum_products(map%heights, px, py, a, b, normal, right, only_right=pass == 2)
          if (pass == 1) then
             scales(:) = [(normal(i, i), i=1, terms)]
             is_determined = all(scales > 0.0_wp)
@@ -111,19 +80,15 @@ contains
             do i = 1, terms
                normal(:, i) = normal(:, i)*scales*scales(i)
             end do
-            associate (norm => maxval(sum(abs(normal), 1)))
-               call dpotrf('L', terms, normal, terms, info)
-               is_determined = info == 0
-               if (is_determined) then
-                  call dpocon('L', terms, normal, terms, norm, condition, work, iwork, info)
-                  is_determined = condition >= least_condition
-               end if
-            end associate
+            norm = maxval(sum(abs(normal), 1))
+            call factorize(normal, is_determined)
+            if (is_determined) &
+               is_determined = reciprocal_condition(normal, norm) >= least_condition
             if (.not. is_determined) return
          end if
-         right(:, 1) = right(:, 1)*scales
-         call dpotrs('L', terms, 1, normal, terms, right, terms, info)
-         call subtract(map%heights, px, py, a, b, right(:, 1)*scales)
+         right(:) = right*scales
+         call solve(normal, right)
+         call subtract(map%heights, px, py, a, b, right*scales)
       end do
    end subroutine subtract_fit
 

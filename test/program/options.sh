@@ -63,3 +63,9 @@ refuses 'logical with a wrong value' 2 '--shrinking-overlap: .*neither true nor 
 refuses 'two case files' 2 "'b.nml': there is already" curve a.nml b.nml
 refuses 'pairs takes no case file' 2 "'a.nml': pairs takes no case file" pairs a.nml
 refuses 'version takes nothing' 2 '--csv: is an option of' --version --csv x
+
+# A BLAS with threads takes memory and time at every start
+if command -v ldd >/dev/null; then
+   loads_no_blas() { ldd "$program" >libraries && ! grep -i -E 'lapack|blas' libraries; }
+   check 'no command loads LAPACK or a BLAS' loads_no_blas
+fi
