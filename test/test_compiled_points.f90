@@ -4,12 +4,14 @@ module test_compiled_points
    use, intrinsic :: iso_c_binding, only: c_f_pointer, c_int, c_null_ptr, c_ptr
    use, intrinsic :: iso_fortran_env, only: int64
    use asperity, only: contact_properties, contact_response, contact_state, contact_states, &
-      error_type, evaluate_compiled_law, evaluate_normal_law, new_contact_states, no_rotation, &
-      normal_response, rule_dissipative, status_open, status_slip, update_contact_point, &
+      error_type, evaluate_compiled_law, evaluate_normal_law, new_contact_properties, &
+      new_contact_states, new_normal_properties, no_rotation, normal_properties, normal_response, &
+      rule_dissipative, status_open, status_slip, update_contact_point, &
       update_contact_points, wp
+   use asperity_validity, only: closure_above_half_radius
    use contact_cases, only: pair_properties
-   use funit, only: anyExceptions, assertEqual, assertGreaterThan, assertLessThan, assertTrue, &
-      TestMethod, TestSuite
+   use funit, only: anyExceptions, assertEqual, assertFalse, assertGreaterThan, assertLessThan, &
+      assertTrue, TestMethod, TestSuite
    use measurements, only: record
    use points_cases, only: compile, random_pair, random_slip
    use random_inputs, only: random_stream
@@ -34,9 +36,65 @@ contains
       suite = TestSuite('compiled points')
       call suite%addTest(TestMethod('numbers of the compiled law, bit by bit', test_law))
       call suite%addTest(TestMethod('as the direct law to 1e-10', test_direct))
+      call suite%addTest(TestMethod('the same flags by every way, beyond 39 sigma too', test_flags))
       call suite%addTest(TestMethod('tangent by differences', test_tangent))
       call suite%addTest(TestMethod('two threads give the serial bits', test_threads))
    end function suite_compiled_points
+
+   !> Direct law, compiled law, and a contact point with either. Summits in contact are pressed in by
+   !> sigma/h on average far out, so that with a radius below 0.05 sigma the flag of half a radius is
+   !> set to 39 sigma; beyond, nothing touches and nothing is flagged.
+   subroutine test_flags()
+      type(random_stream) :: stream
+      type(contact_properties) :: direct, compiled
+      type(contact_response) :: r
+      type(normal_properties) :: p
+      type(normal_response) :: normal
+      type(error_type), allocatable :: error
+      real(wp) :: h(60), sigma, radius, separation, pressure, stiffness
+      integer :: i, j, flags(4), far_flags, differ
+
+      stream = random_stream(seed)
+      far_flags = 0
+      differ = 0
+      do i = 1, 60
+         sigma = stream%log_uniform(1.0e-3_wp, 0.1_wp)
+         radius = sigma*stream%log_uniform(0.01_wp, 10.0_wp)
+         call new_normal_properties(p, stream%log_uniform(0.03_wp, 4.0_wp)/(radius*sigma), &
+            300.0_wp, radius, 25.0_wp, 0.4_wp, sigma, error)
+         call assertFalse(allocated(error), 'properties')
+         ! no datum between overclosure and separation, to have the same separation to the bit
+         call new_contact_properties(direct, p, 0.5_wp, 0.3_wp, error, initial_separation=0.0_wp)
+         call compile(direct, compiled)
+         do j = 1, size(h)
+            h(j) = stream%uniform(-10.0_wp, 50.0_wp)
+         end do
+         h(:5) = [nearest(39.0_wp, -1.0_wp), 39.0_wp, nearest(39.0_wp, 1.0_wp), 1.0e10_wp, 38.5_wp]
+         do j = 1, size(h)
+            separation = h(j)*sigma
+            normal = evaluate_normal_law(p, separation)
+            flags(1) = normal%validity
+            call evaluate_compiled_law(compiled%compiled, separation, pressure, stiffness, &
+               validity=flags(2))
+            r = update_contact_point(direct, contact_state(), -separation, [0.0_wp, 0.0_wp], &
+               no_rotation)
+            flags(3) = r%validity
+            r = update_contact_point(compiled, contact_state(), -separation, [0.0_wp, 0.0_wp], &
+               no_rotation)
+            flags(4) = r%validity
+            if (any(flags /= flags(1))) differ = differ + 1
+            if (separation > 39.0_wp*sigma) then
+               call assertEqual(p%validity, flags(1), 'nothing touches')
+            else if (h(j) > 38.0_wp) then
+               far_flags = ior(far_flags, flags(1))
+            end if
+         end do
+         if (anyExceptions()) return
+      end do
+      call assertEqual(0, differ, 'points with other flags')
+      call assertEqual(closure_above_half_radius, iand(far_flags, closure_above_half_radius), &
+         'flagged far out')
+   end subroutine test_flags
 
    !> The compiled law is what is used: its last bits differ from the direct ones.
    subroutine test_law()

@@ -182,7 +182,7 @@ contains
 
       if (present(area_fraction) .or. present(contact_density) .or. present(energy) &
             .or. present(validity)) then
-         column = column_at(separation*law%inverse_sigma)
+         column = column_at(law, separation)
          if (column == outside) then
             call fill(evaluate_normal_law(law%properties, separation), pressure, stiffness, &
                area_fraction, contact_density, energy, validity)
@@ -283,7 +283,7 @@ contains
 
       pressure = 0.0_wp
       stiffness = 0.0_wp
-      if (column_at(separation*law%inverse_sigma) == outside) &
+      if (column_at(law, separation) == outside) &
          call fill(evaluate_normal_law(law%properties, separation), pressure, stiffness)
    end subroutine evaluate_outside
 
@@ -330,16 +330,17 @@ contains
       if (present(validity)) validity = flags_at(law, h)
    end subroutine evaluate_rest
 
-   !> Interval of h = d/sigma, or `outside` or `beyond`.
-   pure integer function column_at(h)
-      real(wp), intent(in) :: h
+   !> Interval of a separation, or `outside` or `beyond`.
+   pure integer function column_at(law, separation)
+      type(compiled_law), intent(in) :: law
+      real(wp), intent(in) :: separation
       real(wp) :: intervals
 
-      intervals = intervals_below(h)
+      intervals = intervals_below(separation*law%inverse_sigma)
       if (intervals >= 0.0_wp .and. intervals < n_all) then
          column_at = 1 + int(intervals)
       else
-         column_at = merge(beyond, outside, h > vanishing_separation)
+         column_at = merge(beyond, outside, separation > vanishing_separation*law%properties%sigma)
       end if
    end function column_at
 

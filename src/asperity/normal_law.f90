@@ -18,7 +18,8 @@ module asperity_normal_law
    private
    public :: normal_response, evaluate_normal_law, evaluate_scaled_law
 
-   !> Beyond this d/sigma the factor exp(-h^2/2), and with it the law, is zero in double precision
+   !> Beyond this d/sigma the factor exp(-h^2/2), and with it the law, is zero in double precision:
+   !> no summit touches, and no limit is passed
    real(wp), parameter, public :: vanishing_separation = 39.0_wp
 
    !> Answer of the rough face at one separation.
@@ -113,7 +114,8 @@ contains
             r%plastic_share = share(3)
          end if
          r%validity = p%validity
-         if (p%sigma*moments(1) > 0.5_wp*p%radius*moments(0)) &
+         if (p%sigma*moments(1) > 0.5_wp*p%radius*moments(0) &
+               .and. separation <= vanishing_separation*p%sigma) &
             r%validity = ior(r%validity, closure_above_half_radius)
       end associate
    end subroutine evaluate_scaled_law
