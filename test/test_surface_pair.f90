@@ -1,5 +1,6 @@
 !> Two faces as one, the gap between them, the law of one summit summed over summits, and remarks.
 module test_surface_pair
+   use, intrinsic :: ieee_arithmetic, only: ieee_quiet_nan, ieee_value
    use asperity_error, only: error_type
    use asperity_kinds, only: wp
    use asperity_normal_law, only: evaluate_normal_law, normal_response
@@ -239,6 +240,8 @@ contains
       z = 0.0_wp
       call find_gap(map_of(z, 1.0_wp), [1.5_wp], gap, error)
       call assertTrue(allocated(error), 'share')
+      call find_gap(map_of(z, 1.0_wp), [0.5_wp, ieee_value(1.0_wp, ieee_quiet_nan)], gap, error)
+      call assertTrue(allocated(error), 'a share that is no number')
    end subroutine test_gap
 
    subroutine test_flat()

@@ -2,6 +2,7 @@
 !> its highest point.
 module surface_gap
    use asperity_error, only: error_type, fatal_error
+   use asperity_finite, only: all_finite
    use asperity_kinds, only: wp
    use surface_height_map, only: height_map, missing_height
    implicit none
@@ -41,12 +42,13 @@ contains
       integer, allocatable :: counts(:)
       real(wp) :: lowest, highest, points, first, second, width
       integer :: i, j, bin
+      logical :: are_shares
 
-      if (size(shares) > 0) then
-         if (minval(shares) < 0.0_wp .or. maxval(shares) > 1.0_wp) then
-            call fatal_error(error, 'shares of the gap must be from 0 to 1')
-            return
-         end if
+      are_shares = all_finite(shares)
+      if (are_shares) are_shares = all(shares >= 0.0_wp .and. shares <= 1.0_wp)
+      if (.not. are_shares) then
+         call fatal_error(error, 'shares of the gap must be from 0 to 1')
+         return
       end if
       highest = -huge(1.0_wp)
       lowest = huge(1.0_wp)
