@@ -24,7 +24,7 @@ add_test(NAME asperity_tests COMMAND asperity_tests WORKING_DIRECTORY ${PROJECT_
 # The same tests of VUINTER against the file for single precision, all from sources, as its modules
 # are not those of the library
 set(single_sources
-   abaqus_stubs contact_cases random_inputs threads vuinter_host test_vuinter
+   abaqus_stubs contact_cases extremes random_inputs threads vuinter_host test_vuinter
    test_vuinter_agreement single/main)
 if(NOT PFUNIT_FOUND)
    list(APPEND single_sources funit funit_assert)
@@ -46,7 +46,7 @@ add_test(NAME single_tests COMMAND asperity_single_tests WORKING_DIRECTORY ${PRO
 # What the CalculiX interface computes itself, without CalculiX
 set(calculix_sources test/calculix/main.f90 test/calculix/test_springs.f90
    test/calculix/test_keyword.f90 test/calculix/test_masters.f90 test/calculix/test_areas.f90
-   test/calculix/test_outputs.f90 test/random_inputs.f90 test/abaqus_stubs.f90)
+   test/calculix/test_outputs.f90 test/extremes.f90 test/random_inputs.f90 test/abaqus_stubs.f90)
 foreach(name refusal faces kinematics interactions slots outputs host springs masters keyword areas)
    list(APPEND calculix_sources interface/calculix/${name}.f90)
 endforeach()

@@ -7,6 +7,7 @@ module test_compiled_energy
       update_contact_point, wp
    use asperity_gauss_legendre, only: n_points, nodes, weights
    use contact_cases, only: pair_properties
+   use extremes, only: worsen
    use funit, only: assertEqual, assertGreaterThan, assertLessThan, TestMethod, TestSuite
    use measurements, only: record
    use points_cases, only: compile, random_pair, random_slip
@@ -55,7 +56,7 @@ contains
                - last%normal_energy - last%tangential_energy
             scale = next%normal_energy + last%normal_energy + next%dissipation &
                + next%tangential_energy + last%tangential_energy
-            worst = max(worst, abs(work - (change + next%dissipation - next%pressure_coupling)) &
+            call worsen(worst, abs(work - (change + next%dissipation - next%pressure_coupling)) &
                /scale)
             if (next%status == status_slip) slipping = slipping + 1
             call assertGreaterThan(next%status, status_open, message='closed')

@@ -10,6 +10,7 @@ module test_compiled_points
       update_contact_points, wp
    use asperity_validity, only: closure_above_half_radius
    use contact_cases, only: pair_properties
+   use extremes, only: largest_of, worsen
    use funit, only: anyExceptions, assertEqual, assertFalse, assertGreaterThan, assertLessThan, &
       assertTrue, TestMethod, TestSuite
    use measurements, only: record
@@ -41,9 +42,9 @@ contains
       call suite%addTest(TestMethod('two threads give the serial bits', test_threads))
    end function suite_compiled_points
 
-   !> Direct law, compiled law, and a contact point with either. Summits in contact are pressed in by
-   !> sigma/h on average far out, so that with a radius below 0.05 sigma the flag of half a radius is
-   !> set to 39 sigma; beyond, nothing touches and nothing is flagged.
+   !> Direct law, compiled law, and a contact point with either. Far out summits in contact are
+   !> pressed in by sigma/h on average, so that with a radius below 0.05 sigma the flag of half a
+   !> radius is set up to 39 sigma; beyond, nothing touches and nothing is flagged.
    subroutine test_flags()
       type(random_stream) :: stream
       type(contact_properties) :: direct, compiled
@@ -147,18 +148,18 @@ contains
             d = update_contact_point(direct, start, overclosure, slip, no_rotation)
             call assertEqual(d%status, c%status, 'status')
             call assertEqual(d%validity, c%validity, 'validity')
-            worst(1) = max(worst(1), maxval(abs(c%traction - d%traction))/d%traction(1))
+            call worsen(worst(1), largest_of(c%traction - d%traction)/d%traction(1))
             do j = 1, 3
                scale = norm2(d%tangent(j, :))
-               if (scale > 0.0_wp) worst(2) = max(worst(2), &
-                  maxval(abs(c%tangent(j, :) - d%tangent(j, :)))/scale)
+               if (scale > 0.0_wp) call worsen(worst(2), &
+                  largest_of(c%tangent(j, :) - d%tangent(j, :))/scale)
             end do
-            worst(3) = max(worst(3), abs(c%normal_energy/d%normal_energy - 1.0_wp))
+            call worsen(worst(3), abs(c%normal_energy/d%normal_energy - 1.0_wp))
             scale = direct%friction_coefficient*(start%pressure + d%traction(1)) &
                *max(norm2(slip), direct%critical_slip)
-            worst(4) = max(worst(4), abs(c%tangential_energy - d%tangential_energy)/scale, &
+            call worsen(worst(4), [abs(c%tangential_energy - d%tangential_energy)/scale, &
                abs(c%dissipation - d%dissipation)/scale, &
-               abs(c%pressure_coupling - d%pressure_coupling)/scale)
+               abs(c%pressure_coupling - d%pressure_coupling)/scale])
             if (anyExceptions()) return
             start = c%state
          end do
@@ -203,7 +204,7 @@ contains
          cases(r%status) = cases(r%status) + 1
          do row = 1, 3
             scale = norm2(r%tangent(row, :))
-            if (scale > 0.0_wp) worst = max(worst, abs((ahead%traction(row) &
+            if (scale > 0.0_wp) call worsen(worst, abs((ahead%traction(row) &
                - behind%traction(row))/(2.0_wp*h) - dot_product(r%tangent(row, :), v))/scale)
          end do
       end do

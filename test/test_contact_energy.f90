@@ -7,6 +7,7 @@ module test_contact_energy
       slip_backward_euler, slip_exact, status_open, status_slip, update_contact_point, wp
    use asperity_gauss_legendre, only: n_points, nodes, weights
    use contact_cases, only: pair_properties, random_contact
+   use extremes, only: worsen
    use funit, only: anyExceptions, assertEqual, assertGreaterThan, assertGreaterThanOrEqual, &
       assertLessThan, TestMethod, TestSuite
    use measurements, only: record
@@ -61,7 +62,7 @@ contains
                - last%normal_energy - last%tangential_energy
             scale = next%normal_energy + last%normal_energy + next%dissipation &
                + next%tangential_energy + last%tangential_energy
-            worst = max(worst, abs(work - (change + next%dissipation - next%pressure_coupling)) &
+            call worsen(worst, abs(work - (change + next%dissipation - next%pressure_coupling)) &
                /scale)
             call assertGreaterThanOrEqual(next%dissipation, 0.0_wp, 'dissipation')
             if (anyExceptions()) return

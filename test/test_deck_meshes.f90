@@ -6,6 +6,7 @@ module test_deck_meshes
    use deck_hex_mesh, only: even_cuts, faces_in_box, hex_mesh, least_jacobian, mesh_volume, &
       new_grid_mesh, nodes_in_box
    use deck_tenon_parts, only: check_tenon_sizes, new_beam, new_column, node_near, tenon_sizes
+   use extremes, only: worsen
    use funit, only: assertEqual, assertFalse, assertGreaterThan, assertLessThan, assertTrue, &
       TestMethod, TestSuite
    use mesh_checks, only: check_mesh, check_surface, outer_area
@@ -143,7 +144,7 @@ contains
             edge = norm2(mesh%nodes(:, mesh%elements(j, i)) &
                - mesh%nodes(:, mesh%elements(mod(j, 4) + 1, i)))
             least = min(least, edge)
-            largest = max(largest, edge)
+            call worsen(largest, edge)
          end do
       end do
       call assertLessThan(largest, 1.1_wp*2.5_wp)

@@ -5,6 +5,7 @@ module test_finite
    use, intrinsic :: iso_fortran_env, only: int64
    use asperity_finite, only: all_finite, is_finite, is_nan
    use asperity_kinds, only: wp
+   use extremes, only: largest_of, worsen
    use funit, only: assertEqual, assertFalse, assertTrue, TestMethod, TestSuite
    implicit none
    private
@@ -21,6 +22,7 @@ contains
       call suite%addTest(TestMethod('not a number', test_nan))
       call suite%addTest(TestMethod('every exponent', test_exponents))
       call suite%addTest(TestMethod('arrays', test_arrays))
+      call suite%addTest(TestMethod('no NaN hides in the largest error of a test', test_extremes))
    end function suite_finite
 
    subroutine test_numbers()
@@ -110,5 +112,26 @@ contains
    pure real(wp) function smallest()
       smallest = transfer(1_int64, 1.0_wp)
    end function smallest
+
+   !> Where only some or all are no numbers, in any place, before and after larger ones.
+   subroutine test_extremes()
+      real(wp) :: bad, worst, each(2)
+
+      bad = ieee_value(1.0_wp, ieee_quiet_nan)
+      call assertEqual([4.0_wp, 0.0_wp, 4.0_wp], [largest_of([1.0_wp, -4.0_wp]), &
+         largest_of([real(wp) ::]), largest_of(reshape([-4.0_wp, 1.0_wp], [1, 2]))])
+      call assertEqual([huge(bad), huge(bad), huge(bad)], [largest_of([bad, 1.0_wp]), &
+         largest_of([1.0_wp, bad, 2.0_wp]), largest_of([bad, bad])])
+      worst = 0.0_wp
+      call worsen(worst, [2.0_wp, 1.0_wp])
+      call worsen(worst, 1.5_wp)
+      call assertEqual(2.0_wp, worst)
+      call worsen(worst, bad)
+      call worsen(worst, 3.0_wp)
+      call assertEqual(huge(worst), worst)
+      each = 1.0_wp
+      call worsen(each, [bad, 2.0_wp])
+      call assertEqual([huge(worst), 2.0_wp], each)
+   end subroutine test_extremes
 
 end module test_finite

@@ -9,6 +9,7 @@ module test_fixed_pieces
    use asperity_law_pieces, only: elastic_piece, elastoplastic_piece, piece_type, plastic_piece
    use asperity_normal_law, only: evaluate_scaled_law, normal_response
    use asperity_properties, only: normal_properties
+   use extremes, only: largest_of, worsen
    use funit, only: assertEqual, assertFalse, assertGreaterThan, assertLessThan, &
       assertRelativelyEqual, assertTrue, TestMethod, TestSuite
    use measurements, only: record
@@ -132,7 +133,7 @@ contains
       wanted(:, 3) = numbers_of(plastic_piece(p, d))
       found(:, 3) = sum(found(:, :2), dim=2) + wanted(:, 3)
       wanted(:, 3) = sum(wanted, dim=2)
-      worst = max(worst, abs(found - wanted)/wanted)
+      call worsen(worst, abs(found - wanted)/wanted)
    end subroutine compare
 
    pure function numbers_of(piece) result(numbers)
@@ -189,7 +190,7 @@ contains
       call assertFalse(fixed_pieces_serve(p_outside%w1/p_outside%sigma, d/p_outside%sigma), &
          'outside')
       call evaluate_scaled_law(p_outside, d, outside)
-      worst = max(worst, abs(inside%pressure/outside%pressure - 1.0_wp))
+      call worsen(worst, abs(inside%pressure/outside%pressure - 1.0_wp))
    end subroutine step_across
 
    !> Nothing else changes.
@@ -231,7 +232,7 @@ contains
          k = stream%uniform(0.05_wp, 1.0_wp)
          exponent = log(2.0_wp/k)/log(110.0_wp)
          powers = force_powers(exponent, 2.0_wp/k)
-         worst = max(worst, maxval(abs(powers/elastoplastic_ratio**exponent - 1.0_wp)))
+         call worsen(worst, largest_of(powers/elastoplastic_ratio**exponent - 1.0_wp))
       end do
       call record('fixed_pieces.force_powers', worst)
       call assertLessThan(worst, 6.0_wp*eps, 'powers')

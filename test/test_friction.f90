@@ -3,6 +3,7 @@ module test_friction
    use, intrinsic :: iso_fortran_env, only: int64
    use asperity, only: slip_backward_euler, slip_exact, wp
    use asperity_friction, only: integrate_slip, slip_path
+   use extremes, only: worsen
    use funit, only: anyExceptions, assertEqual, assertFalse, assertGreaterThan, &
       assertGreaterThanOrEqual, assertLessThan, assertTrue, TestMethod, &
       TestSuite
@@ -109,8 +110,8 @@ contains
          whole = integrate_slip(start, increment, g, slip_exact)
          first = integrate_slip(start, part*increment, g, slip_exact)
          second = integrate_slip(first%elastic_slip, (1.0_wp - part)*increment, g, slip_exact)
-         worst = max(worst, norm2(whole%elastic_slip - second%elastic_slip)/g)
-         worst_slipped = max(worst_slipped, &
+         call worsen(worst, norm2(whole%elastic_slip - second%elastic_slip)/g)
+         call worsen(worst_slipped, &
             abs(whole%slipped - first%slipped - second%slipped)/(g + norm2(increment)))
       end do
       call record('friction.halves.slip', worst)
@@ -217,12 +218,12 @@ contains
             behind = integrate_slip(start, increment - step, g, scheme)
             if (ahead%slips .neqv. behind%slips) cycle
             numeric = (ahead%elastic_slip - behind%elastic_slip)/(2.0_wp*h)
-            worst = max(worst, norm2(numeric - path%by_increment(:, j)))
+            call worsen(worst, norm2(numeric - path%by_increment(:, j)))
             ahead = integrate_slip(start + step, increment, g, scheme)
             behind = integrate_slip(start - step, increment, g, scheme)
             if (ahead%slips .neqv. behind%slips) cycle
             numeric = (ahead%elastic_slip - behind%elastic_slip)/(2.0_wp*h)
-            worst = max(worst, norm2(numeric - path%by_start(:, j)))
+            call worsen(worst, norm2(numeric - path%by_start(:, j)))
             checked = checked + 1
          end do
       end do
@@ -269,8 +270,8 @@ contains
             trial = start + increment
             if (euler%slips) call assertEqual(g*trial/norm2(trial), euler%elastic_slip, &
                1.0e-15_wp, 'radial return')
-            worst = max(worst, norm2(exact%elastic_slip - euler%elastic_slip)/g)
-            worst_formula = max(worst_formula, 2.0_wp*sin(0.5_wp*abs(atan(g/length) &
+            call worsen(worst, norm2(exact%elastic_slip - euler%elastic_slip)/g)
+            call worsen(worst_formula, 2.0_wp*sin(0.5_wp*abs(atan(g/length) &
                - 2.0_wp*atan(exp(-length/g)))))
             if (anyExceptions()) return
          end do

@@ -4,6 +4,7 @@ module test_gaussian_tail
    use asperity_gauss_legendre, only: n_points, nodes, weights
    use asperity_gaussian_tail, only: tail_moments
    use asperity_kinds, only: wp
+   use extremes, only: largest_of, worsen
    use funit, only: assertEqual, assertLessThan, assertRelativelyEqual, TestMethod, TestSuite
    use gsl_quadrature, only: gaussian_moment
    use measurements, only: record
@@ -60,7 +61,7 @@ contains
             factor = 0.5_wp*reach*weights(j)*exp(-t*(y + 0.5_wp*t))
             sums = sums + factor*[inner(0), 2.0_wp*inner(1)]
          end do
-         worst = max(worst, maxval(abs(moments(1:)/sums - 1.0_wp)))
+         call worsen(worst, largest_of(moments(1:)/sums - 1.0_wp))
       end do
       call record('gaussian_tail.relative_error', worst)
       call assertLessThan(worst, 5.0e-15_wp, 'F_1, F_2')

@@ -4,6 +4,7 @@ module test_hermite_polynomial
    use, intrinsic :: iso_fortran_env, only: int64
    use asperity_hermite_polynomial, only: degree, hermite_points, hermite_polynomial
    use asperity_kinds, only: wp
+   use extremes, only: largest_of, worsen
    use funit, only: assertEqual, assertLessThan, assertRelativelyEqual, assertTrue, &
       TestMethod, TestSuite
    use measurements, only: record
@@ -70,7 +71,7 @@ contains
             wanted(k) = stream%uniform(-1.0_wp, 1.0_wp)
          end do
          found = back(wanted, stream%log_uniform(narrow, broad))
-         worst = max(worst, maxval(abs(found - wanted))/maxval(abs(wanted)))
+         call worsen(worst, largest_of(found - wanted)/largest_of(wanted))
       end do
       call record('hermite_polynomial.coefficient_error', worst)
       write (*, '(5x, a, i0)') 'seed ', seed
@@ -97,8 +98,8 @@ contains
          c = hermite_polynomial(values, slopes, half_width)
          do k = 1, 4
             t = half_width*hermite_points(k)
-            worst(1) = max(worst(1), abs(value_of(c, t) - values(k)))
-            worst(2) = max(worst(2), half_width*abs(slope_of(c, t) - slopes(k)))
+            call worsen(worst(1), abs(value_of(c, t) - values(k)))
+            call worsen(worst(2), half_width*abs(slope_of(c, t) - slopes(k)))
          end do
       end do
       call record('hermite_polynomial.value_error', worst(1))

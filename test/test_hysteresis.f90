@@ -4,6 +4,7 @@ module test_hysteresis
    use asperity_error, only: error_type
    use asperity_kinds, only: wp
    use asperity_properties, only: pi
+   use extremes, only: worsen
    use funit, only: assertEqual, assertFalse, assertGreaterThan, assertTrue, TestMethod, TestSuite
    use hysteresis_analysis, only: analyse_hysteresis, hysteresis_result, hysteresis_settings, &
       hysteresis_skeleton, not_known
@@ -380,7 +381,7 @@ contains
             if (.not. s%yield_assumed) then
                solved = solved + 1
                area = s%yield_force*(s%ultimate_displacement - 0.5_wp*s%yield_displacement)
-               worst = max(worst, abs(area/s%area - 1.0_wp))
+               call worsen(worst, abs(area/s%area - 1.0_wp))
             end if
             loops%displacement = 2.0_wp*loops%displacement
             loops%force = 4.0_wp*loops%force

@@ -5,6 +5,7 @@ module test_hysteresis_records
    use asperity_error, only: error_type
    use asperity_kinds, only: wp
    use asperity_properties, only: pi
+   use extremes, only: worsen
    use funit, only: assertEqual, assertFalse, assertTrue, TestMethod, TestSuite
    use hysteresis_analysis, only: analyse_hysteresis, hysteresis_result, hysteresis_settings, &
       not_known
@@ -92,10 +93,10 @@ contains
                samples = real(b%last - b%first, wp)
                allowed = 6.0_wp*(limit*e + sqrt(samples)*(h*step + e*h/sqrt(3.0_wp) &
                   + k*step*e)/sqrt(3.0_wp))
-               worst_work = max(worst_work, abs(a%energy - b%energy)/allowed)
+               call worsen(worst_work, abs(a%energy - b%energy)/allowed)
                call assertEqual(a%energy, b%energy, allowed, 'energy')
                if (i > 2) then
-                  worst = max(worst, abs(b%damping/a%damping - 1.0_wp))
+                  call worsen(worst, abs(b%damping/a%damping - 1.0_wp))
                   call assertEqual(a%damping, b%damping, 0.03_wp*a%damping, 'damping')
                   call assertEqual(a%pinching, b%pinching, 0.02_wp, 'pinching')
                end if
@@ -345,7 +346,7 @@ contains
          call analyse(loops, result)
          associate (n => size(result%cycles), f => abs(loops%force))
             work = total_work(loops)
-            worst = max(worst, abs(work - result%cycles(n)%cumulative_energy) &
+            call worsen(worst, abs(work - result%cycles(n)%cumulative_energy) &
                /(sum(f)*0.125_wp))
             call assertEqual(1, result%cycles(1)%first, 'first sample')
             call assertEqual(size(f), result%cycles(n)%last, 'last sample')

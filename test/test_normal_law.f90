@@ -8,6 +8,7 @@ module test_normal_law
    use asperity_normal_law, only: evaluate_normal_law, normal_response
    use asperity_properties, only: new_normal_properties, normal_properties, pi
    use asperity_validity, only: valid
+   use extremes, only: worsen
    use funit, only: anyExceptions, assertEqual, assertFalse, assertLessThan, &
       assertLessThanOrEqual, assertRelativelyEqual, assertTrue, TestMethod, TestSuite
    use measurements, only: record
@@ -58,9 +59,9 @@ contains
          r = evaluate_normal_law(p, d)
          near = evaluate_normal_law(p, [d - 2.0_wp*step, d - step, d + step, d + 2.0_wp*step])
          if (r%energy < 1.0e10_wp*tiny(1.0_wp)) cycle
-         worst_stiffness = max(worst_stiffness, &
+         call worsen(worst_stiffness, &
             abs(-sum(rule*near%pressure)/step/r%stiffness - 1.0_wp))
-         worst_energy = max(worst_energy, abs(-sum(rule*near%energy)/step/r%pressure - 1.0_wp))
+         call worsen(worst_energy, abs(-sum(rule*near%energy)/step/r%pressure - 1.0_wp))
       end do
       call record('normal_law.stiffness.difference_error', worst_stiffness)
       call record('normal_law.energy.difference_error', worst_energy)
@@ -81,7 +82,7 @@ contains
          call random_properties(stream, p, 1.0e-8_wp, 1.0e3_wp, 0.05_wp)
          r = evaluate_normal_law(p, p%sigma*stream%uniform(-50.0_wp, 50.0_wp))
          call assertTrue(min(r%elastic_share, r%elastoplastic_share, r%plastic_share) >= 0.0_wp)
-         worst = max(worst, &
+         call worsen(worst, &
             abs(r%elastic_share + r%elastoplastic_share + r%plastic_share - 1.0_wp))
       end do
       call record('normal_law.shares.sum_error', worst)
@@ -104,7 +105,7 @@ contains
          d = p%sigma*stream%uniform(-40.0_wp, 40.0_wp)
          unit = max(p%sigma, abs(d))
          r = evaluate_normal_law(p, [d, d + unit*stream%log_uniform(64.0_wp*eps, 1.0e3_wp)])
-         if (r(2)%pressure > r(1)%pressure) n_bad = n_bad + 1
+         if (.not. r(2)%pressure <= r(1)%pressure) n_bad = n_bad + 1
       end do
       call assertEqual(0, n_bad, 'pairs with a rising pressure')
    end subroutine test_monotone

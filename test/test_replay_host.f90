@@ -306,9 +306,9 @@ contains
             if (.not. all(ieee_is_finite(t%stress)) .or. .not. all(ieee_is_finite(t%ddsddr)) &
                .or. .not. all(ieee_is_finite(t%statev)) .or. t%pnewdt < 1.0_wp) bad = bad + 1
             if (linper == 1) cycle
-            if (t%stress(1) < 0.0_wp .or. t%sfd < 0.0_wp .or. t%sed < 0.0_wp) bad = bad + 1
-            if (norm2(t%stress(2:)) > p%friction_coefficient*t%stress(1)*(1.0_wp + 1.0e-14_wp)) &
-               bad = bad + 1
+            if (.not. all([t%stress(1), t%sfd, t%sed] >= 0.0_wp)) bad = bad + 1
+            if (.not. norm2(t%stress(2:)) <= &
+               p%friction_coefficient*t%stress(1)*(1.0_wp + 1.0e-14_wp)) bad = bad + 1
          end associate
          if (mod(i, 3) /= 0) call accept_increment(point, rotation)
       end do

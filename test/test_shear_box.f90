@@ -4,6 +4,7 @@ module test_shear_box
    use asperity, only: contact_properties, error_type, evaluate_normal_law, normal_response, &
       separation_for_pressure, status_slip, status_stick, wp
    use contact_cases, only: pair_properties
+   use extremes, only: worsen
    use funit, only: anyExceptions, assertEqual, assertFalse, assertGreaterThan, assertLessThan, &
       assertTrue, TestMethod, TestSuite
    use measurements, only: record
@@ -69,7 +70,7 @@ contains
                   call assertEqual(separation, s%separation, 1.0e-10_wp, 'separation')
                   call assertEqual(0.5_wp*stresses(i)*min(1.0_wp, s%displacement/0.31_wp), &
                      s%shear_stress, 1.0e-11_wp, 'shear stress')
-                  worst = max(worst, abs(s%shear_stress - 0.5_wp*stresses(i) &
+                  call worsen(worst, abs(s%shear_stress - 0.5_wp*stresses(i) &
                      *min(1.0_wp, s%displacement/0.31_wp))/stresses(i))
                   call assertEqual(merge(status_slip, status_stick, s%displacement > 0.31_wp), &
                      s%status, 'status')

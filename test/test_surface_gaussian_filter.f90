@@ -4,6 +4,7 @@ module test_surface_gaussian_filter
    use asperity_error, only: error_type
    use asperity_kinds, only: wp
    use asperity_text, only: to_text
+   use extremes, only: largest_of, worsen
    use funit, only: assertEqual, assertFalse, assertLessThan, assertTrue, TestMethod, TestSuite
    use map_cases, only: flat_map, kept_map, punch_holes, random_map, random_whole
    use measurements, only: record
@@ -72,8 +73,8 @@ contains
                      x = cos(2.0_wp*pi*i*step_x/wave_x)
                      y = cos(2.0_wp*pi*j*step_y/wave_y)
                      expected = passed_x*x + passed_y*y
-                     worst = max(worst, abs(map%heights(i, j) - expected), &
-                        abs(long%heights(i, j) - (x + y - expected)))
+                     call worsen(worst, [abs(map%heights(i, j) - expected), &
+                        abs(long%heights(i, j) - (x + y - expected))])
                   end do
                end do
             end associate
@@ -110,7 +111,7 @@ contains
             j = merge(1, size(before, 2), modulo(check, 4) < 2)
             if (check > 4) i = random_whole(stream, 1, size(before, 1))
             if (check > 8) j = random_whole(stream, 1, size(before, 2))
-            worst = max(worst, abs(map%heights(i, j) &
+            call worsen(worst, abs(map%heights(i, j) &
                - fitted(before, i, j, cutoff/0.1_wp, cutoff/0.15_wp)))
          end do
       end do
@@ -194,7 +195,7 @@ contains
                      total = total + w*before(k, l)
                   end do
                end do
-               worst = max(worst, abs(map%heights(i, j) - total/weights))
+               call worsen(worst, abs(map%heights(i, j) - total/weights))
             end do
          end do
       end do
@@ -220,10 +221,10 @@ contains
          map%heights = exact
          call filter_short(map, cutoffs(cutoff), error)
          call assertFalse(allocated(error))
-         call assertLessThan(maxval(abs(map%heights - exact)), 1.0e-12_wp)
+         call assertLessThan(largest_of(map%heights - exact), 1.0e-12_wp)
          map%heights = exact
          call filter_long(map, cutoffs(cutoff), error)
-         call assertLessThan(maxval(abs(map%heights)), 1.0e-12_wp)
+         call assertLessThan(largest_of(map%heights), 1.0e-12_wp)
       end do
    end subroutine test_planes
 
@@ -242,8 +243,8 @@ contains
          call assertFalse(allocated(error))
          call filter_long(long, 0.25_wp, error)
          call assertFalse(allocated(error))
-         call assertLessThan(maxval(abs(short%heights + long%heights - map%heights), &
-            map%heights < missing_height), 1.0e-14_wp)
+         call assertTrue(all(abs(short%heights + long%heights - map%heights) < 1.0e-14_wp .or. &
+            map%heights >= missing_height), 'both filters are the whole')
          call assertTrue(all(map%heights >= missing_height .eqv. long%heights >= missing_height))
          call punch_holes(map, stream, 0.1_wp)
       end do

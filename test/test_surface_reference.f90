@@ -3,6 +3,7 @@
 module test_surface_reference
    use asperity_error, only: error_type
    use asperity_kinds, only: wp
+   use extremes, only: worsen
    use funit, only: assertEqual, assertFalse, assertLessThan, assertTrue, TestMethod, TestSuite
    use measurements, only: record
    use surface_evaluate, only: no_parameter, parameters_of
@@ -97,7 +98,7 @@ contains
             else
                off = abs(found(p)/expected(p) - 1.0_wp)
             end if
-            worst = max(worst, off)
+            call worsen(worst, off)
             call assertLessThan(off, tolerance, label(p))
          end do
       end associate

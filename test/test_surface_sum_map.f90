@@ -4,6 +4,7 @@ module test_surface_sum_map
    use asperity_error, only: error_type
    use asperity_kinds, only: wp
    use asperity_text, only: to_text
+   use extremes, only: largest_of
    use funit, only: assertEqual, assertFalse, assertLessThan, assertRelativelyEqual, assertTrue, &
       TestMethod, TestSuite
    use map_cases, only: flat_map, kept_map, punch_holes, random_map, random_whole
@@ -225,7 +226,7 @@ contains
          call assertEqual(1, size(whole))
          call assertEqual(tiles_x*tiles_y, size(tiles))
          ! sums of up to 1600 terms, some of either sign: by the size of their squares
-         call assertLessThan(maxval(abs(listed(summed(tiles)) - listed(whole(1))) &
+         call assertLessThan(largest_of((listed(summed(tiles)) - listed(whole(1))) &
             /(abs(listed(whole(1))) + sqrt(whole(1)%points))), tolerance, message='map '// &
             to_text(trial)//' of seed '//to_text(int(seed + 1)))
       end do

@@ -1,8 +1,9 @@
 !> The tenon joint against closed forms.
 module test_tenon_forms
    use asperity, only: status_open, wp
+   use extremes, only: largest_of
    use funit, only: anyExceptions, assertEqual, assertGreaterThan, assertLessThan, &
-      assertLessThanOrEqual, TestMethod, TestSuite
+      assertTrue, TestMethod, TestSuite
    use measurements, only: record
    use replay_tenon, only: tenon_faces, tenon_point, tenon_settings, tenon_step
    use tenon_cases, only: face_pair, plain_joint, run_joint
@@ -122,7 +123,7 @@ contains
          call record('tenon.plateau_ratio.'//achar(iachar('0') + i), &
             steps(ubound(steps, 1))%force/expected(i))
          call assertGreaterThan(steps(ubound(steps, 1))%force, 0.96_wp*expected(i), 'near')
-         call assertLessThanOrEqual(maxval(steps%force), expected(i), 'never above')
+         call assertTrue(all(steps%force <= expected(i)), 'never above')
       end do
    end subroutine test_plateau
 
@@ -155,8 +156,8 @@ contains
          s%displacement_increment = 2.0_wp
          call run_joint(s, steps)
          call record('tenon.bound_ratio.'//trim(contacts(i)), &
-            maxval(abs(steps%force))/plateau(s, 0.5_wp, .false.))
-         call assertLessThan(maxval(abs(steps%force)), plateau(s, 0.5_wp, .false.), 'bound')
+            largest_of(steps%force)/plateau(s, 0.5_wp, .false.))
+         call assertLessThan(largest_of(steps%force), plateau(s, 0.5_wp, .false.), 'bound')
       end do
    end subroutine test_bound
 
@@ -253,8 +254,8 @@ contains
       call assertEqual(maxval(steps%moment, mask=steps%cycle == 2), &
          maxval(steps%moment, mask=steps%cycle == 3), 2.0e-3_wp*maxval(steps%moment), 'moment')
       ! and the loop is pinched: little moment on the way back through half the amplitude
-      call assertLessThan(maxval(steps%moment, mask=steps%cycle == 3 .and. &
-         abs(steps%displacement) < 1.0_wp), 0.1_wp*maxval(steps%moment), 'pinched')
+      call assertTrue(all(steps%moment < 0.1_wp*maxval(steps%moment) .or. steps%cycle /= 3 .or. &
+         abs(steps%displacement) >= 1.0_wp), 'pinched')
    end subroutine test_third_cycle
 
    !> A very stiff spring is a fixed tenon; a force of zero is a free one; a force moves it.
@@ -304,7 +305,7 @@ contains
          ! it pushes out what the spring and friction hold
          call assertGreaterThan(top%pull_out, others(10)%pull_out, 'pull-out')
       end associate
-      call assertEqual(0.0_wp, maxval(others%face_normal(5)), 0.0_wp, 'none without')
+      call assertEqual(0.0_wp, largest_of(others%face_normal(5)), 0.0_wp, 'none without')
       s%shoulder_gap = 50.0_wp
       call run_joint(s, steps)
       call assertEqual(others%moment, steps%moment, 1.0e-9_wp*maxval(others%moment), 'far away')

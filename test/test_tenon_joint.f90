@@ -4,6 +4,7 @@ module test_tenon_joint
    use abaqus_stubs, only: forget_calls, messages
    use asperity, only: computation_error, error_type, wp
    use asperity_text, only: to_text
+   use extremes, only: largest_of
    use funit, only: anyExceptions, assertEqual, assertGreaterThan, assertLessThan, assertTrue, &
       TestMethod, TestSuite
    use measurements, only: record
@@ -49,9 +50,9 @@ contains
          call run_joint(s, others)
          if (anyExceptions()) return
          n = ubound(steps, 1)
-         largest = maxval(abs(steps%moment))
+         largest = largest_of(steps%moment)
          call record('tenon.mirror.'//trim(contacts(i)), &
-            maxval(abs(steps%moment + others%moment))/largest)
+            largest_of(steps%moment + others%moment)/largest)
          call assertEqual(-steps%moment, others%moment, 1.0e-8_wp*largest, 'moment')
          call assertEqual(steps%pull_out, others%pull_out, 1.0e-7_wp, 'pull-out')
          call assertEqual(steps(n)%friction, others(n)%friction, 1.0e-8_wp*steps(n)%work, &
@@ -103,7 +104,7 @@ contains
       call run_joint(s, rough)
       if (anyExceptions()) return
       ! the tail of the law carries 0.001 MPa at first touch, about 1e-4 of the end
-      call assertLessThan(maxval(rough%moment - hard%moment), 5.0e-4_wp*maxval(hard%moment), &
+      call assertTrue(all(rough%moment - hard%moment < 5.0e-4_wp*maxval(hard%moment)), &
          'never above')
       call assertLessThan(rough(ubound(rough, 1))%moment, hard(ubound(hard, 1))%moment, 'below')
       s%gap = 'mean_plane'
@@ -156,7 +157,7 @@ contains
          if (anyExceptions()) return
          n = ubound(steps, 1)
          call record('tenon.uinter_moment.'//achar(iachar('0') + i), &
-            maxval(abs(steps%moment - others%moment))/maxval(steps%moment))
+            largest_of(steps%moment - others%moment)/maxval(steps%moment))
          call assertEqual(steps%moment, others%moment, 1.0e-8_wp*maxval(steps%moment), 'moment')
          call assertEqual(steps%pull_out, others%pull_out, 1.0e-7_wp, 'pull-out')
          call assertEqual(steps(n)%friction, others(n)%friction, 1.0e-8_wp*steps(n)%work, &

@@ -4,6 +4,7 @@ module test_vuinter_agreement
    use, intrinsic :: iso_fortran_env, only: int64
    use asperity, only: contact_properties, error_type, no_opposite_surface, wp
    use contact_cases, only: pair_properties, random_contact
+   use extremes, only: largest_of, worsen
    use funit, only: assertEqual, assertFalse, assertGreaterThan, assertLessThan, assertTrue, &
       TestMethod, TestSuite
    use random_inputs, only: random_stream
@@ -69,7 +70,7 @@ contains
                call advance_nodes(nodes, m%overclosure, m%slip, m%rotation)
                call assertTrue(guards_hold(nodes) .and. outputs_set(nodes), 'outputs')
                do node = 1, n_nodes
-                  worst = max(worst, difference(p, start, nodes, m, node, error))
+                  call worsen(worst, difference(p, start, nodes, m, node, error))
                   call count_status(nodes, node, seen)
                end do
                call assertFalse(allocated(error), 'UINTER kept its contract')
@@ -146,19 +147,19 @@ contains
          wanted = t%statev
          energy = t%sed + t%sfd + before(state_normal_energy) &
             + p%friction_coefficient*before(state_pressure)*p%critical_slip
-         worst = in_roundings(maxval(abs(stress(:d) - t%stress)), t%stress(1))
-         worst = max(worst, in_roundings(abs(real(nodes%sed(node), wp) - t%sed), energy))
-         worst = max(worst, in_roundings(abs(real(nodes%sfd(node), wp) - t%sfd), energy))
+         worst = in_roundings(largest_of(stress(:d) - t%stress), t%stress(1))
+         call worsen(worst, in_roundings(abs(real(nodes%sed(node), wp) - t%sed), energy))
+         call worsen(worst, in_roundings(abs(real(nodes%sfd(node), wp) - t%sfd), energy))
       end associate
-      worst = max(worst, in_roundings(abs(found(state_pressure) - wanted(state_pressure)), &
+      call worsen(worst, in_roundings(abs(found(state_pressure) - wanted(state_pressure)), &
          wanted(state_pressure)))
-      worst = max(worst, in_roundings(abs(found(state_normal_energy) &
+      call worsen(worst, in_roundings(abs(found(state_normal_energy) &
          - wanted(state_normal_energy)), wanted(state_normal_energy)))
-      worst = max(worst, in_roundings(maxval(abs(found(state_elastic_slip_1:state_elastic_slip_2) &
-         - wanted(state_elastic_slip_1:state_elastic_slip_2))), p%critical_slip))
-      worst = max(worst, in_roundings(abs(found(state_dissipation) - wanted(state_dissipation)), &
+      call worsen(worst, in_roundings(largest_of(found(state_elastic_slip_1:state_elastic_slip_2) &
+         - wanted(state_elastic_slip_1:state_elastic_slip_2)), p%critical_slip))
+      call worsen(worst, in_roundings(abs(found(state_dissipation) - wanted(state_dissipation)), &
          energy + wanted(state_dissipation)))
-      worst = max(worst, in_roundings(abs(found(state_pressure_coupling) &
+      call worsen(worst, in_roundings(abs(found(state_pressure_coupling) &
          - wanted(state_pressure_coupling)), energy + abs(wanted(state_pressure_coupling))))
       ! the host's own numbers, and whole ones; no_opposite_surface is not the same in both
       wanted = real(real(wanted, vp), wp)
@@ -216,8 +217,8 @@ contains
                      real(m%rotation(:, :, node), wp))
                   call accept_increment(points(node))
                   stress = stress_of(nodes, node)
-                  worst = max(worst, in_roundings(maxval(abs(stress(:d) &
-                     - points(node)%start%stress)), points(node)%start%stress(1)))
+                  call worsen(worst, in_roundings(largest_of(stress(:d) &
+                     - points(node)%start%stress), points(node)%start%stress(1)))
                end do
             end do
          end associate

@@ -1,11 +1,20 @@
 """What CalculiX leaves: JOB.dat (printed), JOB.frd (fields), JOB.cvg (iterations), JOB.sta."""
 
+import math
 import sys
 from pathlib import Path
 
 sys.path.append(str(Path(__file__).resolve().parents[2] / "interface" / "calculix"))
 import dat  # noqa: E402
 import frd  # noqa: E402
+
+
+def numbers(values):
+    """A list of numbers; one that is none is an error, as max and min may leave it out."""
+    values = list(values)
+    if any(map(math.isnan, values)):
+        raise ValueError(f"not a number: {values}")
+    return values
 
 
 class Printed:
@@ -17,9 +26,9 @@ class Printed:
         for block in dat.blocks(path):
             if block.quantity == "displacements":
                 rows = self.displacements.setdefault(block.set, {}).setdefault(block.time, {})
-                rows.update((node, list(values)) for node, values in block.rows)
+                rows.update((node, numbers(values)) for node, values in block.rows)
             elif block.quantity == "total force":
-                self.forces.setdefault(block.set, {})[block.time] = list(block.rows[0][1])
+                self.forces.setdefault(block.set, {})[block.time] = numbers(block.rows[0][1])
         self.times = sorted({when for rows in self.displacements.values() for when in rows})
 
     def last_force(self, name):
@@ -35,7 +44,7 @@ class Printed:
 def contact_fields(path):
     """JOB.frd's fields of contact, {time: {node: [clearance, slip 1, slip 2, pressure, shear 1,
     shear 2]}}; nodes that no spring holds stand there with zeros or are left out."""
-    return {result.time: {node: list(row) for node, row in result.values.items()}
+    return {result.time: {node: numbers(row) for node, row in result.values.items()}
             for result in frd.results(path, ["CONTACT"])}
 
 
@@ -94,5 +103,5 @@ def recorded_calls(path):
             found[-1].names = line.split("|")[1:]
         else:
             integer = name in ("NODE", "SIZES", "COUNTERS", "FLAGS", "OUT_FLAGS")
-            found[-1].values[name] = [int(word) if integer else dat.number(word) for word in words]
+            found[-1].values[name] = numbers(int(word) if integer else dat.number(word) for word in words)
     return found

@@ -10,6 +10,7 @@ module test_springs
    use calculix_slots, only: own_slots, slot_time
    use calculix_springs, only: evaluate_spring, fill_spring, response_type, spring_force, &
       spring_stiffness, spring_type
+   use extremes, only: largest_of, worsen
    use funit, only: assertEqual, assertLessThan, assertTrue, TestMethod, TestSuite
    use random_inputs, only: random_stream
    implicit none
@@ -115,11 +116,11 @@ contains
                call shape_functions(m, xi + s*step, n(:, s), dn(:, :, s), ddn(:, :, s))
             end do
             call assertEqual(1.0_wp, sum(n(:m, 0)), 1.0e-14_wp, 'sum')
-            call assertLessThan(maxval(abs((n(:m, 1) - n(:m, -1))/(2.0_wp*h) - dn(:m, i, 0))), &
+            call assertLessThan(largest_of((n(:m, 1) - n(:m, -1))/(2.0_wp*h) - dn(:m, i, 0)), &
                1.0e-7_wp, 'first derivatives')
             do j = 1, 2
-               call assertLessThan(maxval(abs((dn(:m, j, 1) - dn(:m, j, -1))/(2.0_wp*h) &
-                  - ddn(:m, i + j - 1, 0))), 1.0e-7_wp, 'second derivatives')
+               call assertLessThan(largest_of((dn(:m, j, 1) - dn(:m, j, -1))/(2.0_wp*h) &
+                  - ddn(:m, i + j - 1, 0)), 1.0e-7_wp, 'second derivatives')
             end do
          end do
       end do
@@ -140,7 +141,7 @@ contains
          do i = 1, samples
             call random_face(stream, m, x(:, :m + 1))
             point = project_onto_face(x(:, :m), x(:, m + 1))
-            call assertLessThan(maxval(abs(matmul(x(:, m + 1) - point%position, point%tangent))), &
+            call assertLessThan(largest_of(matmul(x(:, m + 1) - point%position, point%tangent)), &
                1.0e-11_wp, 'the gap is normal')
             start = x
             motion = find_motion(x(:, :m + 1), start(:, :m + 1))
@@ -150,7 +151,7 @@ contains
             x(:, m + 1) = point%position + 0.02_wp*motion%frame%axes(:, 1)
             motion = find_motion(x(:, :m + 1), start(:, :m + 1))
             call assertEqual(-0.02_wp, motion%overclosure, 1.0e-12_wp, 'outside is negative')
-            call assertLessThan(maxval(abs(motion%frame%point%xi - point%xi)), 1.0e-10_wp, &
+            call assertLessThan(largest_of(motion%frame%point%xi - point%xi), 1.0e-10_wp, &
                'same point')
          end do
       end do
@@ -180,7 +181,7 @@ contains
             ! a vector in the face, in both systems
             slip = matmul(before%frame%axes(:, 2:), [0.3_wp, -0.2_wp])
             turned = matmul(motion%frame%axes(:, 2:), matmul(motion%rotation, [0.3_wp, -0.2_wp]))
-            call assertLessThan(maxval(abs(turned - matmul(r, slip))), 1.0e-10_wp, 'it turns along')
+            call assertLessThan(largest_of(turned - matmul(r, slip)), 1.0e-10_wp, 'it turns along')
          end do
       end do
    end subroutine test_rigid_motion
@@ -202,23 +203,23 @@ contains
       y(:, 5) = y(:, 5) + [0.4_wp, -0.3_wp, -0.02_wp]
       motion = find_motion(y, x)
       associate (axes => motion%frame%axes)
-         call assertLessThan(maxval(abs(matmul(transpose(axes), axes) - identity)), 1.0e-14_wp, &
+         call assertLessThan(largest_of(matmul(transpose(axes), axes) - identity), 1.0e-14_wp, &
             'orthonormal')
-         call assertLessThan(maxval(abs(axes(:, 1) - [0.0_wp, 0.0_wp, 1.0_wp])), 1.0e-14_wp, &
+         call assertLessThan(largest_of(axes(:, 1) - [0.0_wp, 0.0_wp, 1.0_wp]), 1.0e-14_wp, &
             'normal')
-         call assertLessThan(maxval(abs(axes(:, 2) - [1.0_wp, 0.0_wp, 0.0_wp])), 1.0e-14_wp, &
+         call assertLessThan(largest_of(axes(:, 2) - [1.0_wp, 0.0_wp, 0.0_wp]), 1.0e-14_wp, &
             'first slip direction')
       end associate
       call assertEqual(0.12_wp, motion%overclosure, 1.0e-14_wp, 'overclosure')
       call assertEqual(0.10_wp, motion%start_overclosure, 1.0e-14_wp, 'at the start')
-      call assertLessThan(maxval(abs(motion%slip - [0.4_wp, -0.3_wp])), 1.0e-14_wp, 'slip')
+      call assertLessThan(largest_of(motion%slip - [0.4_wp, -0.3_wp]), 1.0e-14_wp, 'slip')
       ! the normal along x
       x = x([3, 1, 2], :)
       motion = find_motion(x, x)
       associate (axes => motion%frame%axes)
-         call assertLessThan(maxval(abs(axes(:, 1) - [1.0_wp, 0.0_wp, 0.0_wp])), 1.0e-14_wp, &
+         call assertLessThan(largest_of(axes(:, 1) - [1.0_wp, 0.0_wp, 0.0_wp]), 1.0e-14_wp, &
             'normal along x')
-         call assertLessThan(maxval(abs(axes(:, 2) - [0.0_wp, 0.0_wp, 1.0_wp])), 1.0e-14_wp, &
+         call assertLessThan(largest_of(axes(:, 2) - [0.0_wp, 0.0_wp, 1.0_wp]), 1.0e-14_wp, &
             'then z')
       end associate
    end subroutine test_axes
@@ -254,7 +255,7 @@ contains
             if (nint(state(own_slots + 1)) == 2) stuck = stuck + 1
             if (nint(state(own_slots + 1)) == 3) slipping = slipping + 1
             stiffness(:3*(m + 1), :3*(m + 1)) = spring_stiffness(response, 2.5_wp)
-            scale = maxval(abs(stiffness(:3*(m + 1), :3*(m + 1))))
+            scale = largest_of(stiffness(:3*(m + 1), :3*(m + 1)))
             do c = 1, 3*(m + 1)
                plus = y
                plus(mod(c - 1, 3) + 1, (c - 1)/3 + 1) = plus(mod(c - 1, 3) + 1, (c - 1)/3 + 1) + h
@@ -263,8 +264,8 @@ contains
                call evaluate(x(:, :m + 1), plus(:, :m + 1), start, state, behind)
                slope(:, :m + 1) = (spring_force(ahead, 2.5_wp) - spring_force(behind, 2.5_wp)) &
                   /(2.0_wp*h)
-               largest = max(largest, maxval(abs(reshape(slope(:, :m + 1), [3*(m + 1)]) &
-                  - stiffness(:3*(m + 1), c)))/scale)
+               call worsen(largest, largest_of(reshape(slope(:, :m + 1), [3*(m + 1)]) &
+                  - stiffness(:3*(m + 1), c))/scale)
             end do
          end do
       end do
@@ -302,13 +303,13 @@ contains
             call evaluate(x(:, :m + 1), y(:, :m + 1), start, state, response)
             f(:, :m + 1) = spring_force(response, 2.5_wp)
             call assertTrue(norm2(f(:, m + 1)) > 0.0_wp, 'there is a force')
-            call assertLessThan(maxval(abs(sum(f(:, :m + 1), 2))), 1.0e-11_wp*norm2(f(:, m + 1)), &
+            call assertLessThan(largest_of(sum(f(:, :m + 1), 2)), 1.0e-11_wp*norm2(f(:, m + 1)), &
                'forces')
             moment = 0.0_wp
             do j = 1, m
                moment = moment + cross(y(:, j) - response%motion%frame%point%position, f(:, j))
             end do
-            call assertLessThan(maxval(abs(moment)), 1.0e-10_wp*norm2(f(:, m + 1)), &
+            call assertLessThan(largest_of(moment), 1.0e-10_wp*norm2(f(:, m + 1)), &
                'moments about the projection')
          end do
       end do
