@@ -8,7 +8,7 @@ module app_json
       kind_logical, kind_real, n_keys
    use app_report, only: report_type
    use app_settings, only: setting_type
-   use app_strings, only: backslash
+   use app_strings, only: backslash, string_type
    use app_table, only: column_counts, column_numbers, column_type, full_figures, table_type
    use app_text_buffer, only: text_buffer
    implicit none
@@ -32,6 +32,8 @@ contains
       call buffer%line('"settings": {'//inputs(report, .false.)//'},')
       call buffer%line('"units": {'//units(report)//'},')
       call buffer%line('"remarks": ['//remarks(report)//'],')
+      if (allocated(report%verdict)) &
+         call buffer%line('"verdict": '//json_string(joined(report%verdict))//',')
       if (report%summary%set > 0) then
          call buffer%line('"summary": {')
          call add_columns(buffer, report%summary)
@@ -51,6 +53,19 @@ contains
       call buffer%line('}')
       text = buffer%text()
    end function json_text
+
+   !> Lines as one text.
+   pure function joined(lines) result(text)
+      type(string_type), intent(in) :: lines(:)
+      character(len=:), allocatable :: text
+      integer :: i
+
+      text = ''
+      do i = 1, size(lines)
+         if (i > 1) text = text//' '
+         text = text//lines(i)%text
+      end do
+   end function joined
 
    !> Members of the input object: properties, or settings of the test.
    pure function inputs(report, properties) result(text)

@@ -57,7 +57,7 @@ module app_keys
       key_type('side_critical_slip', kind_real, 'mm', tenons, yes, '', '', &
       'largest elastic slip of the sides; critical_slip unless given'), &
       key_type('accept_unphysical', kind_logical, '', all_runs, yes, 'false', '', &
-      'let eta*radius*sigma below 0.0249 pass; results are flagged'), &
+      'let properties that no face or solid has pass; results are flagged'), &
       key_type('separation', kind_list, 'mm', command_curve + command_surface, no, '', '', &
       'separations, also from:to:count as an option; 4 sigma to 0 unless given'), &
       key_type('control', kind_choice, '', command_press, no, 'pressure', &

@@ -57,6 +57,8 @@ module app_report
       type(deck_type), allocatable :: decks(:)
       !> What is to be said of the results, one line each, none when not allocated
       type(string_type), allocatable :: remarks(:)
+      !> What the results come to, one or two lines, none when not allocated
+      type(string_type), allocatable :: verdict(:)
       !> One row per run, no columns when there is none
       type(table_type) :: summary
       !> Names of the columns of `table` that the terminal shows; all when not allocated

@@ -18,6 +18,7 @@ module app_surface
    use app_surface_pair, only: analyse_pair
    use app_surface_plot, only: surface_script
    use app_surface_tables, only: law_parameters_table, map_table, parameter_table
+   use app_surface_verdict, only: surface_verdict
    use app_surface_verify, only: add_summit_curve, law_curves
    use app_table, only: new_table
    implicit none
@@ -122,6 +123,7 @@ contains
                'and sums over its summits (route '//route//')'
             report%remarks = [report%remarks, remarks]
          end if
+         report%verdict = surface_verdict(s, analysis, route)
          if (s%given('plot')) report%picture_data = surface_script(map, values, &
             pack(analysis%summits%height, analysis%summits%is_peak .or. route == 'nayak'), &
             report%more(3)%table, title(map))
@@ -165,8 +167,8 @@ contains
       facts%peaks = real(count(analysis%summits%is_peak), wp)
       ! gfortran warns otherwise of what is intent(out) anyway
       allocate (found(0))
-      call find_remarks(analysis%values(:, 1), analysis%uncertainty, facts, found, &
-         analysis%values(:, 2))
+      call find_remarks(analysis%values(:, 1), analysis%uncertainty, facts, &
+         report%settings%text_of('route'), found, analysis%values(:, 2))
       allocate (lines(size(found)))
       do i = 1, size(found)
          lines(i)%text = found(i)%text

@@ -39,8 +39,8 @@ module app_surface_keys
       'hills lower than this share of sz are no peaks (Wolf pruning)'), &
       key_type('tiles', kind_integer, '', command_surface, no, '4', '', &
       'the map is split into tiles x tiles for the uncertainties'), &
-      key_type('route', kind_choice, '', command_surface, no, 'paper', 'paper nayak', &
-      'parameters for --case and --plot: spd, spc, sq, or moments'), &
+      key_type('route', kind_choice, '', command_surface, no, 'nayak', 'nayak paper', &
+      'parameters for --case and --plot: of moments, or spd, spc, sq'), &
       key_type('verify', kind_logical, '', command_surface, no, 'false', '', &
       'sum the law over the summits of the map beside the Gaussian integral'), &
       key_type('generate', kind_logical, '', command_surface, no, 'false', '', &

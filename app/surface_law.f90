@@ -2,7 +2,6 @@
 module app_surface_law
    use asperity, only: error_type, new_normal_properties, normal_properties, version, wp
    use asperity_contact_properties, only: default_initial_separation
-   use asperity_properties, only: roughness_number_min
    use asperity_text, only: to_text
    use surface_evaluate, only: no_parameter
    use surface_parameters, only: p_eta_nayak, p_eta_paper, p_radius_nayak, p_radius_paper, &
@@ -15,7 +14,7 @@ module app_surface_law
    use app_strings, only: quoted, string_type
    implicit none
    private
-   public :: route_places, has_law, set_law, surface_case
+   public :: route_places, has_law, set_law, refusal, surface_case
 
    !> Names of the routes, and where they put asperity density, radius and sigma
    character(len=*), parameter, public :: routes(2) = [character(len=5) :: 'paper', 'nayak']
@@ -51,7 +50,7 @@ contains
    end function has_law
 
    !> Complete settings by the parameters of a map and what a pair of the paper gives beside, and
-   !> check them all. A low roughness number is allowed: a scan is no slip of units.
+   !> check them all. What no face has is allowed here, and said in the case and the verdict.
    pure subroutine set_law(settings, values, route, properties, error)
       !> Settings
       type(settings_type), intent(inout) :: settings
@@ -95,6 +94,24 @@ contains
          accept_unphysical=.true.)
    end subroutine set_law
 
+   !> Why the law refuses the properties, empty where it does not.
+   pure function refusal(settings) result(text)
+      !> Settings after `set_law`
+      type(settings_type), intent(in) :: settings
+      character(len=:), allocatable :: text
+      type(normal_properties) :: properties
+      type(error_type), allocatable :: error
+      character(len=*), parameter :: reason = ' has'
+
+      text = ''
+      call new_normal_properties(properties, settings%real_of('eta'), &
+         settings%real_of('modulus'), settings%real_of('radius'), settings%real_of('hardness'), &
+         settings%real_of('yield_factor'), settings%real_of('sigma'), error)
+      ! what the likely slip of units would be is said of numbers that were typed
+      if (allocated(error)) &
+         text = error%message(:index(error%message, reason//': ') + len(reason) - 1)
+   end function refusal
+
    !> The case file, for every command that takes properties.
    pure function surface_case(settings, values, uncertainty, route) result(text)
       !> Settings after `set_law`
@@ -106,7 +123,6 @@ contains
       character(len=:), allocatable :: text
       type(settings_type) :: law
       type(string_type) :: heading(8)
-      real(wp) :: roughness_number
       integer :: i, key, n
 
       do key = 1, n_keys
@@ -144,13 +160,10 @@ contains
       if (settings%text_of('material') /= '') heading(7)%text = &
          'Other properties, unless given: pair '//settings%text_of('material')
       n = 7
-      roughness_number = law%real_of('eta')*law%real_of('radius')*law%real_of('sigma')
-      if (roughness_number < roughness_number_min) then
+      if (refusal(settings) /= '') then
          n = 8
-         heading(n)%text = 'eta*radius*sigma = '//to_text(roughness_number, 4)//' is below '// &
-            to_text(roughness_number_min)//', hence accept_unphysical'
-         if (route == 'nayak') heading(n)%text = heading(n)%text// &
-            '; with the sigma of summits the limit is 0.0158'
+         heading(2:n) = heading(:n - 1)
+         heading(1)%text = 'The law refuses this case, hence accept_unphysical: '//refusal(settings)
          associate (accept => law%of(find_key('accept_unphysical')))
             accept%has_value = .true.
             accept%switch = .true.

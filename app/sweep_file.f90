@@ -3,6 +3,7 @@
 module app_sweep_file
    use asperity, only: error_type, file_error, validity_text
    use asperity_error, only: fatal_error
+   use asperity_validity, only: all_flags
    use app_cli, only: command_line_type
    use app_csv, only: csv_text
    use app_locked_file, only: append_text, locked_file, open_locked, remove_locked, shorten
@@ -21,8 +22,6 @@ module app_sweep_file
    character(len=*), parameter :: ending = '.partial'
    !> Largest partial file, characters
    integer, parameter :: largest = 512*1024*1024
-   !> All combinations of validity flags are below
-   integer, parameter :: all_flags = 64
 
    !> The partial file; without a path, nothing is kept.
    type :: partial_type
@@ -141,11 +140,11 @@ contains
             if (field == 1) then
                read (cell, *, iostat=status) which
             else if (figure > n_figures) then
-               do flags = 0, all_flags - 1
+               do flags = 0, all_flags
                   if (validity_text(flags) == cell) exit
                end do
                result%validity = flags
-               if (flags == all_flags) return
+               if (flags > all_flags) return
             else if (figure > 0) then
                result%figures(figure) = no_value
                if (cell /= '') read (cell, *, iostat=status) result%figures(figure)

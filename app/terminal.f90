@@ -32,6 +32,7 @@ contains
       type(report_type), intent(in) :: report
       character(len=:), allocatable :: text
       type(text_buffer) :: buffer
+      integer :: i
 
       call buffer%line('asperity '//version//' '//command_names(report%command))
       call buffer%line()
@@ -49,6 +50,11 @@ contains
          call buffer%add(remark_lines(report))
       else
          call buffer%add(own_remarks(report, ''))
+      end if
+      if (allocated(report%verdict)) then
+         do i = 1, size(report%verdict)
+            call buffer%line(merge('Verdict: ', '         ', i == 1)//report%verdict(i)%text)
+         end do
       end if
       if (report%table%find('note') > 0) call buffer%add(note_lines(report%table))
       text = buffer%text()

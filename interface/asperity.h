@@ -82,7 +82,9 @@ enum asperity_validity {
    ASPERITY_CLOSURE_ABOVE_HALF_RADIUS = 4,
    ASPERITY_STIFFER_THAN_HERTZ = 8,
    ASPERITY_ROUGHNESS_NUMBER_HIGH = 16,
-   ASPERITY_ROUGHNESS_NUMBER_LOW = 32
+   ASPERITY_ROUGHNESS_NUMBER_LOW = 32,
+   /** Let pass by accept_unphysical: sigma, radius, modulus or hardness as no face or solid has. */
+   ASPERITY_IMPLAUSIBLE_PROPERTY = 64
 };
 
 /** Overclosure of a point without opposite surface, mm; below -1e30 means the same. */
@@ -133,7 +135,8 @@ typedef struct asperity_properties {
    int friction_rule;
    /** An #asperity_slip_integration; #ASPERITY_SLIP_EXACT unless set. */
    int slip_integration;
-   /** 1 lets an eta*radius*sigma below 0.0249 pass, and flags results; 0 unless set. */
+   /** 1 lets properties that no face or solid has pass, and flags results; 0 unless set. Such are
+    * an eta*radius*sigma below 0.0158, and most slips of units. */
    int accept_unphysical;
    /** 1 compiles the normal law to polynomials, for many evaluations; 0, direct evaluation, unless
     * set. */

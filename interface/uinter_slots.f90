@@ -30,7 +30,7 @@ module uinter_slots
       enumerator :: prop_friction_rule
       !> 0 default, 1 exact, 2 backward Euler
       enumerator :: prop_slip_integration
-      !> 1 lets an eta R sigma below 0.0249 pass
+      !> 1 lets properties that no face or solid has pass
       enumerator :: prop_accept_unphysical
    end enum
    public :: prop_pi, prop_sigma

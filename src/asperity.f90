@@ -19,7 +19,7 @@ module asperity
    use asperity_single_asperity, only: asperity_response, evaluate_asperity, stage_elastic, &
       stage_elastoplastic, stage_open, stage_plastic
    use asperity_validity, only: area_above_nominal, closure_above_half_radius, &
-      pressure_above_hardness, roughness_number_high, roughness_number_low, &
+      implausible_property, pressure_above_hardness, roughness_number_high, roughness_number_low, &
       stiffer_than_hertz, valid, validity_remark, validity_text
    use asperity_version, only: version
    implicit none
@@ -28,7 +28,7 @@ module asperity
       computation_error, contact_properties, contact_response, contact_state, contact_states, &
       contact_tangent, equivalent_modulus, error_type, evaluate_asperity, &
       evaluate_compiled_law, evaluate_normal_law, file_error, find_pair, find_surface, &
-      get_contact_state, input_error, new_compiled_law, new_contact_properties, &
+      get_contact_state, implausible_property, input_error, new_compiled_law, new_contact_properties, &
       new_contact_states, new_normal_properties, set_contact_state, &
       no_opposite_surface, no_rotation, no_surface_limit, normal_properties, normal_response, &
       pair_preset, pairs, pressure_above_hardness, roughness_number_high, roughness_number_low, &

@@ -64,7 +64,7 @@ contains
          *sqrt(radius/(sigma*stream%log_uniform(w1_min, w1_max)))
       eta = stream%log_uniform(0.03_wp, 4.0_wp)/(radius*sigma)
       call new_normal_properties(properties, eta, elastic_modulus, radius, hardness, &
-         yield_factor, sigma, error)
+         yield_factor, sigma, error, accept_unphysical=.true.)
       if (allocated(error)) error stop 'random_properties: '//error%message
    end subroutine random_properties
 
@@ -93,7 +93,7 @@ contains
       associate (p => base)
          elastic_modulus = 0.75_wp*pi*yield_factor*p%hardness*sqrt(p%radius/(p%sigma*w1_over_sigma))
          call new_normal_properties(properties, p%eta, elastic_modulus, p%radius, p%hardness, &
-            yield_factor, p%sigma, error)
+            yield_factor, p%sigma, error, accept_unphysical=.true.)
       end associate
       if (allocated(error)) error stop 'properties_with: '//error%message
    end function properties_with

@@ -27,6 +27,7 @@ program test_main
    use test_normal_inverse, only: suite_normal_inverse
    use test_normal_law, only: suite_normal_law
    use test_normal_law_reference, only: suite_normal_law_reference
+   use test_plausibility, only: suite_plausibility
    use test_presets, only: suite_presets
    use test_press, only: suite_press
    use test_properties, only: suite_properties
@@ -61,6 +62,7 @@ program test_main
 
    all_suites = TestSuite('asperity')
    call all_suites%addTest(suite_properties())
+   call all_suites%addTest(suite_plausibility())
    call all_suites%addTest(suite_presets())
    call all_suites%addTest(suite_single_asperity())
    call all_suites%addTest(suite_finite())

@@ -6,8 +6,8 @@ module test_properties
    use asperity_error, only: error_type, input_error
    use asperity_kinds, only: wp
    use asperity_properties, only: equivalent_modulus, new_normal_properties, normal_properties
-   use asperity_validity, only: roughness_number_high, roughness_number_low, stiffer_than_hertz, &
-      valid
+   use asperity_validity, only: implausible_property, roughness_number_high, &
+      roughness_number_low, stiffer_than_hertz, valid
    use extremes, only: worsen
    use funit, only: anyExceptions, assertEqual, assertFalse, assertLessThan, &
       assertRelativelyEqual, assertTrue, TestMethod, TestSuite
@@ -132,19 +132,20 @@ contains
       slips(6, 2) = 59.3_wp
       slips(1, 3) = 1.03e-3_wp
       call check_message(slips(:, 1), 'eta looks like 1/um^2', '1.80E-6')
-      call check_message(slips(:, 2), 'sigma (or radius) like um', '0.0018')
+      call check_message(slips(:, 2), 'sigma looks like um', 'sigma = 59.3')
       call check_message(slips(:, 3), 'check the units', 'accept_unphysical')
+      call check_message(slips(:, 1), 'below 0.0158', accept_unphysical=.false.)
       do i = 1, 3
-         call check_message(slips(:, i), 'below 0.0249', accept_unphysical=.false.)
          call build(slips(:, i), p, error, accept_unphysical=.true.)
          call assertFalse(allocated(error), 'accepted')
-         call assertEqual(roughness_number_low, p%validity, 'flagged')
+         call assertEqual(roughness_number_low + merge(implausible_property, 0, i == 2), &
+            p%validity, 'flagged')
       end do
    end subroutine test_unit_slips
 
-   !> eta R sigma at the limits: below 0.0249 refused, above 4 flagged.
+   !> eta R sigma at the limits: below 0.0158 refused, above 4 flagged.
    subroutine test_roughness_number()
-      real(wp), parameter :: numbers(4) = [0.02489_wp, 0.02491_wp, 3.999_wp, 4.001_wp]
+      real(wp), parameter :: numbers(4) = [0.01581_wp, 0.01582_wp, 3.999_wp, 4.001_wp]
       integer, parameter :: flags(4) = [roughness_number_low, valid, valid, roughness_number_high]
       type(normal_properties) :: p
       type(error_type), allocatable :: error

@@ -363,8 +363,10 @@ contains
       call expect('anisotropic', values, widths, facts)
       call ordinary(values, widths, facts)
       values(p_sigma_nayak) = 0.9_wp*values(p_sigma_nayak)
+      values(p_sigma_paper) = values(p_sigma_nayak)
       values([p_eta_nayak, p_eta_paper]) = 0.9_wp*values(p_eta_nayak)
-      call expect('roughness_number', values, widths, facts)
+      call expect('', values, widths, facts)
+      call expect('roughness_number', values, widths, facts, route='paper')
       call ordinary(values, widths, facts)
       facts%tile_x = 2.0_wp
       call expect('few_waves', values, widths, facts)
@@ -419,15 +421,21 @@ contains
    end subroutine ordinary
 
    !> The one remark there should be, or none; each ends as a sentence does.
-   subroutine expect(code, values, widths, facts, coarse)
+   subroutine expect(code, values, widths, facts, coarse, route)
       character(len=*), intent(in) :: code
       real(wp), intent(in) :: values(:), widths(:)
       type(map_facts), intent(in) :: facts
       real(wp), intent(in), optional :: coarse(:)
+      !> nayak if absent
+      character(len=*), intent(in), optional :: route
       type(remark_type), allocatable :: remarks(:)
       integer :: i
 
-      call find_remarks(values, widths, facts, remarks, coarse)
+      if (present(route)) then
+         call find_remarks(values, widths, facts, route, remarks, coarse)
+      else
+         call find_remarks(values, widths, facts, 'nayak', remarks, coarse)
+      end if
       call assertEqual(merge(1, 0, len(code) > 0), size(remarks), code//': number of remarks')
       do i = 1, size(remarks)
          call assertEqual(code, trim(remarks(i)%code), remarks(i)%text)

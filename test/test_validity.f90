@@ -5,8 +5,8 @@ module test_validity
    use asperity_normal_law, only: evaluate_normal_law, normal_response
    use asperity_properties, only: new_normal_properties, normal_properties
    use asperity_validity, only: area_above_nominal, closure_above_half_radius, &
-      pressure_above_hardness, roughness_number_high, roughness_number_low, stiffer_than_hertz, &
-      valid, validity_remark, validity_text
+      implausible_property, pressure_above_hardness, roughness_number_high, &
+      roughness_number_low, stiffer_than_hertz, valid, validity_remark, validity_text
    use funit, only: assertEqual, assertTrue, TestMethod, TestSuite
    use gsl_quadrature, only: gaussian_moment
    use random_inputs, only: normal_of_pair
@@ -29,7 +29,8 @@ contains
    !> real area above the nominal one, since no summit carries more than the hardness.
    subroutine test_flags()
       call check(206.0_wp, 297.0_wp, 24.53_wp, 0.4_wp, 3.0_wp, valid)
-      call check(206.0_wp, 1.0_wp, 24.53_wp, 1.0_wp, 0.3_wp, area_above_nominal)
+      call check(206.0_wp, 1.0_wp, 24.53_wp, 1.0_wp, 0.3_wp, &
+         area_above_nominal + implausible_property)
       call check(206.0_wp, 1.0e4_wp, 24.53_wp, 0.4_wp, 1.5_wp, valid)
       call check(206.0_wp, 297.0_wp, 24.53_wp, 0.4_wp, -0.3_wp, &
          area_above_nominal + pressure_above_hardness)
@@ -38,8 +39,8 @@ contains
       call check(206.0_wp, 297.0_wp, 24.53_wp, 0.19_wp, 3.0_wp, stiffer_than_hertz)
       call check(206.0_wp, 297.0_wp, 24.53_wp, 0.191_wp, 3.0_wp, valid)
       call check(206.0_wp*2.3_wp, 297.0_wp, 24.53_wp, 0.4_wp, 4.0_wp, roughness_number_high)
-      call check(2.06_wp, 297.0_wp, 24.53_wp, 0.4_wp, 3.0_wp, roughness_number_low)
-      call check(2.06_wp, 297.0_wp, 24.53_wp, 0.4_wp, -1.5_wp, &
+      call check(1.5_wp, 297.0_wp, 24.53_wp, 0.4_wp, 3.0_wp, roughness_number_low)
+      call check(1.5_wp, 297.0_wp, 24.53_wp, 0.4_wp, -1.5_wp, &
          roughness_number_low + closure_above_half_radius)
    end subroutine test_flags
 

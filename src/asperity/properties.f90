@@ -1,28 +1,25 @@
 !> Properties of one pair of rough faces for the normal law: checked once, with all constants
-!> that follow from them. Any consistent units; N-mm-MPa in messages, presets and examples.
+!> that follow from them. N-mm-MPa; any other consistent units with `accept_unphysical`, as values
+!> are then taken for slips of units.
 module asperity_properties
+   use asperity_constants, only: pi
    use asperity_double_double, only: assignment(=), double_double, operator(*), quotient
    use asperity_error, only: error_type, fatal_error
    use asperity_finite, only: is_finite
    use asperity_kinds, only: wp
+   use asperity_plausibility, only: check_plausible
    use asperity_text, only: to_text
-   use asperity_validity, only: roughness_number_high, roughness_number_low, &
-      stiffer_than_hertz, valid
+   use asperity_validity, only: stiffer_than_hertz, valid
    implicit none
    private
    public :: normal_properties, new_normal_properties, equivalent_modulus, check_positive, &
-      check_range
+      check_range, pi
 
-   real(wp), parameter, public :: pi = acos(-1.0_wp)
    !> w2/w1, Eq. 11
    real(wp), parameter :: plastic_ratio = 110.0_wp
    !> b2, Eq. 15: 1 + ln 2/ln 110
    real(wp), parameter, public :: plastic_area_exponent = &
       1.0_wp + log(2.0_wp)/log(plastic_ratio)
-   !> Smallest eta R sigma of an isotropic Gaussian surface: Nayak's alpha = 1.5, McCool's relations
-   real(wp), parameter, public :: roughness_number_min = 0.0249_wp
-   !> Above this eta R sigma a warning is given
-   real(wp), parameter :: roughness_number_max = 4.0_wp
    !> Range of every other property, wide of any system of units
    real(wp), parameter :: smallest = 1.0e-20_wp, largest = 1.0e20_wp
    !> 3 pi/4 to 32 digits
@@ -69,7 +66,8 @@ contains
 
    !> Check the properties of the normal law and derive its constants.
    !> `error` is set, and `properties` unusable, when a value is not above zero (1e-20 to 1e20),
-   !> the yield factor is outside 0.05 to 1, or eta R sigma is below 0.0249.
+   !> the yield factor is outside 0.05 to 1, or a value is one that no face or solid has, such as
+   !> an eta R sigma below 0.0158 (see `asperity_plausibility`).
    pure subroutine new_normal_properties(properties, eta, modulus, radius, hardness, &
          yield_factor, sigma, error, accept_unphysical)
       !> Result
@@ -88,10 +86,9 @@ contains
       real(wp), intent(in) :: sigma
       !> Set when a property is refused
       type(error_type), allocatable, intent(out) :: error
-      !> Let an eta R sigma below 0.0249 pass; results are then flagged
+      !> Let what no face or solid has pass; results are then flagged
       logical, intent(in), optional :: accept_unphysical
       type(double_double) :: strain, yield
-      real(wp) :: number
       logical :: accepted
 
       call check_positive(error, 'eta', eta, '1/mm^2')
@@ -100,6 +97,12 @@ contains
       if (.not. allocated(error)) call check_positive(error, 'hardness', hardness, 'MPa')
       if (.not. allocated(error)) call check_positive(error, 'sigma', sigma, 'mm')
       if (.not. allocated(error)) call check_yield_factor(error, yield_factor)
+      if (allocated(error)) return
+
+      accepted = .false.
+      if (present(accept_unphysical)) accepted = accept_unphysical
+      call check_plausible(eta, modulus, radius, hardness, sigma, accepted, &
+         properties%validity, error)
       if (allocated(error)) return
 
       properties%eta = eta
@@ -120,18 +123,6 @@ contains
       properties%energy_2 = properties%n1*properties%w1*(0.4_wp - 1.0_wp/(properties%b3 + 1.0_wp)) &
          + 2.0_wp*pi*radius*hardness*properties%w2**2/(properties%b3 + 1.0_wp)
 
-      number = eta*radius*sigma
-      accepted = .false.
-      if (present(accept_unphysical)) accepted = accept_unphysical
-      if (number < roughness_number_min) then
-         if (.not. accepted) then
-            call refuse_roughness(error, eta, radius, sigma)
-            return
-         end if
-         properties%validity = ior(properties%validity, roughness_number_low)
-      end if
-      if (number > roughness_number_max) &
-         properties%validity = ior(properties%validity, roughness_number_high)
       if (properties%b3 > 1.5_wp) properties%validity = ior(properties%validity, stiffer_than_hertz)
    end subroutine new_normal_properties
 
@@ -194,32 +185,5 @@ contains
       call fatal_error(error, 'yield_factor = '//to_text(yield_factor)// &
          ' is not allowed: it must lie between 0.05 and 1; the paper uses 0.4')
    end subroutine check_yield_factor
-
-   !> Refuse eta R sigma and name the unit slip that most likely made it too small.
-   pure subroutine refuse_roughness(error, eta, radius, sigma)
-      type(error_type), allocatable, intent(out) :: error
-      real(wp), intent(in) :: eta, radius, sigma
-      character(len=:), allocatable :: slip
-      real(wp) :: number
-
-      number = eta*radius*sigma
-      if (plausible(number*1.0e6_wp)) then
-         slip = 'eta looks like 1/um^2, give it in 1/mm^2 (times 1e6)'
-      else if (plausible(number*1.0e3_wp)) then
-         slip = 'eta looks like 1/um^2 and sigma (or radius) like um, give eta in 1/mm^2 '// &
-            '(times 1e6) and lengths in mm (times 1e-3)'
-      else
-         slip = 'check the units of eta (1/mm^2), radius (mm) and sigma (mm)'
-      end if
-      call fatal_error(error, 'eta*radius*sigma = '//to_text(eta)//'*'//to_text(radius)//'*'// &
-         to_text(sigma)//' = '//to_text(number, 3)//' is below 0.0249, which no isotropic '// &
-         'Gaussian surface has: '//slip//', or set accept_unphysical (PROPS(13) = 1 in UINTER)')
-   end subroutine refuse_roughness
-
-   pure logical function plausible(number)
-      real(wp), intent(in) :: number
-
-      plausible = number >= roughness_number_min .and. number <= roughness_number_max
-   end function plausible
 
 end module asperity_properties

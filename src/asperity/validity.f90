@@ -17,23 +17,27 @@ module asperity_validity
    integer, parameter, public :: stiffer_than_hertz = 8
    !> eta R sigma above 4: rougher than any surface measured so far
    integer, parameter, public :: roughness_number_high = 16
-   !> eta R sigma below 0.0249, let pass by `accept_unphysical`: no isotropic Gaussian surface
+   !> eta R sigma below 0.0158, let pass by `accept_unphysical`: no isotropic Gaussian surface
    integer, parameter, public :: roughness_number_low = 32
+   !> A property outside what solids and faces have, let pass by `accept_unphysical`
+   integer, parameter, public :: implausible_property = 64
 
-   integer, parameter :: name_length = 26, remark_length = 72
-   integer, parameter :: n_flags = 6
+   integer, parameter :: name_length = 26, remark_length = 76
+   integer, parameter :: n_flags = 7
    !> Sum of all flags
    integer, parameter, public :: all_flags = 2**n_flags - 1
    character(len=name_length), parameter :: names(n_flags) = [character(len=name_length) :: &
       'area_above_nominal', 'pressure_above_hardness', 'closure_above_half_radius', &
-      'stiffer_than_hertz', 'roughness_number_high', 'roughness_number_low']
+      'stiffer_than_hertz', 'roughness_number_high', 'roughness_number_low', &
+      'implausible_property']
    character(len=remark_length), parameter :: remarks(n_flags) = [character(len=remark_length) :: &
       'real area above nominal area: asperities overlap, pressure is too high', &
       'pressure above the hardness: outside the model', &
       'mean closure of touching summits above radius/2: spheres do not apply', &
       'yield_factor below 0.1907: elasto-plastic stage stiffer than Hertz', &
       'eta*radius*sigma above 4: rougher than any measured surface', &
-      'eta*radius*sigma below 0.0249: no isotropic Gaussian surface has it']
+      'eta*radius*sigma below 0.0158: no isotropic Gaussian surface has it', &
+      'sigma, radius, modulus or hardness as no face or solid has: slip of units?']
 
 contains
 

@@ -1,17 +1,12 @@
 !> Exact statistics of the summits of an isotropic Gaussian surface (Nayak 1971), from the spectral
 !> moments m0, m2, m4 of its profiles. Derived in docs/surface_theory.md.
 module surface_nayak
+   use asperity_constants, only: pi
    use asperity_kinds, only: wp
-   use asperity_properties, only: pi
+   use asperity_plausibility, only: summit_constant
    implicit none
    private
    public :: nayak_summits, summit_curvature_density
-
-   !> Share of m0/alpha by which the variance of summit heights is below m0: 0.896806
-   real(wp), parameter, public :: summit_constant = &
-      1.0_wp - 3.0_wp*sqrt(3.0_wp) + 16.0_wp/pi
-   !> Smallest alpha of an isotropic Gaussian surface
-   real(wp), parameter, public :: alpha_min = 1.5_wp
 
    !> Statistics of summits; heights are above the mean plane of the surface.
    type, public :: nayak_type

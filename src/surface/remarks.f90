@@ -1,9 +1,8 @@
 !> What a user should know about the parameters of a map before using them, in words.
 module surface_remarks
    use asperity_kinds, only: wp
-   use asperity_properties, only: roughness_number_min
+   use asperity_plausibility, only: alpha_min, roughness_number_min, roughness_number_min_sq
    use asperity_text, only: to_text
-   use surface_nayak, only: alpha_min
    use surface_parameters, only: n_parameters, p_alpha, p_eta_nayak, p_eta_paper, p_m2_across, &
       p_m2_along, p_radius_nayak, p_radius_paper, p_sigma_nayak, p_sigma_paper, p_sku, p_spc, &
       p_spd, p_ssk, parameters
@@ -26,11 +25,13 @@ module surface_remarks
 contains
 
    !> All remarks on a map, none when nothing is unusual.
-   pure subroutine find_remarks(values, uncertainty, facts, remarks, coarse)
+   pure subroutine find_remarks(values, uncertainty, facts, route, remarks, coarse)
       !> Values and the half widths of their 95 % intervals, in the order of the table
       real(wp), intent(in) :: values(n_parameters), uncertainty(n_parameters)
       !> What else is known
       type(map_facts), intent(in) :: facts
+      !> Route whose parameters are taken: `nayak` or `paper`
+      character(len=*), intent(in) :: route
       !> The remarks
       type(remark_type), allocatable, intent(out) :: remarks(:)
       !> Values at twice the step
@@ -43,8 +44,8 @@ contains
       call remark_alpha(values, uncertainty, remarks)
       call remark_heights(values, uncertainty, remarks)
       call remark_anisotropy(values, remarks)
-      call remark_number(values([p_eta_paper, p_radius_paper, p_sigma_paper]), 'paper', remarks)
-      call remark_number(values([p_eta_nayak, p_radius_nayak, p_sigma_nayak]), 'Nayak', remarks)
+      if (route == 'paper') &
+         call remark_number(values([p_eta_paper, p_radius_paper, p_sigma_paper]), remarks)
       if (present(coarse)) call remark_step(values, uncertainty, coarse, remarks)
    end subroutine find_remarks
 
@@ -90,8 +91,7 @@ contains
          'disagree: '// &
          list//'. The paper''s R and eta are those of the peaks left after pruning, its sigma '// &
          'is that of all heights; Nayak''s are those of all summits of a Gaussian surface with '// &
-         'the same moments. Compare both with the sum over the map''s own summits (--verify), '// &
-         'and do not mix them.')
+         'the same moments. Do not mix them; the verdict says which one to take.')
    end subroutine remark_routes
 
    pure subroutine remark_alpha(values, uncertainty, remarks)
@@ -105,8 +105,9 @@ contains
             to_text(alpha_min)//', which no isotropic Gaussian surface has'
          if (is_known(u) .and. alpha + u >= alpha_min) text = text//', though within its '// &
             'uncertainty'
-         text = text//'. Waves of one length or one direction stand out, or heights are far '// &
-            'from Gaussian: Nayak''s density, radius and sigma do not describe its summits.'
+         text = text//': the law refuses his values unless accept_unphysical is set. Waves of '// &
+            'one length or one direction stand out, or heights are far from Gaussian: Nayak''s '// &
+            'density, radius and sigma do not describe its summits.'
          if (.not. is_known(values(p_sigma_nayak))) text = text// &
             ' His sigma does not even exist below 0.8968.'
          call add_remark(remarks, 'alpha', text//' Use the paper''s route, or the sum over the '// &
@@ -169,25 +170,20 @@ contains
       end associate
    end subroutine remark_anisotropy
 
-   !> The law's own limit, which is meant for the standard deviation of the surface.
-   pure subroutine remark_number(law, route, remarks)
+   !> The least of isotropic Gaussian surfaces, with sq of the paper, and the law's own limit.
+   pure subroutine remark_number(law, remarks)
       !> eta, R and sigma
       real(wp), intent(in) :: law(3)
-      character(len=*), intent(in) :: route
       type(remark_type), allocatable, intent(inout) :: remarks(:)
       character(len=:), allocatable :: text
 
       if (.not. all(is_known(law))) return
-      if (product(law) >= roughness_number_min) return
-      text = 'eta R sigma of the '//route//' route is '//to_text(product(law), 3)//', below '// &
-         to_text(roughness_number_min)//': the law refuses it unless accept_unphysical is set.'
-      if (route == 'Nayak') then
-         text = text//' With the sigma of summits, which this route takes, isotropic Gaussian '// &
-            'surfaces of alpha below 2.4 are under that limit and still exist.'
-      else
-         text = text//' No isotropic Gaussian surface has it by all its summits; peaks left '// &
-            'after pruning are fewer and sharper, so that one may be there by them.'
-      end if
+      if (product(law) >= roughness_number_min_sq) return
+      text = 'eta R sigma of the paper''s route is '//to_text(product(law), 3)//', below '// &
+         to_text(roughness_number_min_sq, 3)//', the least of isotropic Gaussian surfaces with '// &
+         'sigma = sq: peaks left after pruning are fewer and sharper than all summits.'
+      if (product(law) < roughness_number_min) text = text//' Below '// &
+         to_text(roughness_number_min, 3)//' the law refuses it unless accept_unphysical is set.'
       call add_remark(remarks, 'roughness_number', text)
    end subroutine remark_number
 

@@ -337,9 +337,9 @@ static void texts(void)
    CHECK_CODE(asperity_validity_remark(flags, text, sizeof text, &error), ASPERITY_OK);
    CHECK(strstr(text, "pressure above the hardness") == text);
    CHECK(strstr(text, "; yield_factor below 0.1907") != NULL);
-   for (flags = 0; flags < 64; flags++)
+   for (flags = 0; flags < 128; flags++)
       CHECK_CODE(asperity_validity_remark(flags, text, sizeof text, &error), ASPERITY_OK);
-   CHECK_CODE(asperity_validity_remark(64, text, sizeof text, &error), ASPERITY_BAD_INPUT);
+   CHECK_CODE(asperity_validity_remark(128, text, sizeof text, &error), ASPERITY_BAD_INPUT);
    CHECK_CODE(asperity_validity_remark(-1, text, sizeof text, &error), ASPERITY_BAD_INPUT);
    CHECK_CODE(asperity_validity_remark(1, NULL, sizeof text, &error), ASPERITY_NULL_ARGUMENT);
    CHECK_CODE(asperity_validity_remark(1, text, 20, &error), ASPERITY_WRONG_LENGTH);

@@ -82,7 +82,7 @@ static void properties(void)
    p.eta = 0.00020612345678901234;
    p.sigma = 5.9300000000000123e-20;
    p.radius = 1.4770000000000123e-15;
-   refused(p, "or set accept_unphysical");
+   refused(p, "set accept_unphysical");
    CHECK(strlen(error.message) < sizeof error.message - 1);
    CHECK(strstr(error.message, "...") == NULL);
    p.accept_unphysical = 1;
@@ -198,7 +198,7 @@ static void states_refused(void)
    static const char *const names[] = {"overclosure", "pressure", "normal_energy",
                                        "elastic_slip[0]", "elastic_slip[1]", "largest_closure",
                                        "dissipation", "pressure_coupling"};
-   static const int wrong_status[] = {-1, 4, 1000000000}, wrong_flags[] = {-1, 64, -2147483647};
+   static const int wrong_status[] = {-1, 4, 1000000000}, wrong_flags[] = {-1, 128, -2147483647};
    asperity_states *states = fresh_states(1);
    asperity_state zero, state;
    size_t i;

@@ -92,3 +92,17 @@ refuses '--separation out of range' 2 '--separation: separation = -1.0E200 mm is
 refuses '--pair empty' 2 '--pair: pair is empty' curve --pair ''
 refuses '--pair unknown' 2 "--pair: pair = 'foo' is unknown; known pairs" curve --pair foo
 check 'nothing was written' absent never.csv
+
+# Slips of units are named, with the way past them, by every command that takes properties
+refuses 'sigma in um' 2 '--sigma: sigma = 59.3 mm is above 5.0 mm.*sigma looks like um.*accept_unphysical' \
+   shear --sigma 59.3
+refuses 'radius in um' 2 '--radius: eta.radius.sigma = .*radius looks like um, give it in mm' press --radius 147.7
+refuses 'modulus in Pa' 2 '--modulus: modulus = 2.97E8 MPa is above .*modulus looks like Pa' shear --modulus 2.97e8
+refuses 'modulus in GPa' 2 'hardness/modulus = 24.53/0.297 = 82.6 is above 1.0.*modulus looks like GPa' \
+   curve --modulus 0.297
+refuses 'hardness in Pa' 2 '--hardness: hardness = 2.45E7 MPa is above .*hardness looks like Pa' \
+   tenon --hardness 2.453e7
+refuses 'hardness in GPa' 2 '--hardness: hardness = 0.0245 MPa is below .*hardness looks like GPa' \
+   table --hardness 0.02453
+run shear --sigma 59.3 --accept-unphysical --normal-stress 0.05 --csv -
+check 'a slip of units that is accepted is flagged' has out 'implausible_property'

@@ -50,7 +50,7 @@ check 'deep contact in closed form, tangential-tangential' csv deep.csv '
 
 # So hard that nothing yields: Hertz, p = 4/3 E* R^1/2 sigma^3/2 eta F_3/2(d/sigma) with
 # F_3/2(0) = 0.43001999 and F_3/2(2) = 0.0066481776, known to half a unit of the last figure
-run curve --hardness 1e7 --yield-factor 1 --separation 0,0.1186 --csv hertz.csv
+run curve --hardness 1e7 --accept-unphysical --yield-factor 1 --separation 0,0.1186 --csv hertz.csv
 check 'elastic contact is Hertz' csv hertz.csv '
    p = 4/3*297*sqrt(0.1477)*0.0593^1.5*206*(NR == 2 ? 0.43001999 : 0.0066481776)
    if (far(c["pressure"], p, 2e-8)) fail(c["pressure"] " not " p)

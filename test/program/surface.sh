@@ -73,14 +73,43 @@ for command in curve 'press --peak 0.2' shear table \
    # shellcheck disable=SC2086  # several words are meant
    run ${command%% *} s.nml ${command#"${command%% *}"} --json case.json
    check "surface: its case is taken by ${command%% *}" test "$status" -eq 0
-   check "surface: and means the same to ${command%% *}" near "$(value s.csv eta_paper)" \
+   check "surface: and means the same to ${command%% *}" near "$(value s.csv eta_nayak)" \
       "$(sed -n 's/^"properties".*"eta": \([^,]*\),.*/\1/p' case.json)" 1e-12
 done
 check 'surface: the case tells route and datum' sh -c \
    'grep -q "route" s.nml && grep -q "mean plane of the surface" s.nml'
+check 'surface: a plain Gaussian map is taken by the law unaided' lacks s.nml 'accept_unphysical = .true.'
 run surface s.sdf --route nayak --case n.nml --csv -
-check 'surface: the other route' sh -c "grep -q '  sigma = $(value s.csv sigma_nayak | sed \
+check 'surface: the route of Nayak is the default' \
+   test "$(grep '^! eta, radius' s.nml)" = "$(grep '^! eta, radius' n.nml)"
+check 'surface: its sigma' sh -c "grep -q '  sigma = $(value s.csv sigma_nayak | sed \
    's/E-002//;s/^1\./0.01/;s/0\{1,\}$//' | cut -c 1-8)' n.nml"
+
+# The verdict: the route, eta R sigma, the sum over summits; the case passes the law's checks, or
+# says in its first line why it does not. Of eight seeds none needs help, and none is flagged
+for seed in 1 2 3 4 5 6 7 8; do
+   run surface --generate --seed $seed --case g.nml --json g.json
+   check "surface: verdict, seed $seed" grep -q \
+      '^"verdict": "route nayak, eta R sigma = 0\.0[23][0-9]*: .* it holds at both\."' g.json
+   run shear g.nml --csv -
+   check "surface: seed $seed passes the law" is_quiet
+   check "surface: seed $seed without flags" test "$(csv_column out validity | sort -u)" = valid
+done
+run surface --generate
+check 'surface: the verdict ends the output' sh -c "tail -n 2 out | head -n 1 | grep -q '^Verdict: route nayak, '"
+run surface --generate --route paper --case paper.nml
+check 'surface: route paper: the verdict names the other' has out \
+   'Verdict: take --route nayak, eta R sigma = 0.0290, in place of route paper, eta R sigma = 0.0168'
+check 'surface: route paper: 0.0249 is a remark' has out 'route is 0.0168, below 0.0249'
+run surface --generate --map-points 256 --correlation-length 0.8,0.08 --route paper --case low.nml
+check 'surface: a case that the law refuses says so first' sh -c \
+   "head -n 1 low.nml | grep -q '^! The law refuses this case, hence accept_unphysical: eta.radius.sigma = .* is below 0.0158'"
+run curve low.nml --separation 0.1
+check 'surface: and is taken, flagged' has out 'eta*radius*sigma below 0.0158'
+run surface --generate --step 20 --case wide.nml
+check 'surface: a radius of 394 m is told in the verdict' grep -q \
+   '^Verdict: .*The law takes it only with accept_unphysical: radius = .* mm is above 10000.0 mm' out
+
 run surface s.sdf --case m.nml --pair --csv -
 refuses 'surface: --pair and one map' 2 '--pair: needs the maps of two faces' surface s.sdf --pair
 run surface s.sdf --case m.nml --modulus 500 --hardness 20 --friction-coefficient 0.3 \
@@ -139,7 +168,7 @@ check 'surface: crossed lays, maps that do not fit: the density of those that do
 check 'surface: and the radius' near "$(value aligned.csv radius_nayak)" \
    "$(value apart.csv radius_nayak)" 0.05
 refuses 'surface: no case by the paper of maps that do not fit' 2 '--case: route paper needs maps' \
-   surface lay.sdf wide.sdf --pair --case never.nml
+   surface lay.sdf wide.sdf --pair --route paper --case never.nml
 run surface lay.sdf wide.sdf --pair --route nayak --case apart.nml
 check 'surface: a case by moments of maps that do not fit' has apart.nml 'no first touch is known'
 run surface numbers.xyz s.sdf --pair --lateral-unit mm --height-unit um --csv -
