@@ -107,7 +107,7 @@ contains
    pure function remark_lines(report) result(text)
       type(report_type), intent(in) :: report
       character(len=:), allocatable :: text
-      integer :: bit, flags, column
+      integer :: bit, flags
 
       flags = report%validity()
       if (flags == 0) then
@@ -115,15 +115,25 @@ contains
          return
       end if
       text = 'Validity: results that pass a limit of the law are marked:'//newline
-      column = report%table%find('validity')
       do bit = 0, bit_size(flags) - 2
          if (btest(flags, bit)) text = text//'  '//validity_mark(bit)//'  '// &
-            validity_remark(ibset(0, bit))//' ('// &
-            to_text(count(btest(report%table%columns(column)%codes, bit)))//' of '// &
-            to_text(report%table%rows)//' rows)'//newline
+            flag_text(report, bit)//newline
       end do
       text = text//own_remarks(report, '')
    end function remark_lines
+
+   !> What a validity flag means, and in how many rows it is set.
+   pure function flag_text(report, bit) result(text)
+      type(report_type), intent(in) :: report
+      integer, intent(in) :: bit
+      character(len=:), allocatable :: text
+
+      associate (codes => report%table%columns(report%table%find('validity'))%codes)
+         text = validity_remark(ibset(0, bit))//' ('//to_text(count(btest(codes, bit)))//' of '// &
+            to_text(report%table%rows)//' rows, the first is row '// &
+            to_text(findloc(btest(codes, bit), .true., dim=1))//')'
+      end associate
+   end function flag_text
 
    !> What else is to be said of the results, each line after some words.
    pure function own_remarks(report, before) result(text)
@@ -163,7 +173,7 @@ contains
       flags = report%validity()
       do bit = 0, bit_size(flags) - 2
          if (btest(flags, bit)) text = text//'asperity: warning: '// &
-            validity_remark(ibset(0, bit))//newline
+            flag_text(report, bit)//newline
       end do
       text = text//own_remarks(report, 'asperity: warning: ')
    end function warning_text

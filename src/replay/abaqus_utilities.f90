@@ -1,5 +1,7 @@
-!> The two ABAQUS utilities that UINTER calls, for programs that play ABAQUS: messages go to
-!> standard error and XIT ends the program. A caller that links its own is served first.
+!> The two ABAQUS utilities that UINTER calls, for programs that play ABAQUS: errors go to standard
+!> error without the interaction and node, which are the host's own, and XIT ends the program.
+!> Warnings are of validity flags, which every result of the replays has, row by row: not printed.
+!> A caller that links its own is served first.
 subroutine stdb_abqerr(lop, string, intv, realv, charv)
    use, intrinsic :: iso_fortran_env, only: error_unit
    use asperity_kinds, only: wp
@@ -15,11 +17,8 @@ subroutine stdb_abqerr(lop, string, intv, realv, charv)
 
    associate (unused => [real(intv(1), wp), realv(1)], unused_name => charv(1))
    end associate
-   if (lop < -1) then
-      write (error_unit, '(2a)') 'asperity: error: ', string
-   else
-      write (error_unit, '(2a)') 'asperity: warning: ', string
-   end if
+   if (lop >= -1) return
+   write (error_unit, '(2a)') 'asperity: error: ', string(index(string, ': ') + 2:)
 end subroutine stdb_abqerr
 
 !> End the program with status 1.

@@ -81,3 +81,11 @@ refuses 'negative critical slip' 2 '--critical-slip: critical_slip = -1.0 is not
    shear --critical-slip -1
 refuses 'unknown friction rule' 2 "--friction-rule: .* is unknown; known: abaqus, dissipative" \
    shear --friction-rule x
+
+# What UINTER warns of is said once, of the rows of this case, not of a node of the host
+run shear --normal-stress 22 --displacement 0.1 --csv -
+check 'shear: limits are told by rows' test "$(cat err)" = "asperity: warning: real area above nominal area: \
+asperities overlap, pressure is too high (6 of 6 rows, the first is row 1)"
+run press --peak 25 --csv -
+check 'press: limits are told by rows' test "$(grep -c 'rows, the first is row' err)" -eq "$(wc -l <err)" \
+   -a "$(wc -l <err)" -eq 2
