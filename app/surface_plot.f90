@@ -173,7 +173,7 @@ contains
       call b%line('set size noratio; set size 0.49,0.52; set origin 0.5,0.44; unset object 1')
       call b%line('set grid back lt 1 lw 0.7 lc rgb "#d0d0d0"')
       call b%line("set xlabel 'height above the mean plane (mm)'; set ylabel 'density (1/mm)'")
-      call b%line('set autoscale x; set yrange [0:*]; set xtics rotate by -30')
+      call b%line('set autoscale x; set autoscale y; set yrange [0:*]; set xtics rotate by -30')
       call b%line('set key outside top center horizontal')
       call b%line('plot $heights using 1:2 '//trim(strokes(1))//" title 'all points', "//backslash)
       if (has_summits) call b%line('$heights using 1:3 '//trim(strokes(2))// &

@@ -71,10 +71,11 @@ contains
          if (has_law(values, route)) text = text//' ('//number(values, route)//')'
          if (paper_exists) text = text//'; take --route paper, '//number(values, 'paper')
       else if (nayak_exists .and. .not. is_law(values, 'paper', roughness_number_min_sq)) then
-         text = 'take --route nayak, '//number(values, 'nayak')//', in place of route paper'
-         if (has_law(values, route)) text = text//', '//number(values, route)// &
-            ': no isotropic Gaussian surface has less than '// &
-            to_text(roughness_number_min_sq, 3)//' with sigma = sq'
+         text = 'take --route nayak, '//number(values, 'nayak')//', unless values like the '// &
+            'paper''s are wanted'
+         if (has_law(values, route)) text = text//': route paper has '// &
+            number(values, route)//' of the peaks that pruning leaves, and no isotropic '// &
+            'Gaussian surface has less than '//to_text(roughness_number_min_sq, 3)
       else if (has_law(values, route)) then
          text = 'route paper, '//number(values, route)
          if (.not. nayak_exists) text = text//': no Gaussian surface has the moments of this map'

@@ -99,7 +99,7 @@ run surface --generate
 check 'surface: the verdict ends the output' sh -c "tail -n 2 out | head -n 1 | grep -q '^Verdict: route nayak, '"
 run surface --generate --route paper --case paper.nml
 check 'surface: route paper: the verdict names the other' has out \
-   'Verdict: take --route nayak, eta R sigma = 0.0290, in place of route paper, eta R sigma = 0.0168'
+   "Verdict: take --route nayak, eta R sigma = 0.0290, unless values like the paper's are wanted: route paper has eta R sigma = 0.0168"
 check 'surface: route paper: 0.0249 is a remark' has out 'route is 0.0168, below 0.0249'
 run surface --generate --map-points 256 --correlation-length 0.8,0.08 --route paper --case low.nml
 check 'surface: a case that the law refuses says so first' sh -c \
