@@ -28,8 +28,8 @@ module asperity
       computation_error, contact_properties, contact_response, contact_state, contact_states, &
       contact_tangent, equivalent_modulus, error_type, evaluate_asperity, &
       evaluate_compiled_law, evaluate_normal_law, file_error, find_pair, find_surface, &
-      get_contact_state, implausible_property, input_error, new_compiled_law, new_contact_properties, &
-      new_contact_states, new_normal_properties, set_contact_state, &
+      get_contact_state, implausible_property, input_error, new_compiled_law, &
+      new_contact_properties, new_contact_states, new_normal_properties, set_contact_state, &
       no_opposite_surface, no_rotation, no_surface_limit, normal_properties, normal_response, &
       pair_preset, pairs, pressure_above_hardness, roughness_number_high, roughness_number_low, &
       rule_abaqus, rule_dissipative, separation_for_pressure, slip_backward_euler, slip_exact, &

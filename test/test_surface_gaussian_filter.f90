@@ -243,8 +243,10 @@ contains
          call assertFalse(allocated(error))
          call filter_long(long, 0.25_wp, error)
          call assertFalse(allocated(error))
-         call assertTrue(all(abs(short%heights + long%heights - map%heights) < 1.0e-14_wp .or. &
-            map%heights >= missing_height), 'both filters are the whole')
+         associate (measured => map%heights < missing_height)
+            call assertLessThan(largest_of(pack(short%heights, measured) + &
+               pack(long%heights, measured) - pack(map%heights, measured)), 1.0e-14_wp)
+         end associate
          call assertTrue(all(map%heights >= missing_height .eqv. long%heights >= missing_height))
          call punch_holes(map, stream, 0.1_wp)
       end do

@@ -192,7 +192,6 @@ contains
       integer, intent(in) :: power
       character(len=6) :: text
 
-      text = unit
       select case (power)
       case (6)
          text = '1/um^2'
@@ -204,6 +203,8 @@ contains
          text = merge('kPa', 'um ', unit == 'MPa')
       case (-6)
          text = merge('Pa   ', '1/m^2', unit == 'MPa')
+      case default
+         text = unit
       end select
    end function unit_of
 
