@@ -72,7 +72,8 @@ contains
                s%text_of('slip_integration') == 'backward_euler')
             call new_contact_properties(config%properties, normal, friction_coefficient, &
                critical_slip, error, s%real_of('initial_separation'), friction_rule, &
-               slip_integration, compiled=command == command_tenon)
+               slip_integration, compiled=command == command_tenon, &
+               accept_unphysical=s%switch_of('accept_unphysical'))
          end if
          if (.not. allocated(error) .and. iand(command, tenons) /= 0) then
             call new_side_properties(config%sides, s, friction_rule, slip_integration, error)

@@ -95,7 +95,8 @@ contains
          pair%yield_factor, pair%sigma, error)
       if (.not. allocated(error)) call new_contact_properties(sides, normal, &
          settings%real_of('side_friction'), settings%real_of('side_critical_slip'), error, &
-         friction_rule=friction_rule, slip_integration=slip_integration, compiled=.true.)
+         friction_rule=friction_rule, slip_integration=slip_integration, compiled=.true., &
+         accept_unphysical=settings%switch_of('accept_unphysical'))
       if (.not. allocated(error)) return
       if (index(error%message, 'critical_slip') == 1) error%message = 'side_'//error%message
    end subroutine new_side_properties

@@ -83,7 +83,7 @@ enum asperity_validity {
    ASPERITY_STIFFER_THAN_HERTZ = 8,
    ASPERITY_ROUGHNESS_NUMBER_HIGH = 16,
    ASPERITY_ROUGHNESS_NUMBER_LOW = 32,
-   /** Let pass by accept_unphysical: sigma, radius, modulus or hardness as no face or solid has. */
+   /** Let pass by accept_unphysical: a property as no face or solid has. */
    ASPERITY_IMPLAUSIBLE_PROPERTY = 64
 };
 

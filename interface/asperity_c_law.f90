@@ -202,10 +202,11 @@ contains
       if (transfer(p%initial_separation, p%size) == transfer(four_sigma, p%size)) then
          call new_contact_properties(content, normal, p%friction_coefficient, p%critical_slip, &
             problem, friction_rule=p%friction_rule, slip_integration=p%slip_integration, &
-            compiled=p%compiled == 1)
+            compiled=p%compiled == 1, accept_unphysical=p%accept_unphysical == 1)
       else
          call new_contact_properties(content, normal, p%friction_coefficient, p%critical_slip, &
-            problem, p%initial_separation, p%friction_rule, p%slip_integration, p%compiled == 1)
+            problem, p%initial_separation, p%friction_rule, p%slip_integration, p%compiled == 1, &
+            p%accept_unphysical == 1)
       end if
    end subroutine build
 

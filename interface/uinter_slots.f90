@@ -100,10 +100,11 @@ contains
       if (allocated(error)) return
       if (size(props) < prop_initial_separation) then
          call new_contact_properties(properties, normal, props(prop_friction_coefficient), &
-            props(prop_critical_slip), error)
+            props(prop_critical_slip), error, accept_unphysical=accept == 1)
       else
          call new_contact_properties(properties, normal, props(prop_friction_coefficient), &
-            props(prop_critical_slip), error, props(prop_initial_separation), rule, integration)
+            props(prop_critical_slip), error, props(prop_initial_separation), rule, integration, &
+            accept_unphysical=accept == 1)
       end if
    end subroutine properties_from_props
 

@@ -46,7 +46,8 @@ contains
       call random_properties(stream, normal, 1.0e-5_wp, 1.0_wp, 0.1_wp)
       call new_contact_properties(properties, normal, stream%uniform(0.05_wp, 1.0_wp), &
          normal%sigma*stream%log_uniform(0.1_wp, 10.0_wp), error, &
-         normal%sigma*stream%uniform(-1.0_wp, 6.0_wp), friction_rule, slip_integration)
+         normal%sigma*stream%uniform(-1.0_wp, 6.0_wp), friction_rule, slip_integration, &
+         accept_unphysical=.true.)
       if (allocated(error)) error stop 'the random contact of the tests is refused'
    end subroutine random_contact
 

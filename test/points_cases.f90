@@ -88,7 +88,7 @@ contains
 
       call new_contact_properties(compiled, direct%normal, direct%friction_coefficient, &
          direct%critical_slip, error, direct%initial_separation, direct%friction_rule, &
-         direct%slip_integration, compiled=.true.)
+         direct%slip_integration, compiled=.true., accept_unphysical=.true.)
       if (allocated(error)) error stop 'the properties of the tests are not compiled'
    end subroutine compile
 

@@ -7,6 +7,7 @@ module test_contact_point
       no_rotation, normal_response, rule_abaqus, rule_dissipative, separation_for_pressure, &
       slip_backward_euler, slip_exact, status_open, status_slip, status_stick, &
       update_contact_point, wp
+   use asperity_validity, only: implausible_property
    use contact_cases, only: pair_properties, random_contact
    use extremes, only: largest_of, worsen
    use funit, only: anyExceptions, assertEqual, assertFalse, assertGreaterThan, assertLessThan, &
@@ -341,6 +342,21 @@ contains
       call new_contact_properties(made, p%normal, 0.0_wp, 0.31_wp, error, -1.0_wp)
       call assertFalse(allocated(error), 'mu = 0 and a negative d0 are allowed')
       call assertEqual(-1.0_wp, made%initial_separation, 0.0_wp, 'd0 is literal')
+      ! gcrit and 4 sigma in um; a length just within the limit; both let pass
+      call new_contact_properties(made, p%normal, 0.5_wp, 310.0_wp, error)
+      call expect('critical_slip = 310.0 mm is above 10.0 mm, which no known face has: '// &
+         'critical_slip looks like um, give it in mm (times 1e-3); if it is right, set accept_')
+      call new_contact_properties(made, p%normal, 0.5_wp, 0.31_wp, error, 237.2_wp)
+      call expect('initial_separation = 237.0 mm is above 10.0 mm')
+      call new_contact_properties(made, p%normal, 0.5_wp, 10.0_wp, error, -10.0_wp)
+      call assertFalse(allocated(error), '10 mm')
+      call assertEqual(p%normal%validity, made%normal%validity, 'valid')
+      call new_contact_properties(made, p%normal, 0.5_wp, 310.0_wp, error, 237.2_wp, &
+         compiled=.true., accept_unphysical=.true.)
+      call assertFalse(allocated(error), 'accepted')
+      call assertEqual(ior(p%normal%validity, implausible_property), made%normal%validity, &
+         'flagged')
+      call assertEqual(made%normal%validity, made%compiled%properties%validity, 'compiled as well')
 
    contains
 

@@ -3,6 +3,8 @@ module asperity_contact_properties
    use asperity_compiled_law, only: compiled_law, new_compiled_law
    use asperity_error, only: error_type, fatal_error
    use asperity_kinds, only: wp
+   use asperity_normal_law, only: vanishing_separation
+   use asperity_plausibility, only: check_plausible_length, length_max
    use asperity_properties, only: check_positive, check_range, normal_properties, pi
    use asperity_text, only: to_text
    implicit none
@@ -60,10 +62,11 @@ module asperity_contact_properties
 contains
 
    !> Check friction and datum, and derive the opening pressure.
-   !> `error` is set when mu is not between 0 and 1000, gcrit not above zero, |d0| above 1e20 or an
-   !> option unknown.
+   !> `error` is set when mu is not between 0 and 1000, gcrit not above zero, |d0| above 1e20, an
+   !> option unknown, or gcrit or |d0| a length that no face has.
    pure subroutine new_contact_properties(properties, normal, friction_coefficient, &
-         critical_slip, error, initial_separation, friction_rule, slip_integration, compiled)
+         critical_slip, error, initial_separation, friction_rule, slip_integration, compiled, &
+         accept_unphysical)
       !> Result
       type(contact_properties), intent(out) :: properties
       !> Checked properties of the normal law
@@ -82,6 +85,9 @@ contains
       integer, intent(in), optional :: slip_integration
       !> Compile the normal law, for very many updates; false when absent
       logical, intent(in), optional :: compiled
+      !> Let lengths that no face has pass; results are then flagged
+      logical, intent(in), optional :: accept_unphysical
+      logical :: accepted
 
       properties%normal = normal
       properties%friction_coefficient = friction_coefficient
@@ -99,6 +105,14 @@ contains
       if (.not. allocated(error)) call check_range(error, 'initial_separation', &
          properties%initial_separation, -largest_separation, largest_separation, ' mm')
       if (allocated(error)) return
+      accepted = .false.
+      if (present(accept_unphysical)) accepted = accept_unphysical
+      call check_plausible_length('critical_slip', critical_slip, length_max, accepted, &
+         properties%normal%validity, error)
+      if (.not. allocated(error)) call check_plausible_length('initial_separation', &
+         properties%initial_separation, max(length_max, vanishing_separation*normal%sigma), &
+         accepted, properties%normal%validity, error)
+      if (allocated(error)) return
       if (properties%friction_rule /= rule_abaqus &
             .and. properties%friction_rule /= rule_dissipative) then
          call fatal_error(error, 'friction_rule = '//to_text(properties%friction_rule)// &
@@ -111,7 +125,7 @@ contains
       if (allocated(error) .or. .not. present(compiled)) return
       if (.not. compiled) return
       allocate (properties%compiled)
-      call new_compiled_law(properties%compiled, normal, error)
+      call new_compiled_law(properties%compiled, properties%normal, error)
    end subroutine new_contact_properties
 
 end module asperity_contact_properties

@@ -9,7 +9,7 @@ module asperity_plausibility
       roughness_number_low, valid
    implicit none
    private
-   public :: check_plausible
+   public :: check_plausible, check_plausible_length
 
    !> Smallest bandwidth parameter alpha = m0 m4/m2^2 of an isotropic Gaussian surface (Nayak 1971)
    real(wp), parameter, public :: alpha_min = 1.5_wp
@@ -53,6 +53,10 @@ module asperity_plausibility
       range_type('hardness', ' MPa', 0.1_wp, 1.5e5_wp), &
       range_type('hardness/modulus', '', 1.0e-4_wp, 1.0_wp)]
 
+   !> Largest critical slip and distance of the datum, mm: the paper's critical slip is 0.31; a
+   !> datum is farther only where the law reaches as far
+   real(wp), parameter, public :: length_max = 10.0_wp
+
    !> Slips of eta, radius and sigma that are tried, the likeliest first: powers of ten that each
    !> must be multiplied by
    integer, parameter :: roughness_slips(3, 12) = reshape([6, 0, 0, 0, 0, -3, 0, -3, 0, &
@@ -65,6 +69,8 @@ module asperity_plausibility
    real(wp), parameter :: usual_slopes(2) = [0.01_wp, 1.0_wp], &
       usual_ratios(2) = [5.0e-4_wp, 0.3_wp]
    integer, parameter :: message_length = 160
+   character(len=*), parameter :: way_past = &
+      '; if it is right, set accept_unphysical (PROPS(13) = 1 in UINTER)'
 
 contains
 
@@ -113,9 +119,28 @@ contains
          trim(allowed%unit)//' is '//trim(merge('below', 'above', is_low))//' '// &
          to_text(merge(allowed%lowest, allowed%highest, is_low), 3)//trim(allowed%unit)// &
          ', which '//trim(merge('no isotropic Gaussian surface', 'no known face or solid       ', &
-         is_low .and. i == of_number))//' has: '//trim(remedy)// &
-         '; if it is right, set accept_unphysical (PROPS(13) = 1 in UINTER)')
+         is_low .and. i == of_number))//' has: '//trim(remedy)//way_past)
    end subroutine check_plausible
+
+   !> The same of a length of the contact point, critical slip or datum.
+   pure subroutine check_plausible_length(name, value, highest, is_accepted, flags, error)
+      !> Name of the property
+      character(len=*), intent(in) :: name
+      !> Its value and the largest size, mm
+      real(wp), intent(in) :: value, highest
+      !> Whether it is let pass
+      logical, intent(in) :: is_accepted
+      !> Sum of validity flags, to which one may be added
+      integer, intent(inout) :: flags
+      !> Set when it is refused
+      type(error_type), allocatable, intent(inout) :: error
+
+      if (abs(value) <= highest) return
+      flags = ior(flags, implausible_property)
+      if (.not. is_accepted) call fatal_error(error, name//' = '//to_text(value, 3)// &
+         ' mm is above '//to_text(highest, 3)//' mm, which no known face has: '//name// &
+         ' looks like um, give it in mm (times 1e-3)'//way_past)
+   end subroutine check_plausible_length
 
    !> Name the slip of eta, radius and sigma that leaves a usual face.
    pure function roughness_slip(eta, radius, sigma) result(text)

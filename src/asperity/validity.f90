@@ -22,7 +22,7 @@ module asperity_validity
    !> A property outside what solids and faces have, let pass by `accept_unphysical`
    integer, parameter, public :: implausible_property = 64
 
-   integer, parameter :: name_length = 26, remark_length = 76
+   integer, parameter :: name_length = 26, remark_length = 72
    integer, parameter :: n_flags = 7
    !> Sum of all flags
    integer, parameter, public :: all_flags = 2**n_flags - 1
@@ -37,7 +37,7 @@ module asperity_validity
       'yield_factor below 0.1907: elasto-plastic stage stiffer than Hertz', &
       'eta*radius*sigma above 4: rougher than any measured surface', &
       'eta*radius*sigma below 0.0158: no isotropic Gaussian surface has it', &
-      'sigma, radius, modulus or hardness as no face or solid has: slip of units?']
+      'a property as no face or solid has, let pass: a slip of units?']
 
 contains
 

@@ -106,3 +106,6 @@ refuses 'hardness in GPa' 2 '--hardness: hardness = 0.0245 MPa is below .*hardne
    table --hardness 0.02453
 run shear --sigma 59.3 --accept-unphysical --normal-stress 0.05 --csv -
 check 'a slip of units that is accepted is flagged' has out 'implausible_property'
+refuses 'critical slip in um' 2 '--critical-slip: critical_slip = 310.0 mm .*looks like um' shear --critical-slip 310
+refuses 'datum in um' 2 '--initial-separation: initial_separation = 237.0 mm .*looks like um' \
+   curve --initial-separation 237.2

@@ -13,6 +13,8 @@ function value(key) {
    if (key ~ /^(increments|rows|stroke_increments)$/) return pick("1~50~+7~007~1.0~2*3")
    if (key == "solver") return pick("'abaqus'~'calculix'~abaqus")
    if (key == "contact") return pick("'uinter'~'table'~\"hard\"")
+   # not refused by some commands only
+   if (key == "critical_slip") return pick("1~2.5~+.05e+1~0.05~0.2500000000000000000000000001~1d-1~1.5 ")
    if (key == "yield_factor") return pick("0.4~.4~4.d-1~1~1.0")
    return pick("1~2.5~150.0~3d2~+.05e+4~0.05~1.E2~100~0.2500000000000000000000000001~1d-1~1.5 ~12.D0")
 }
