@@ -26,6 +26,7 @@ contains
       call suite%addTest(TestMethod('least eta R sigma, in closed form', test_least_number))
       call suite%addTest(TestMethod('slips of units of wood are named', test_wood))
       call suite%addTest(TestMethod('slips of other faces and solids are refused', test_others))
+      call suite%addTest(TestMethod('wood in N-m-Pa is right', test_si))
       call suite%addTest(TestMethod('edges of the ranges', test_edges))
    end function suite_plausibility
 
@@ -168,8 +169,35 @@ contains
             call new_normal_properties(p, v(1), v(2), v(3), v(4), 0.4_wp, v(5), error)
             call assertTrue(allocated(error), 'face '//to_text(i)//', slip '//to_text(j))
          end do
+         v = faces(:, i)*[1.0_wp, 1.0e6_wp, 1.0_wp, 1.0e6_wp, 1.0_wp]
+         call refused(v(1), v(2), v(3), v(4), v(5), 'looks like')
       end do
    end subroutine test_others
+
+   !> Every face and pair of wood in a consistent system, the law of which is the same.
+   subroutine test_si()
+      type(normal_properties) :: p, q
+      type(error_type), allocatable :: error
+      integer :: i, j
+
+      do i = 1, size(surfaces)
+         do j = 1, size(pairs)
+            associate (s => surfaces(i), m => pairs(j))
+               call new_normal_properties(p, s%eta, m%modulus, s%radius, m%hardness, 0.4_wp, &
+                  s%sigma, error)
+               call assertFalse(allocated(error), s%name)
+               call new_normal_properties(q, 1.0e6_wp*s%eta, 1.0e6_wp*m%modulus, &
+                  1.0e-3_wp*s%radius, 1.0e6_wp*m%hardness, 0.4_wp, 1.0e-3_wp*s%sigma, error)
+               call assertFalse(allocated(error), s%name//' in N-m-Pa')
+               call assertEqual(valid, q%validity, s%name//' in N-m-Pa')
+               call assertRelativelyEqual(p%w1, 1.0e3_wp*q%w1, 1.0e-14_wp)
+               ! one of them forgotten
+               call refused(s%eta, 1.0e6_wp*m%modulus, 1.0e-3_wp*s%radius, 1.0e6_wp*m%hardness, &
+                  1.0e-3_wp*s%sigma, 'eta*radius*sigma')
+            end associate
+         end do
+      end do
+   end subroutine test_si
 
    !> Just inside of each edge nothing is said; just outside it is refused, and flagged if accepted.
    subroutine test_edges()

@@ -1,5 +1,6 @@
 !> Ranges outside which no solid and no face is: a property there is, as a rule, a slip of units,
-!> and the message names the likeliest. Each range has its reason. N-mm-MPa.
+!> and the message names the likeliest. Each range has its reason. N-mm-MPa; a usual face all in
+!> N-m-Pa is known for what it is and passes as well.
 module asperity_plausibility
    use asperity_constants, only: pi
    use asperity_error, only: error_type, fatal_error
@@ -68,6 +69,10 @@ module asperity_plausibility
    !> Root mean square slopes of profiles of usual faces, and their H/E*
    real(wp), parameter :: usual_slopes(2) = [0.01_wp, 1.0_wp], &
       usual_ratios(2) = [5.0e-4_wp, 0.3_wp]
+   !> A face in N-m-Pa looks like one of N-mm-MPa that is a thousand times smoother and whose
+   !> stresses are in Pa by a slip. Up to this sigma and radius, mm, which timber has, it is taken
+   !> for the former; smoother faces, as ground metal has, for the latter
+   real(wp), parameter :: sigma_in_si = 0.2_wp, radius_in_si = 10.0_wp
    integer, parameter :: message_length = 160
    character(len=*), parameter :: way_past = &
       '; if it is right, set accept_unphysical (PROPS(13) = 1 in UINTER)'
@@ -103,6 +108,10 @@ contains
          flags = ior(flags, implausible_property)
       i = findloc(is_outside, .true., dim=1)
       if (i == 0 .or. is_accepted) return
+      if (is_in_si(eta, modulus, radius, hardness, sigma)) then
+         flags = iand(flags, not(implausible_property))
+         return
+      end if
 
       made_of = ''
       if (i == of_number) &
@@ -172,19 +181,36 @@ contains
          .and. sigma >= ranges(of_sigma)%lowest .and. sigma <= ranges(of_sigma)%highest
    end function is_usual_face
 
+   !> Whether properties are those of a usual face and solid when they are read in N-m-Pa.
+   pure logical function is_in_si(eta, modulus, radius, hardness, sigma)
+      real(wp), intent(in) :: eta, modulus, radius, hardness, sigma
+
+      is_in_si = is_usual_face(1.0e-6_wp*eta, 1.0e3_wp*radius, 1.0e3_wp*sigma) &
+         .and. 1.0e3_wp*sigma <= sigma_in_si .and. 1.0e3_wp*radius <= radius_in_si &
+         .and. is_usual_solid(1.0e-6_wp*modulus, 1.0e-6_wp*hardness)
+   end function is_in_si
+
+   !> Whether a solid is a usual one.
+   pure logical function is_usual_solid(modulus, hardness) result(is_usual)
+      real(wp), intent(in) :: modulus, hardness
+
+      is_usual = modulus <= ranges(of_modulus)%highest &
+         .and. hardness >= ranges(of_hardness)%lowest &
+         .and. hardness <= ranges(of_hardness)%highest &
+         .and. hardness/modulus >= usual_ratios(1) .and. hardness/modulus <= usual_ratios(2)
+   end function is_usual_solid
+
    !> Name the slip of modulus and hardness that leaves a usual solid.
    pure function strength_slip(modulus, hardness) result(text)
       real(wp), intent(in) :: modulus, hardness
       character(len=message_length) :: text
-      real(wp), parameter :: lowest(3) = [0.0_wp, ranges(of_hardness)%lowest, usual_ratios(1)], &
-         highest(3) = [ranges(of_modulus)%highest, ranges(of_hardness)%highest, usual_ratios(2)]
       real(wp) :: e, h
       integer :: i
 
       do i = 1, size(strength_slips, 2)
          e = modulus*10.0_wp**strength_slips(1, i)
          h = hardness*10.0_wp**strength_slips(2, i)
-         if (any([e, h, h/e] < lowest) .or. any([e, h, h/e] > highest)) cycle
+         if (.not. is_usual_solid(e, h)) cycle
          text = slip_text(['modulus ', 'hardness'], ['MPa', 'MPa'], strength_slips(:, i))
          return
       end do

@@ -1,6 +1,6 @@
 !> Properties of one pair of rough faces for the normal law: checked once, with all constants
-!> that follow from them. N-mm-MPa; any other consistent units with `accept_unphysical`, as values
-!> are then taken for slips of units.
+!> that follow from them. N-mm-MPa, or N-m-Pa for a face like timber's; in any other consistent
+!> units with `accept_unphysical`, as values are then taken for slips of units.
 module asperity_properties
    use asperity_constants, only: pi
    use asperity_double_double, only: assignment(=), double_double, operator(*), quotient
