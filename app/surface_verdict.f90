@@ -1,7 +1,8 @@
 !> Which route to take for a map, why, and how good it is by the sum over the map's summits.
 module app_surface_verdict
    use asperity, only: error_type, normal_properties, separation_for_pressure, wp
-   use asperity_plausibility, only: roughness_number_min, roughness_number_min_sq
+   use asperity_plausibility, only: roughness_number_max, roughness_number_min, &
+      roughness_number_min_sq
    use asperity_text, only: to_text
    use surface_analysis, only: surface_analysis_type
    use surface_parameters, only: p_summit_plane
@@ -67,8 +68,8 @@ contains
          text = 'route nayak, '//number(values, route)//': all summits of a Gaussian surface '// &
             'with the moments of this map'
       else if (route == 'nayak') then
-         text = 'route nayak does not describe this map, whose alpha is below 1.5'
-         if (has_law(values, route)) text = text//' ('//number(values, route)//')'
+         text = 'route nayak does not describe this map'
+         if (has_law(values, route)) text = text//', '//number(values, route)
          if (paper_exists) text = text//'; take --route paper, '//number(values, 'paper')
       else if (nayak_exists .and. .not. is_law(values, 'paper', roughness_number_min_sq)) then
          text = 'take --route nayak, '//number(values, 'nayak')//', unless values like the '// &
@@ -84,13 +85,16 @@ contains
       end if
    end function choice
 
-   !> Whether a route has a law, and eta R sigma is not below a limit.
+   !> Whether a route has a law, and eta R sigma is neither below a limit nor beyond all faces.
    pure logical function is_law(values, route, limit)
       real(wp), intent(in) :: values(:), limit
       character(len=*), intent(in) :: route
 
       is_law = has_law(values, route)
-      if (is_law) is_law = product(values(route_places(route))) >= limit
+      if (.not. is_law) return
+      associate (number => product(values(route_places(route))))
+         is_law = number >= limit .and. number <= roughness_number_max
+      end associate
    end function is_law
 
    !> eta R sigma of a route.

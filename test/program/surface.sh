@@ -106,6 +106,11 @@ check 'surface: a case that the law refuses says so first' sh -c \
    "head -n 1 low.nml | grep -q '^! The law refuses this case, hence accept_unphysical: eta.radius.sigma = .* is below 0.0158'"
 run curve low.nml --separation 0.1
 check 'surface: and is taken, flagged' has out 'eta*radius*sigma below 0.0158'
+awk 'BEGIN { for (j = 0; j < 60; j++) for (i = 0; i < 60; i++)
+   print i, j, sin(i/5)*cos(j/5) + 0.001*((7*i + 3*j) % 5) }' >waves.xyz
+run surface waves.xyz --lateral-unit um --height-unit um
+check 'surface: no Gaussian surface has so small an alpha: the verdict names the other route' has out \
+   'Verdict: route nayak does not describe this map, eta R sigma = 0.00793; take --route paper'
 run surface --generate --step 20 --case wide.nml
 check 'surface: a radius of 394 m is told in the verdict' grep -q \
    '^Verdict: .*The law takes it only with accept_unphysical: radius = .* mm is above 10000.0 mm' out
