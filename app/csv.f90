@@ -1,7 +1,7 @@
-!> A table as CSV: one line of column names, one line per row, numbers with 17 figures.
+!> A table as CSV: one line of column names with units, one line per row, numbers with 17 figures.
 module app_csv
    use app_strings, only: escaped, newline
-   use app_table, only: column_texts, table_type
+   use app_table, only: column_texts, column_type, table_type
    use app_text_buffer, only: text_buffer
    implicit none
    private
@@ -19,7 +19,7 @@ contains
 
       do i = 1, table%set
          if (i > 1) call buffer%add(',')
-         call buffer%add(table%columns(i)%name)
+         call buffer%add(in_quotes(heading(table%columns(i))))
       end do
       call buffer%line()
       do row = 1, table%rows
@@ -35,6 +35,15 @@ contains
       end do
       text = buffer%text()
    end function csv_text
+
+   !> `name (unit)`, the name alone where there is no unit.
+   pure function heading(column) result(text)
+      type(column_type), intent(in) :: column
+      character(len=:), allocatable :: text
+
+      text = column%name
+      if (column%unit /= '-') text = text//' ('//column%unit//')'
+   end function heading
 
    !> A text in quotes if it needs them.
    pure function in_quotes(text) result(quoted)

@@ -4,19 +4,19 @@ module app_joint
    use asperity, only: error_type, wp
    use asperity_error, only: fatal_error
    use asperity_text, only: to_text
-   use hysteresis_analysis, only: analyse_hysteresis, hysteresis_result, hysteresis_settings
+   use hysteresis_analysis, only: analyse_hysteresis, hysteresis_result, hysteresis_settings, &
+      not_known
    use replay_tenon, only: run_tenon, tenon_point, tenon_progress, tenon_step
    use replay_tenon_settings, only: tenon_settings
    use app_config, only: config_type
+   use app_units, only: joule, kilonewton_metre
    implicit none
    private
-   public :: joint_type, run_joint, largest_cycle, steps_to_record
+   public :: joint_type, run_joint, largest_cycle, loop_joules, steps_to_record
 
    !> Contact models, in the order of tables
    integer, parameter, public :: hard = 1, rough = 2
    character(len=5), parameter, public :: model_names(2) = [character(len=5) :: 'hard', 'rough']
-   !> kN m in N mm, and kJ in N mm
-   real(wp), parameter, public :: kilo = 1.0e-6_wp
 
    !> Reversals over the largest rotation that are rounding
    real(wp), parameter :: exact = 1.0e-6_wp
@@ -83,9 +83,18 @@ contains
       ! A programme has no noise; a recorded history may
       if (.not. allocated(settings%displacement)) &
          analysis%threshold = exact*maxval(abs(joint%steps%rotation))
-      call analyse_hysteresis((joint%steps%rotation), kilo*joint%steps%moment, joint%loops, error, &
-         analysis)
+      call analyse_hysteresis((joint%steps%rotation), kilonewton_metre*joint%steps%moment, joint%loops, &
+         error, analysis)
    end subroutine run_joint
+
+   !> Energy of loops of moment, kN m, against rotation, rad, in J; what is not known stays so.
+   pure elemental real(wp) function loop_joules(energy)
+      !> The energy, kN m
+      real(wp), intent(in) :: energy
+
+      loop_joules = energy
+      if (energy < not_known) loop_joules = energy*(joule/kilonewton_metre)
+   end function loop_joules
 
    !> The first cycle that goes furthest, zero when there is none.
    pure integer function largest_cycle(loops)

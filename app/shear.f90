@@ -6,6 +6,7 @@ module app_shear
    use app_progress, only: progress_type
    use app_report, only: report_type, turning_points
    use app_table, only: column_status, column_validity, new_table, no_value, table_type
+   use app_units, only: joule
    implicit none
    private
    public :: report_shear
@@ -91,10 +92,10 @@ contains
          call table%add_numbers('shear_stress_nominal', 'MPa', (s%shear_stress_nominal))
          call table%add_numbers('shear_stress', 'MPa', (s%shear_stress))
          call table%add_numbers('area_fraction', '-', (s%area_fraction))
-         call table%add_numbers('normal_energy', 'N mm', (s%normal_energy))
-         call table%add_numbers('tangential_energy', 'N mm', (s%tangential_energy))
-         call table%add_numbers('dissipation', 'N mm', (s%dissipation))
-         call table%add_numbers('pressure_coupling', 'N mm', (s%pressure_coupling))
+         call table%add_numbers('normal_energy', 'J', joule*s%normal_energy)
+         call table%add_numbers('tangential_energy', 'J', joule*s%tangential_energy)
+         call table%add_numbers('dissipation', 'J', joule*s%dissipation)
+         call table%add_numbers('pressure_coupling', 'J', joule*s%pressure_coupling)
          call table%add_numbers('elastic_share', '-', (s%elastic_share))
          call table%add_numbers('elastoplastic_share', '-', (s%elastoplastic_share))
          call table%add_numbers('plastic_share', '-', (s%plastic_share))
@@ -135,7 +136,7 @@ contains
       call table%add_numbers('mu_p_nominal', 'MPa', &
          config%properties%friction_coefficient*config%normal_stress)
       call table%add_numbers('plateau', 'MPa', plateau)
-      call table%add_numbers('dissipation', 'N mm', (last%dissipation))
+      call table%add_numbers('dissipation', 'J', joule*last%dissipation)
    end function summary_of
 
    !> Step at which the box first turns or ends.

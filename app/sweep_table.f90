@@ -2,21 +2,22 @@
 module app_sweep_table
    use asperity, only: error_type, wp
    use hysteresis_analysis, only: hysteresis_skeleton, negative_side
-   use app_joint, only: joint_type, kilo, model_names
+   use app_joint, only: joint_type, loop_joules, model_names
    use app_keys, only: keys, kind_integer, kind_logical, kind_real
    use app_settings, only: setting_type, settings_type
    use app_sweep, only: axis_type, set_case
    use app_table, only: column_counts, column_validity, new_table, no_value, table_type
+   use app_units, only: joule
    implicit none
    private
    public :: case_result, evaluate, shown_columns, sweep_table
 
    !> Figures of one model, then ratios rough:hard
-   character(len=*), parameter :: names(7) = [character(len=18) :: 'yield_moment', &
-      'ultimate_moment', 'bending_stiffness', 'loop_energy', 'work_of_load', 'friction', &
-      'largest_pull_out']
+   character(len=*), parameter :: names(7) = [character(len=20) :: 'yield_moment', &
+      'ultimate_moment', 'bending_stiffness', 'loop_energy', 'work_of_load', &
+      'friction_dissipation', 'largest_pull_out']
    character(len=*), parameter :: units(7) = [character(len=8) :: 'kN m', 'kN m', 'kN m/rad', &
-      'kJ', 'kJ', 'kJ', 'mm']
+      'J', 'J', 'J', 'mm']
    !> Which of them are also given as ratios
    integer, parameter :: n_ratios = 4, n_names = size(names)
    integer, parameter, public :: n_figures = 2*n_names + n_ratios
@@ -75,11 +76,11 @@ contains
 
       associate (s => joint%loops%skeleton(negative_side), cycles => joint%loops%cycles, &
             last => joint%steps(ubound(joint%steps, 1)))
-         figures = [s%yield_force, s%peak_force, no_value, no_value, kilo*last%work, &
-            kilo*last%friction, maxval(abs(joint%steps%pull_out))]
+         figures = [s%yield_force, s%peak_force, no_value, no_value, joule*last%work, &
+            joule*last%friction, maxval(abs(joint%steps%pull_out))]
          if (s%peak_force < no_value .and. abs(s%ultimate_displacement) > 0.0_wp) &
             figures(3) = s%peak_force/s%ultimate_displacement
-         if (size(cycles) > 0) figures(4) = cycles(size(cycles))%cumulative_energy
+         if (size(cycles) > 0) figures(4) = loop_joules(cycles(size(cycles))%cumulative_energy)
       end associate
    end function figures_of
 

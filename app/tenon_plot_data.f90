@@ -3,8 +3,9 @@ module app_tenon_plot_data
    use asperity, only: status_slip, status_stick, wp
    use asperity_text, only: to_text
    use hysteresis_analysis, only: not_known
-   use app_joint, only: joint_type, kilo, largest_cycle, model_names
+   use app_joint, only: joint_type, largest_cycle, loop_joules, model_names
    use app_text_buffer, only: text_buffer
+   use app_units, only: joule, kilonewton_metre
    implicit none
    private
    public :: add_cycles, add_skeleton, add_states, add_steps, state_block, state_steps
@@ -28,7 +29,7 @@ contains
       stride = 1 + ubound(joint%steps, 1)/most_points
       call start_block(b, joint, 'all')
       do i = 0, ubound(joint%steps, 1), stride
-         call b%numbers([joint%steps(i)%rotation, kilo*joint%steps(i)%moment])
+         call b%numbers([joint%steps(i)%rotation, kilonewton_metre*joint%steps(i)%moment])
       end do
       call b%line('EOD')
       call start_block(b, joint, 'loop')
@@ -36,7 +37,8 @@ contains
          ! sample 1 is step 0
          do i = cycle%first - 1, cycle%last - 1, stride
             associate (s => joint%steps(i))
-               call b%numbers([s%rotation, kilo*s%moment, 1.0e-3_wp*s%face_normal(1), s%pull_out])
+               call b%numbers([s%rotation, kilonewton_metre*s%moment, &
+                  1.0e-3_wp*s%face_normal(1), s%pull_out])
             end associate
          end do
       end associate
@@ -88,8 +90,8 @@ contains
          associate (cycle => joint%loops%cycles(i))
             if (all(cycle%peak == 0)) cycle
             call b%numbers([maxval(abs(cycle%displacement), mask=cycle%peak > 0), real(i, wp), &
-               cycle%secant_stiffness, cycle%cumulative_energy, &
-               kilo*joint%steps(cycle%last - 1)%friction])
+               cycle%secant_stiffness, loop_joules(cycle%cumulative_energy), &
+               joule*joint%steps(cycle%last - 1)%friction])
          end associate
       end do
       call b%line('NaN NaN NaN NaN NaN')

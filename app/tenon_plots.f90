@@ -55,10 +55,10 @@ contains
       pictures(4) = picture('Secant stiffness', 'rotation (rad)', 'stiffness (kN m/rad)', &
          'right top', 'cycles using 1:3 with points', 0.5_wp*tick, &
          'Secant stiffness of every cycle, mean of both sides (Fig. 29).')
-      pictures(5) = picture('Energy of the loops', 'cycle', 'energy (kJ)', 'left top', &
+      pictures(5) = picture('Energy of the loops', 'cycle', 'energy (J)', 'left top', &
          'cycles using 2:4 with linespoints', 0.0_wp, &
          'Area of all moment-rotation loops up to each cycle (Fig. 30).')
-      pictures(6) = picture('Dissipation by friction', 'cycle', 'energy (kJ)', 'left top', &
+      pictures(6) = picture('Dissipation by friction', 'cycle', 'energy (J)', 'left top', &
          'cycles using 2:5 with linespoints', 0.0_wp, &
          'Dissipated by friction on all faces up to each cycle (Fig. 35).')
       pictures(7) = picture('Normal force of the upper face, largest loop', 'rotation (rad)', &

@@ -3,9 +3,10 @@ module app_tenon_tables
    use asperity, only: wp
    use hysteresis_analysis, only: hysteresis_cycle, hysteresis_skeleton, negative_side
    use replay_tenon, only: tenon_face_names, tenon_faces, tenon_point, tenon_step
-   use app_joint, only: hard, joint_type, kilo, model_names, rough
+   use app_joint, only: hard, joint_type, loop_joules, model_names, rough
    use app_table, only: column_counts, column_status, column_validity, new_table, no_value, &
       table_type
+   use app_units, only: joule, kilonewton_metre
    implicit none
    private
    public :: steps_table, points_table, comparison_table, totals_table, cycles_table, &
@@ -51,26 +52,26 @@ contains
       call table%add_numbers('displacement', 'mm', (s%displacement))
       call table%add_numbers('rotation', 'rad', (s%rotation))
       call table%add_numbers('force', 'N', (s%force))
-      call table%add_numbers('moment', 'N mm', (s%moment))
+      call table%add_numbers('moment', 'kN m', kilonewton_metre*s%moment)
       call table%add_numbers('pull_out', 'mm', (s%pull_out))
       call table%add_numbers('vertical', 'mm', (s%vertical))
       call table%add_numbers('axial_force', 'N', (s%axial_force))
-      call table%add_numbers('work', 'N mm', (s%work))
-      call table%add_numbers('contact_work', 'N mm', (s%contact_work))
-      call table%add_numbers('axial_work', 'N mm', (s%axial_work))
-      call table%add_numbers('holding_work', 'N mm', (s%holding_work))
-      call table%add_numbers('stored', 'N mm', (s%stored))
-      call table%add_numbers('friction', 'N mm', (s%friction))
-      call table%add_numbers('plastic', 'N mm', (s%plastic))
-      call table%add_numbers('elastic_slip', 'N mm', (s%elastic_slip))
-      call table%add_numbers('edge', 'N mm', (s%edge))
+      call table%add_numbers('work', 'J', joule*s%work)
+      call table%add_numbers('contact_work', 'J', joule*s%contact_work)
+      call table%add_numbers('axial_work', 'J', joule*s%axial_work)
+      call table%add_numbers('holding_work', 'J', joule*s%holding_work)
+      call table%add_numbers('stored_energy', 'J', joule*s%stored)
+      call table%add_numbers('friction_dissipation', 'J', joule*s%friction)
+      call table%add_numbers('plastic_dissipation', 'J', joule*s%plastic)
+      call table%add_numbers('elastic_slip_energy', 'J', joule*s%elastic_slip)
+      call table%add_numbers('edge_energy', 'J', joule*s%edge)
       do face = 1, tenon_faces
          call table%add_numbers('normal_'//trim(tenon_face_names(face)), 'N', &
             (s%face_normal(face)))
       end do
       do face = 1, tenon_faces
-         call table%add_numbers('friction_'//trim(tenon_face_names(face)), 'N mm', &
-            (s%face_friction_energy(face)))
+         call table%add_numbers('friction_dissipation_'//trim(tenon_face_names(face)), 'J', &
+            joule*s%face_friction_energy(face))
       end do
       call table%add_codes('iterations', column_counts, (s%iterations))
       call table%add_codes('halvings', column_counts, (s%halvings))
@@ -170,14 +171,14 @@ contains
       table = new_table(columns=10, rows=size(joints))
       call table%add_texts('model', model_names(joints%model))
       call table%add_numbers('initial_stiffness', 'kN m/rad', stiffness)
-      call table%add_numbers('work_of_load', 'kJ', kilo*last%work)
-      call table%add_numbers('friction_of_faces', 'kJ', kilo*(last%friction &
+      call table%add_numbers('work_of_load', 'J', joule*last%work)
+      call table%add_numbers('friction_dissipation_faces', 'J', joule*(last%friction &
          - last%face_friction_energy(3) - last%face_friction_energy(4)))
-      call table%add_numbers('friction_of_sides', 'kJ', kilo*(last%face_friction_energy(3) &
-         + last%face_friction_energy(4)))
-      call table%add_numbers('wood_plasticity', 'kJ', kilo*last%plastic)
-      call table%add_numbers('elastic_slip', 'kJ', kilo*last%elastic_slip)
-      call table%add_numbers('stored_at_end', 'kJ', kilo*last%stored)
+      call table%add_numbers('friction_dissipation_sides', 'J', &
+         joule*(last%face_friction_energy(3) + last%face_friction_energy(4)))
+      call table%add_numbers('plastic_dissipation', 'J', joule*last%plastic)
+      call table%add_numbers('elastic_slip_energy', 'J', joule*last%elastic_slip)
+      call table%add_numbers('stored_energy', 'J', joule*last%stored)
       call table%add_numbers('largest_pull_out', 'mm', furthest)
       call table%add_numbers('final_pull_out', 'mm', (last%pull_out))
    end function totals_table
@@ -205,14 +206,14 @@ contains
       call table%add_numbers('negative_moment_rough', 'kN m', (r%force(negative_side)), 3)
       call table%add_numbers('secant_stiffness_hard', 'kN m/rad', (h%secant_stiffness), 1)
       call table%add_numbers('secant_stiffness_rough', 'kN m/rad', (r%secant_stiffness), 1)
-      call table%add_numbers('energy_hard', 'kJ', (h%energy), 4)
-      call table%add_numbers('energy_rough', 'kJ', (r%energy), 4)
+      call table%add_numbers('energy_hard', 'J', loop_joules((h%energy)), 1)
+      call table%add_numbers('energy_rough', 'J', loop_joules((r%energy)), 1)
       call table%add_numbers('damping_hard', '-', (h%damping), 3)
       call table%add_numbers('damping_rough', '-', (r%damping), 3)
       call table%add_numbers('pinching_hard', '-', (h%pinching), 3)
       call table%add_numbers('pinching_rough', '-', (r%pinching), 3)
-      call table%add_numbers('cumulative_energy_hard', 'kJ', (h%cumulative_energy), 4)
-      call table%add_numbers('cumulative_energy_rough', 'kJ', (r%cumulative_energy), 4)
+      call table%add_numbers('cumulative_energy_hard', 'J', loop_joules((h%cumulative_energy)), 1)
+      call table%add_numbers('cumulative_energy_rough', 'J', loop_joules((r%cumulative_energy)), 1)
    end function cycles_table
 
    !> Points of the skeletons of both models, from the negative to the positive end.

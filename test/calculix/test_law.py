@@ -13,8 +13,8 @@ def law_of_program(law, asperity):
                              stdout=subprocess.PIPE, check=True, encoding="utf-8",
                              timeout=60).stdout
     table = [line for line in printed.splitlines() if not line.startswith("#")]
-    rows = list(csv.DictReader(io.StringIO("\n".join(table))))
-    names = {name.split("_")[0]: name for name in rows[0]}
-    worst = max(abs(law.pressure(law.initial_separation - float(row[names["separation"]]))
-                    / float(row[names["pressure"]]) - 1) for row in rows)
+    rows = [{name.split(" (")[0]: text for name, text in row.items()}
+            for row in csv.DictReader(io.StringIO("\n".join(table)))]
+    worst = max(abs(law.pressure(law.initial_separation - float(row["separation"]))
+                    / float(row["pressure"]) - 1) for row in rows)
     at_most(f"law: {len(rows)} pressures by quadrature against `asperity curve`", worst, 1e-9)

@@ -5,7 +5,7 @@ elastic_share,elastoplastic_share,plastic_share,validity
 for pair in transverse-tangential tangential-tangential; do
    run curve --pair $pair --csv c.csv --json c.json
    check "curve $pair" test "$status" -eq 0
-   check "curve $pair: columns" test "$(head -n 1 c.csv)" = "$header"
+   check "curve $pair: columns" test "$(columns c.csv)" = "$header"
    check "curve $pair: 41 separations" test "$(rows c.csv)" -eq 41
    check "curve $pair: 17 figures" numbers_are_proper c.csv
    # 4 eps: the shares are three rounded quotients of one sum

@@ -57,6 +57,9 @@ refuses() {
 # rows FILE: lines of a CSV file without its header
 rows() { echo $(($(wc -l <"$1") - 1)); }
 
+# columns FILE: the names of the columns of a CSV file, without the units in brackets after them
+columns() { head -n 1 "$1" | sed 's/ ([^)]*)//g'; }
+
 # csv FILE PROGRAM: an awk program over the rows of a CSV file, whose columns are c["name"] of
 # the row and before["name"] of the row before; `fail(text)` fails; far(a, b, tolerance) is true
 # when a and b differ by more than tolerance times the larger
@@ -68,7 +71,7 @@ csv() {
       function max(a, b) { return a > b ? a : b }
       function far(a, b, t) { return !(abs(a - b) <= t*max(abs(a), abs(b))) }
       function fail(text) { print "row " NR - 1 ": " text; failures++; if (failures > 3) exit }
-      NR == 1 { for (i = 1; i <= NF; i++) name[i] = $i; next }
+      NR == 1 { gsub(/ \([^)]*\)/, ""); for (i = 1; i <= NF; i++) name[i] = $i; next }
       { for (i = 1; i <= NF; i++) { before[name[i]] = c[name[i]]; c[name[i]] = $i }
         '"$program_text"' }
       END { if (NR < 2) { print "no rows"; failures++ }; exit failures > 0 }' "$file"
@@ -92,10 +95,17 @@ json_column() {
 # csv_column FILE NAME
 csv_column() { csv "$1" 'print c["'"$2"'"]'; }
 
-# same_csv_and_json CSV JSON: every column has the same texts
+# csv_unit FILE NAME: the unit of a column of a CSV file, empty if it has none
+csv_unit() { head -n 1 "$1" | tr ',' '\n' | sed -n "s/^$2 (\(.*\))\$/\1/p"; }
+
+# json_unit FILE NAME: the same of a JSON file, which has - for none
+json_unit() { sed -n 's/^"units": {\(.*\)},$/\1/p' "$1" | grep -o "\"$2\": \"[^\"]*\"" | cut -d '"' -f 4 | grep -vx -e -; }
+
+# same_csv_and_json CSV JSON: every column has the same texts and the same unit
 same_csv_and_json() {
    local name
-   for name in $(head -n 1 "$1" | tr ',' ' '); do
+   for name in $(columns "$1" | tr ',' ' '); do
+      [ "$(csv_unit "$1" "$name")" = "$(json_unit "$2" "$name")" ] || { echo "unit of $name"; return 1; }
       csv_column "$1" "$name" >column.csv || return
       json_column "$2" "$name" >column.json
       cmp column.csv column.json || return

@@ -4,7 +4,7 @@ header=time,overclosure,separation,pressure,stiffness,area_fraction,contact_dens
 elastic_share,elastoplastic_share,plastic_share,status,validity
 run press --csv p.csv --json p.json
 check 'press' is_quiet
-check 'press: columns' test "$(head -n 1 p.csv)" = "$header"
+check 'press: columns' test "$(columns p.csv)" = "$header"
 check 'press: start and two ramps of 50' test "$(rows p.csv)" -eq 101
 check 'press: 17 figures' numbers_are_proper p.csv
 check 'press: JSON holds the same figures' same_csv_and_json p.csv p.json

@@ -14,7 +14,7 @@ near() { awk -v a="$1" -v b="$2" -v t="$3" 'BEGIN { d = a - b; m = a*a > b*b ? a
 run surface --generate --map-points 256,192 --correlation-length 0.08 --csv s.csv --json s.json \
    --map s.sdf --case s.nml
 check 'surface: generated' test "$status" -eq 0
-check 'surface: columns' test "$(head -n 1 s.csv)" = \
+check 'surface: columns' test "$(columns s.csv)" = \
    'parameter,unit,value,uncertainty,step_2,step_4,meaning'
 check 'surface: 36 parameters' test "$(rows s.csv)" -eq 36
 check 'surface: the map is told' test "$(of_json s.json map points_x) $(of_json s.json map \
