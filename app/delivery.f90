@@ -14,6 +14,7 @@ module app_delivery
    use app_report, only: report_type
    use app_tenon_page, only: page_script, page_text
    use app_terminal, only: terminal_text, warning_text
+   use app_utf8, only: utf8_text
    implicit none
    private
    public :: delivery_type, prepare_delivery, deliver
@@ -133,10 +134,10 @@ contains
       call write_files(delivery%files, error)
       if (allocated(error)) return
       if (delivery%standard == '') then
-         call write_standard_output(terminal_text(report), error)
+         call write_standard_output(utf8_text(terminal_text(report)), error)
       else
          call write_standard_output(text_for(delivery%standard, report), error)
-         call write_text(standard_error, warning_text(report), reason)
+         call write_text(standard_error, utf8_text(warning_text(report)), reason)
       end if
    end subroutine deliver
 
@@ -150,7 +151,7 @@ contains
       call draw(file, page_script(report), .false., pictures, error)
       if (allocated(error)) return
       if (count_svg(pictures) == size(report%pictures)) then
-         file%text = page_text(report, pictures)
+         file%text = utf8_text(page_text(report, pictures))
       else
          call fatal_error(error, file%option//': '//file%path// &
             ' cannot be written: gnuplot left out a picture', file_error)
@@ -180,11 +181,11 @@ contains
          end if
       end if
       if (option == '--csv') then
-         text = csv_text(report%table)
+         text = utf8_text(csv_text(report%table))
       else if (option == '--points') then
-         text = csv_text(report%points)
+         text = utf8_text(csv_text(report%points))
       else
-         text = json_text(report)
+         text = utf8_text(json_text(report))
       end if
    end function text_for
 

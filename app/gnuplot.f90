@@ -9,6 +9,7 @@ module app_gnuplot
       release_interrupts, run_shell, shell_type
    use app_strings, only: backslash, escaped, lower_case, newline
    use app_system, only: read_file, remove_file
+   use app_utf8, only: utf8_text
    implicit none
    private
    public :: check_picture, draw
@@ -71,7 +72,7 @@ contains
          else
             call close_part(part, reason)
             call close_shell(shell, newline//terminal(format_of(file%path), large)// &
-               script, failure)
+               utf8_text(script), failure)
             if (.not. allocated(reason)) call read_file(part%path, largest, picture, reason)
             call remove_file(part%path)
          end if

@@ -12,6 +12,8 @@ module app_system
 
    integer(c_int), parameter, public :: standard_output = 1_c_int, standard_error = 2_c_int
    integer(c_int), parameter :: file_mode = int(o'666', c_int)
+   !> Characters that a file is first taken to have
+   integer, parameter :: first_room = 65536
 
 contains
 
@@ -80,7 +82,7 @@ contains
       if (status /= 0) return
    end subroutine remove_file
 
-   !> Read a file, at most its first `limit` characters.
+   !> Read a file, at most its first `limit` characters, with as much memory as it needs.
    subroutine read_file(path, limit, text, reason)
       !> Path of the file
       character(len=*), intent(in) :: path
@@ -91,7 +93,7 @@ contains
       !> Set on failure
       character(len=:), allocatable, intent(out) :: reason
       type(c_ptr) :: stream
-      integer(c_size_t) :: length
+      integer :: length, room
       integer(c_int) :: status
 
       stream = c_fopen(path//c_null_char, 'r'//c_null_char)
@@ -99,13 +101,37 @@ contains
          reason = last_reason()
          return
       end if
-      allocate (character(len=limit) :: text)
-      length = c_fread(text, 1_c_size_t, int(limit, c_size_t), stream)
-      if (c_ferror(stream) /= 0) reason = last_reason()
+      length = 0
+      room = 0
+      do while (length == room .and. room < limit .and. .not. allocated(reason))
+         room = min(limit, max(first_room, 2*min(room, limit/2)))
+         call resize(text, length, room, reason)
+         if (allocated(reason)) exit
+         length = length + int(c_fread(text(length + 1:), 1_c_size_t, &
+            int(room - length, c_size_t), stream))
+         if (c_ferror(stream) /= 0) reason = last_reason()
+      end do
       status = c_fclose(stream)
       if (status /= 0 .and. .not. allocated(reason)) reason = last_reason()
-      text = text(:length)
+      if (.not. allocated(reason)) call resize(text, length, length, reason)
    end subroutine read_file
+
+   !> Give a text another length and keep its beginning.
+   subroutine resize(text, kept, length, reason)
+      character(len=:), allocatable, intent(inout) :: text
+      integer, intent(in) :: kept, length
+      character(len=:), allocatable, intent(inout) :: reason
+      character(len=:), allocatable :: resized
+      integer :: status
+
+      allocate (character(len=length) :: resized, stat=status)
+      if (status /= 0) then
+         reason = 'not enough memory'
+         return
+      end if
+      if (kept > 0) resized(:kept) = text(:kept)
+      call move_alloc(resized, text)
+   end subroutine resize
 
    !> Whether a descriptor is a terminal.
    logical function is_terminal(file)
