@@ -90,6 +90,8 @@ contains
          if (.not. allocated(error)) &
             call check_input(last, line%options%text_of('record_file'), 'the record', error)
          if (.not. allocated(error)) &
+            call check_input(last, line%options%text_of('history'), 'the history', error)
+         if (.not. allocated(error)) &
             call check_input(last, line%options%text_of('map_file'), 'the map', error)
          if (.not. allocated(error)) &
             call check_input(last, line%options%text_of('second_map'), 'the second map', error)

@@ -9,9 +9,9 @@ module app_driver
    use app_effective, only: case_settings, locate, settled
    use app_help, only: citation_text, help_text, version_text
    use app_hysteresis, only: report_hysteresis
-   use app_keys, only: command_citation, command_curve, command_deck_shear, command_deck_tenon, &
+   use app_keys, only: belongs, command_citation, command_curve, command_deck_shear, command_deck_tenon, &
       command_help, command_hysteresis, command_pairs, command_press, command_shear, &
-      command_surface, command_table, command_tenon, command_version
+      command_surface, command_table, command_tenon, command_version, find_key
    use app_law_table, only: report_law_table
    use app_output, only: write_standard_output
    use app_pairs, only: report_pairs
@@ -23,7 +23,8 @@ module app_driver
    use app_surface, only: report_surface
    use app_sweep_file, only: close_partial, partial_type
    use app_tenon, only: report_tenon
-   use app_tenon_history, only: take_history
+   use app_tenon_history, only: follow_history, forget_reading, history_type, &
+      read_history
    use app_tenon_sweep, only: check_sweep, report_sweep
    implicit none
    private
@@ -58,6 +59,7 @@ contains
       type(settings_type) :: base
       type(config_type) :: config
       type(partial_type) :: partial
+      type(history_type) :: history
       type(delivery_type) :: delivery
 
       report%command = line%command
@@ -70,8 +72,17 @@ contains
          if (.not. allocated(error)) &
             call new_config(config, report%settings, line%command, error)
          if (allocated(error)) return
+         call forget_reading(report%settings)
          if (line%options%switch_of('print_case')) then
             call write_standard_output(case_text(report%settings, line%command), error)
+            return
+         end if
+      end if
+      if (belongs(find_key('history'), line%command)) then
+         call read_history(history, report%settings, error)
+         if (.not. allocated(error)) call follow_history(config%tenon, history, error)
+         if (allocated(error)) then
+            call locate(error, report%settings)
             return
          end if
       end if
@@ -88,18 +99,17 @@ contains
          call report_shear(config, report, error)
       case (command_tenon)
          if (line%options%given('sweep')) then
-            call report_sweep(line, base, report, partial, error)
+            call report_sweep(line, base, history, report, partial, error)
          else
-            call take_history(config%tenon, report%settings, error)
-            if (.not. allocated(error)) call report_tenon(config, report, error)
+            call report_tenon(config, report, error)
+            if (.not. allocated(error)) report%more = [report%more, history%columns]
          end if
       case (command_table)
          call report_law_table(config, report, error)
       case (command_deck_shear)
          call report_shear_deck(config, report, error)
       case (command_deck_tenon)
-         call take_history(config%tenon, report%settings, error)
-         if (.not. allocated(error)) call report_tenon_deck(config, report, error)
+         call report_tenon_deck(config, report, error)
       case (command_hysteresis)
          call report_hysteresis(report, error)
       case (command_surface)

@@ -8,14 +8,22 @@ module app_hysteresis
    use app_hysteresis_plot, only: hysteresis_script
    use app_hysteresis_tables, only: cycle_table, record_labels, side_table, skeleton_table
    use app_keys, only: find_key
-   use app_record_file, only: read_record, record_column, record_format
-   use app_report, only: report_type
+   use app_hysteresis_tests, only: join_reports
+   use app_record_columns, only: record_column
+   use app_record_file, only: read_record, record_format
+   use app_record_names, only: holds_displacement, holds_force, holds_moment, holds_rotation
+   use app_record_settings, only: ask_for_column, get_format, tell_column
+   use app_record_table, only: columns_table
+   use app_record_tests, only: test_text, test_type
+   use app_report, only: named_table, report_type
    use app_settings, only: assign_values, setting_type, settings_type
    use app_strings, only: string_type
    implicit none
    private
    public :: report_hysteresis
 
+   !> Beginnings of the options of both columns
+   character(len=*), parameter :: axes(2) = [character(len=12) :: 'displacement', 'force']
    character(len=*), parameter :: side_names(2) = [character(len=8) :: 'positive', 'negative']
 
 contains
@@ -27,20 +35,43 @@ contains
       !> Set on failure
       type(error_type), allocatable, intent(out) :: error
       type(record_column) :: columns(2)
+      type(test_type), allocatable :: tests(:)
+      type(report_type), allocatable :: reports(:)
       type(hysteresis_settings) :: settings
-      type(hysteresis_result) :: result
       type(record_labels) :: labels
+      integer :: i
 
       call get_settings(report%settings, settings, error)
-      if (.not. allocated(error)) call get_record(report%settings, columns, error)
+      if (.not. allocated(error)) call get_record(report%settings, columns, tests, error)
       if (allocated(error)) return
-      call analyse_hysteresis(columns(1)%values, columns(2)%values, result, error, settings)
-      if (allocated(error)) then
+      call set_labels(report%settings, columns, labels)
+      allocate (reports(size(tests)))
+      do i = 1, size(tests)
+         associate (first => tests(i)%first, last => tests(i)%last)
+            reports(i)%settings = report%settings
+            call report_test(columns(1)%values(first:last), columns(2)%values(first:last), &
+               settings, labels, reports(i), error)
+         end associate
+         if (.not. allocated(error)) cycle
+         if (size(tests) > 1) error%message = test_text(tests(i))//': '//error%message
          error%message = report%settings%text_of('record_file')//': '//error%message
          return
-      end if
+      end do
+      call join_reports(reports, tests, report)
+      report%more = [report%more, named_table('columns', '', columns_table(columns))]
+   end subroutine report_hysteresis
 
-      call set_labels(report%settings, columns, labels)
+   !> Analyse one test. `error` is set when that fails.
+   subroutine report_test(displacement, force, settings, labels, report, error)
+      real(wp), intent(in) :: displacement(:), force(:)
+      type(hysteresis_settings), intent(in) :: settings
+      type(record_labels), intent(in) :: labels
+      type(report_type), intent(inout) :: report
+      type(error_type), allocatable, intent(out) :: error
+      type(hysteresis_result) :: result
+
+      call analyse_hysteresis(displacement, force, result, error, settings)
+      if (allocated(error)) return
       if (.not. settings%threshold > 0.0_wp) call assign_values( &
          report%settings%of(find_key('threshold')), [result%threshold], '1/400 of the range')
       report%table = cycle_table(result, labels)
@@ -60,8 +91,8 @@ contains
       call report%table%check_finite(error)
       if (.not. allocated(error)) call report%summary%check_finite(error)
       if (allocated(error)) return
-      report%picture_data = hysteresis_script(columns(1)%values, columns(2)%values, result, labels)
-   end subroutine report_hysteresis
+      report%picture_data = hysteresis_script(displacement, force, result, labels)
+   end subroutine report_test
 
    !> How to read the record. `error` names the option.
    pure subroutine get_settings(values, settings, error)
@@ -78,9 +109,6 @@ contains
       if (allocated(error)) return
       call check_factor(values, 'displacement_factor', error)
       if (.not. allocated(error)) call check_factor(values, 'force_factor', error)
-      if (allocated(error)) return
-      if (values%whole_of('skip_lines') < 0) call fatal_error(error, 'skip_lines = '// &
-         to_text(values%whole_of('skip_lines'))//' is not allowed: it must not be negative')
    end subroutine get_settings
 
    pure subroutine check_factor(values, name, error)
@@ -93,39 +121,54 @@ contains
    end subroutine check_factor
 
    !> Read both columns and bring them to zero and scale.
-   subroutine get_record(settings, columns, error)
-      type(settings_type), intent(in) :: settings
+   subroutine get_record(settings, columns, tests, error)
+      type(settings_type), intent(inout) :: settings
       type(record_column), intent(out) :: columns(2)
+      type(test_type), allocatable, intent(out) :: tests(:)
       type(error_type), allocatable, intent(out) :: error
-      type(record_format) :: form
+      type(record_format) :: format
       integer :: i
 
       if (settings%text_of('record_file') == '') then
          call fatal_error(error, 'no record is given: asperity hysteresis FILE.csv')
          return
       end if
-      form%separator = settings%text_of('separator')
-      form%decimal = settings%text_of('decimal')
-      form%skip_lines = settings%whole_of('skip_lines')
-      columns(1)%name = 'displacement'
-      columns(2)%name = 'force'
+      call get_format(settings, format, error)
+      if (allocated(error)) return
       do i = 1, 2
-         columns(i)%wanted = settings%text_of(columns(i)%name//'_column')
+         call ask_for_column(settings, trim(axes(i)), columns(i))
       end do
-      call read_record(settings%text_of('record_file'), form, columns, error)
+      call read_record(settings%text_of('record_file'), format, &
+         quantities_of(settings%text_of('quantity')), columns, tests, error)
       if (allocated(error)) return
       if (columns(1)%place == columns(2)%place) then
-         call fatal_error(error, settings%text_of('record_file')// &
-            ': displacement and force are both column '//to_text(columns(1)%place))
+         call fatal_error(error, settings%text_of('record_file')//': '//columns(1)%name// &
+            ' and '//columns(2)%name//' are both column '//to_text(columns(1)%place))
          return
       end if
       do i = 1, 2
-         associate (name => columns(i)%name)
-            columns(i)%values(:) = settings%real_of(name//'_factor') &
-               *(columns(i)%values - settings%real_of(name//'_zero'))
-         end associate
+         call tell_column(settings, trim(axes(i)), columns(i))
+         columns(i)%values(:) = settings%real_of(trim(axes(i))//'_factor') &
+            *(columns(i)%values - settings%real_of(trim(axes(i))//'_zero'))
       end do
    end subroutine get_record
+
+   !> What the columns may hold together.
+   pure function quantities_of(quantity) result(quantities)
+      character(len=*), intent(in) :: quantity
+      integer, allocatable :: quantities(:, :)
+      integer, parameter :: forces(4) = [holds_displacement, holds_force, holds_rotation, &
+         holds_force], moments(2) = [holds_rotation, holds_moment]
+
+      select case (quantity)
+      case ('force')
+         quantities = reshape(forces, [2, 2])
+      case ('moment')
+         quantities = reshape(moments, [2, 1])
+      case default
+         quantities = reshape([forces(:2), moments, forces(3:)], [2, 3])
+      end select
+   end function quantities_of
 
    !> Names and units of what the record holds. Units of the file count unless others were given.
    pure subroutine set_labels(settings, columns, labels)
@@ -135,11 +178,18 @@ contains
 
       labels%x = 'displacement'
       labels%f = 'force'
+      associate (quantity => settings%of(find_key('quantity')))
+         if (.not. quantity%given) then
+            quantity%has_value = .true.
+            quantity%text = trim(merge('moment', 'force ', columns(2)%holds == holds_moment))
+            quantity%source = 'its columns'
+         end if
+      end associate
       if (settings%text_of('quantity') == 'moment') then
          labels%x = 'rotation'
          labels%f = 'moment'
          call set_unit(settings%of(find_key('displacement_unit')), columns(1), 'rad')
-         call set_unit(settings%of(find_key('force_unit')), columns(2), 'N mm')
+         call set_unit(settings%of(find_key('force_unit')), columns(2), 'kN m')
       else
          call set_unit(settings%of(find_key('displacement_unit')), columns(1), 'mm')
          call set_unit(settings%of(find_key('force_unit')), columns(2), 'N')

@@ -158,7 +158,9 @@ module app_keys
       key_type('cycles', kind_list, '', tenons, no, '', '', &
       'cycles at each amplitude; 1, and 3 from 8 mm on of the default amplitudes'), &
       key_type('history', kind_text, '', tenons, no, '', '', &
-      'CSV file of recorded displacements, mm, in place of amplitudes'), &
+      'CSV file of recorded displacements or rotations, in place of amplitudes'), &
+      key_type('history_quantity', kind_choice, '', tenons, no, '', 'displacement rotation', &
+      'what is taken of the history; rotation is displacement over arm; as its columns say'), &
       key_type('record', kind_list, '', command_tenon, no, '', '', &
       'steps whose points --points holds; four of the largest loop unless given'), &
       key_type('through', kind_choice, '', command_tenon, no, 'direct', 'direct uinter', &
@@ -197,18 +199,20 @@ module app_keys
       'fewest increments of a stroke; twice as many beyond 16 mm'), &
       key_type('record_file', kind_text, '', command_hysteresis, no, '', '', &
       'the record, as FILE.csv without an option'), &
-      key_type('quantity', kind_choice, '', command_hysteresis, no, 'force', 'force moment', &
-      'what the record holds: displacement and force, or rotation and moment'), &
-      key_type('displacement_column', kind_text, '', records, no, '1', '', &
-      'name or number of the column of displacement or rotation'), &
-      key_type('force_column', kind_text, '', command_hysteresis, no, '2', '', &
-      'name or number of the column of force or moment'), &
-      key_type('separator', kind_choice, '', command_hysteresis, no, 'auto', &
+      key_type('quantity', kind_choice, '', command_hysteresis, no, '', 'force moment', &
+      'what is taken of the record: displacement and force, or rotation and moment'), &
+      key_type('displacement_column', kind_text, '', records, no, '', '', &
+      'name or number of the column of displacement or rotation; found by name and unit'), &
+      key_type('force_column', kind_text, '', command_hysteresis, no, '', '', &
+      'name or number of the column of force or moment; found by name and unit'), &
+      key_type('where', kind_text, '', records, no, '', '', &
+      'NAME=VALUE,...: only rows that have these values; all tests of the file unless given'), &
+      key_type('separator', kind_choice, '', records, no, 'auto', &
       'auto comma semicolon tab blank', &
       'what separates columns'), &
-      key_type('decimal', kind_choice, '', command_hysteresis, no, 'point', 'point comma', &
+      key_type('decimal', kind_choice, '', records, no, 'auto', 'auto point comma', &
       'decimal sign'), &
-      key_type('skip_lines', kind_integer, '', command_hysteresis, no, '0', '', &
+      key_type('skip_lines', kind_integer, '', records, no, '0', '', &
       'lines passed over before the column names'), &
       key_type('displacement_zero', kind_real, '', command_hysteresis, no, '0', '', &
       'reading at rest, subtracted from the column of displacement'), &
@@ -218,10 +222,10 @@ module app_keys
       'reading at rest, subtracted from the column of force'), &
       key_type('force_factor', kind_real, '', command_hysteresis, no, '1', '', &
       'then multiplied by'), &
-      key_type('displacement_unit', kind_text, '', command_hysteresis, no, '', '', &
-      'label, after zero and factor; that of the file, else mm or rad'), &
+      key_type('displacement_unit', kind_text, '', records, no, '', '', &
+      'unit of that column (hysteresis: after zero and factor); that of the file, else mm or rad'), &
       key_type('force_unit', kind_text, '', command_hysteresis, no, '', '', &
-      'label, after zero and factor; that of the file, else N or N mm'), &
+      'label, after zero and factor; that of the file, else N or kN m'), &
       key_type('threshold', kind_real, '', command_hysteresis, no, '', '', &
       'reversals up to this displacement are noise; 1/400 of the range unless above 0'), &
       key_type('peaks', kind_choice, '', command_hysteresis, no, 'displacement', &

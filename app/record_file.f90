@@ -1,296 +1,190 @@
 !> Reads columns of numbers from a text file as loggers and spreadsheets write them: separated by
-!> commas, semicolons, tabs or blanks; with or without column names, units and comments.
+!> commas, semicolons, tabs or blanks; with or without column names, units and comments; one test, or
+!> several below each other.
 module app_record_file
-   use asperity, only: error_type, file_error, wp
+   use asperity, only: computation_error, error_type, file_error, wp
    use asperity_error, only: fatal_error
    use asperity_text, only: to_text
-   use app_record_lines, only: field, field_count, find_field, next_line, place_text, place_type, &
-      separator_of, start_reading
-   use app_strings, only: lower_case, nearest_name, newline, quoted
+   use app_record_columns, only: choose_columns, record_column
+   use app_record_layout, only: find_layout, headings_text, layout_type
+   use app_record_lines, only: field_count, find_field, next_line, place_text, place_type
+   use app_record_numbers, only: decimal_of, looks_like_number, read_number
+   use app_record_tests, only: condition_type, find_tests, is_wanted, read_conditions, test_type
+   use app_strings, only: newline, quoted
    use app_system, only: read_file
-   use app_words, only: read_real, word_type
    implicit none
    private
-   public :: record_column, record_format, read_record
+   public :: record_format, read_record
 
-   !> One column to read.
-   type :: record_column
-      !> What it holds, for messages, such as `force`
-      character(len=:), allocatable :: name
-      !> Its name in the file or its number, from one
-      character(len=:), allocatable :: wanted
-      !> Option that chose it, for messages
-      character(len=:), allocatable :: source
-      !> Its place in a line
-      integer :: place = 0
-      !> Name in the file, empty if there are no names
-      character(len=:), allocatable :: heading
-      !> Unit in the file, empty if there is none
-      character(len=:), allocatable :: unit
-      !> The numbers
-      real(wp), allocatable :: values(:)
-   end type record_column
-
-   !> How the file is written.
+   !> How the file is written, and what of it is read.
    type :: record_format
       !> `comma`, `semicolon`, `tab`, `blank`, or `auto`: the first of tab, semicolon, comma and
       !> blank that the first line has
       character(len=:), allocatable :: separator
-      !> Decimal sign, `point` or `comma`
+      !> Decimal sign: `point`, `comma`, or `auto`: comma if numbers have one that is no separator
       character(len=:), allocatable :: decimal
       !> Lines passed over at the beginning
       integer :: skip_lines = 0
+      !> Conditions `name=value,...` of the rows that are read, empty for all
+      character(len=:), allocatable :: where
    end type record_format
 
    !> Largest file, characters
    integer, parameter :: largest = 256*1024*1024
-   integer, parameter :: longest_heading = 80
+   !> Steps of a logger's time are equal to this part of them
+   real(wp), parameter :: equal_steps = 0.01_wp
+   !> Beginnings of texts in UTF-16
+   character(len=2), parameter :: utf_16(2) = [char(255)//char(254), char(254)//char(255)]
 
 contains
 
    !> Read columns of a file. `error` names file, line and column.
-   subroutine read_record(path, format, columns, error)
+   subroutine read_record(path, format, quantities, columns, tests, error)
       !> Path of the file
       character(len=*), intent(in) :: path
       !> How it is written
       type(record_format), intent(in) :: format
+      !> What the columns may hold together, one list a column; the first that the file has is taken
+      integer, intent(in) :: quantities(:, :)
       !> Columns wanted; what was found is set
       type(record_column), intent(inout) :: columns(:)
+      !> The tests of the file, as rows of the columns
+      type(test_type), allocatable, intent(out) :: tests(:)
       !> Set when the file cannot be read or is faulty
       type(error_type), allocatable, intent(out) :: error
-      character(len=:), allocatable :: text, reason
-      type(place_type) :: place
+      character(len=:), allocatable :: text, reason, decimal
+      type(condition_type), allocatable :: conditions(:)
+      type(layout_type) :: layout
+      integer :: i
 
       call read_file(path, largest + 1, text, reason)
       if (allocated(reason)) then
          call fatal_error(error, path//': cannot be read: '//reason, file_error)
-         return
       else if (len(text) > largest) then
          call fatal_error(error, path//': is larger than 256 MiB')
+      else if (any(utf_16 == text(:min(2, len(text))))) then
+         call fatal_error(error, path//': is in UTF-16: save it as UTF-8')
+      end if
+      if (allocated(error)) return
+      call find_layout(text, path, format%separator, format%skip_lines, &
+         any([(is_name(columns(i)%wanted), i=1, size(columns))]), layout, error)
+      if (.not. allocated(error)) call choose_columns(layout, quantities, columns, error)
+      if (.not. allocated(error)) &
+         call read_conditions(text, layout, format%where, conditions, error)
+      if (allocated(error)) return
+      decimal = format%decimal
+      if (decimal == 'auto') decimal = decimal_of(text, layout%start, columns%place)
+      if (decimal == '') then
+         call fatal_error(error, path//': every number with a comma has three figures behind it: '// &
+            'if that is the decimal sign, give --decimal comma')
          return
       end if
-      call start_reading(text, path, format%skip_lines, place)
-      call next_line(text, place)
-      if (place%next == 0) then
-         call fatal_error(error, path//': has no line of data')
-         return
-      end if
-      place%separator = separator_of(format%separator, text(place%first:place%last))
-      call find_columns(text, place, format%decimal, columns, error)
-      if (.not. allocated(error)) call read_rows(text, place, format%decimal, columns, error)
+      call find_tests(text, layout, conditions, minval(columns%place) - 1, tests)
+      call read_rows(text, layout%start, decimal, conditions, columns, error)
+      if (allocated(error)) return
+      if (size(tests) == 1) tests(1)%last = size(columns(1)%values)
+      call check_time(layout, columns, error)
    end subroutine read_record
 
-   !> Find the places of the columns, their names and units. The place is then at the first line
-   !> of numbers.
-   pure subroutine find_columns(text, place, decimal, columns, error)
-      character(len=*), intent(in) :: text
-      type(place_type), intent(inout) :: place
-      character(len=*), intent(in) :: decimal
-      type(record_column), intent(inout) :: columns(:)
-      type(error_type), allocatable, intent(out) :: error
-      integer :: i
+   !> Whether a column is asked for by name.
+   pure logical function is_name(wanted)
+      character(len=*), intent(in) :: wanted
 
-      do i = 1, size(columns)
-         columns(i)%place = number_of(columns(i)%wanted)
-         columns(i)%heading = ''
-         columns(i)%unit = ''
-      end do
-      if (any(columns%place == 0) .or. is_heading(text(place%first:place%last), place, decimal, &
-         columns, need_all=.false.)) then
-         do i = 1, size(columns)
-            call find_heading(text(place%first:place%last), place, columns(i), error)
-            if (allocated(error)) return
-         end do
-         call next_line(text, place)
-         if (place%next > 0) then
-            if (is_heading(text(place%first:place%last), place, decimal, columns, &
-               need_all=.true.)) then
-               do i = 1, size(columns)
-                  columns(i)%unit = unbracketed(field(text(place%first:place%last), place, &
-                     columns(i)%place))
-               end do
-               call next_line(text, place)
-            end if
-         end if
-      end if
-      if (place%next == 0) call fatal_error(error, place%path//': has no line of numbers')
-   end subroutine find_columns
-
-   !> The number that a text is, zero for a name.
-   pure integer function number_of(text)
-      character(len=*), intent(in) :: text
-
-      number_of = 0
-      if (verify(text, '0123456789') == 0 .and. len(text) < 6) read (text, *) number_of
-   end function number_of
-
-   !> Whether a line holds texts in the columns, whose places are known, and no number; some may be
-   !> missing or empty, unless all are needed.
-   pure logical function is_heading(line, place, decimal, columns, need_all)
-      character(len=*), intent(in) :: line
-      type(place_type), intent(in) :: place
-      character(len=*), intent(in) :: decimal
-      type(record_column), intent(in) :: columns(:)
-      logical, intent(in) :: need_all
-      type(error_type), allocatable :: error
-      real(wp) :: value
-      integer :: i, texts
-
-      is_heading = .false.
-      texts = 0
-      do i = 1, size(columns)
-         if (field(line, place, columns(i)%place) == '') cycle
-         call read_number(field(line, place, columns(i)%place), decimal, place, columns(i), value, &
-            error)
-         if (.not. allocated(error)) return
-         texts = texts + 1
-      end do
-      is_heading = texts == size(columns) .or. (texts > 0 .and. .not. need_all)
-   end function is_heading
-
-   !> Find a column in the line of names.
-   pure subroutine find_heading(line, place, column, error)
-      character(len=*), intent(in) :: line
-      type(place_type), intent(in) :: place
-      type(record_column), intent(inout) :: column
-      type(error_type), allocatable, intent(out) :: error
-      character(len=longest_heading), allocatable :: names(:)
-      character(len=:), allocatable :: nearest
-      integer :: i, n
-
-      if (column%place == 0) then
-         n = field_count(line, place%separator)
-         allocate (names(n))
-         do i = 1, n
-            names(i) = lower_case(without_unit(field(line, place, i)))
-            if (names(i) /= lower_case(column%wanted) &
-               .and. lower_case(field(line, place, i)) /= lower_case(column%wanted)) cycle
-            if (column%place > 0) then
-               call fatal_error(error, place_text(place)//': there is more than one column '// &
-                  quoted(column%wanted)//', give the number of the one meant')
-               return
-            end if
-            column%place = i
-         end do
-         if (column%place == 0) then
-            nearest = nearest_name(lower_case(column%wanted), names)
-            if (nearest /= '') nearest = '; did you mean '//nearest//'?'
-            call fatal_error(error, place_text(place)//': there is no column '// &
-               quoted(column%wanted)//' for '//column%name//nearest)
-            return
-         end if
-      end if
-      column%heading = without_unit(field(line, place, column%place))
-      column%unit = unit_in(field(line, place, column%place))
-   end subroutine find_heading
-
-   !> A heading without the unit in brackets at its end.
-   pure function without_unit(heading) result(name)
-      character(len=*), intent(in) :: heading
-      character(len=:), allocatable :: name
-
-      name = heading
-      if (unit_in(heading) /= '') name = trim(heading(:scan(heading, '([', back=.true.) - 1))
-   end function without_unit
-
-   !> The unit in brackets at the end of a heading, empty if there is none.
-   pure function unit_in(heading) result(unit)
-      character(len=*), intent(in) :: heading
-      character(len=:), allocatable :: unit
-      integer :: open
-
-      unit = ''
-      open = scan(heading, '([', back=.true.)
-      if (open < 2) return
-      if (scan(heading(len(heading):), ')]') == 0) return
-      unit = trim(adjustl(heading(open + 1:len(heading) - 1)))
-   end function unit_in
-
-   !> A text without brackets around it.
-   pure function unbracketed(text) result(inside)
-      character(len=*), intent(in) :: text
-      character(len=:), allocatable :: inside
-
-      inside = text
-      if (len(text) < 3) return
-      if (scan(text(1:1), '([') == 1 .and. scan(text(len(text):), ')]') == 1) &
-         inside = text(2:len(text) - 1)
-   end function unbracketed
+      is_name = verify(wanted, '0123456789') > 0
+   end function is_name
 
    !> Read the line at the place and all that follow.
-   pure subroutine read_rows(text, place, decimal, columns, error)
+   pure subroutine read_rows(text, start, decimal, conditions, columns, error)
       character(len=*), intent(in) :: text
-      type(place_type), intent(inout) :: place
+      type(place_type), intent(in) :: start
       character(len=*), intent(in) :: decimal
+      type(condition_type), intent(in) :: conditions(:)
       type(record_column), intent(inout) :: columns(:)
       type(error_type), allocatable, intent(out) :: error
+      type(place_type) :: place
       real(wp), allocatable :: values(:, :)
-      integer :: i, n, first, last
+      integer :: i, n, status
 
+      place = start
       n = 1
       do i = place%first, len(text)
          if (text(i:i) == newline) n = n + 1
       end do
-      allocate (values(n, size(columns)))
-      n = 0
-      do while (place%next > 0)
-         n = n + 1
-         associate (line => text(place%first:place%last))
-            do i = 1, size(columns)
-               call find_field(line, place%separator, columns(i)%place, first, last)
-               if (first == 0) then
-                  call fatal_error(error, place_text(place)//': '//column_text(columns(i))// &
-                     ' is missing: the line has '//to_text(field_count(line, place%separator))// &
-                     ' columns')
-               else if (last < first) then
-                  call fatal_error(error, place_text(place)//': '//column_text(columns(i))// &
-                     ' is empty')
-               else
-                  call read_number(line(first:last), decimal, place, columns(i), values(n, i), &
-                     error)
-               end if
+      allocate (values(n, size(columns)), stat=status)
+      if (status == 0) then
+         n = 0
+         do while (place%next > 0)
+            if (is_wanted(text(place%first:place%last), place, conditions)) then
+               n = n + 1
+               call read_row(text(place%first:place%last), place, decimal, columns, values(n, :), &
+                  error)
                if (allocated(error)) return
-            end do
-         end associate
-         call next_line(text, place)
-      end do
-      do i = 1, size(columns)
-         allocate (columns(i)%values, source=values(:n, i))
-      end do
+            end if
+            call next_line(text, place)
+         end do
+         do i = 1, size(columns)
+            allocate (columns(i)%values(n), stat=status)
+            if (status /= 0) exit
+            columns(i)%values(:) = values(:n, i)
+         end do
+      end if
+      if (status /= 0) call fatal_error(error, start%path//': not enough memory for '// &
+         to_text(n)//' rows', computation_error)
    end subroutine read_rows
 
-   !> The number in a field.
-   pure subroutine read_number(text, decimal, place, column, value, error)
-      character(len=*), intent(in) :: text, decimal
+   !> Read one line.
+   pure subroutine read_row(line, place, decimal, columns, values, error)
+      character(len=*), intent(in) :: line
       type(place_type), intent(in) :: place
-      type(record_column), intent(in) :: column
-      real(wp), intent(out) :: value
+      character(len=*), intent(in) :: decimal
+      type(record_column), intent(in) :: columns(:)
+      real(wp), intent(out) :: values(:)
       type(error_type), allocatable, intent(out) :: error
-      type(word_type) :: word
-      integer :: comma
+      character(len=:), allocatable :: what
+      integer :: i, first, last
 
-      word%text = text
-      comma = index(text, ',')
-      if (decimal == 'comma' .and. comma > 0) then
-         word%text(comma:comma) = '.'
-         ! a point beside a comma marks thousands, which nobody else reads so
-         if (index(text, '.') > 0) word%text = '?'//text
-      end if
-      word%source = ''
-      call read_real(word, '', value, error)
-      if (.not. allocated(error)) return
-      error%message = place_text(place)//': '//column_text(column)//' = '//quoted(text)// &
-         ' is not a finite number'
-      if (decimal == 'point' .and. comma > 0 .and. verify(text, '+-0123456789,eE') == 0) &
-         error%message = error%message//'; for decimal commas use --decimal comma'
-   end subroutine read_number
+      do i = 1, size(columns)
+         call find_field(line, place%separator, columns(i)%place, first, last)
+         if (first > 0 .and. last >= first) then
+            call read_number(line(first:last), decimal, values(i), error)
+            if (.not. allocated(error)) cycle
+         end if
+         what = place_text(place)//': '//columns(i)%name//' (column '// &
+            to_text(columns(i)%place)//')'
+         if (first == 0) then
+            call fatal_error(error, what//' is missing: the line has '// &
+               to_text(field_count(line, place%separator))//' columns')
+         else if (last < first) then
+            call fatal_error(error, what//' is empty')
+         else
+            error%message = what//' = '//quoted(line(first:last))//' is not a finite number'
+            if (decimal == 'point' .and. index(line(first:last), ',') > 0 &
+               .and. looks_like_number(line(first:last))) &
+               error%message = error%message//'; for decimal commas use --decimal comma'
+         end if
+         return
+      end do
+   end subroutine read_row
 
-   !> What a column holds, and its number.
-   pure function column_text(column) result(text)
-      type(record_column), intent(in) :: column
-      character(len=:), allocatable :: text
+   !> Refuse a first column that nothing names and that looks like time among others.
+   pure subroutine check_time(layout, columns, error)
+      type(layout_type), intent(in) :: layout
+      type(record_column), intent(in) :: columns(:)
+      type(error_type), allocatable, intent(out) :: error
+      real(wp) :: step
+      integer :: n
 
-      text = column%name//' (column '//to_text(column%place)//')'
-   end function column_text
+      associate (x => columns(1)%values)
+         n = size(x)
+         if (columns(1)%chosen_by /= 'position' .or. n < 3 &
+            .or. size(layout%columns) <= size(columns)) return
+         step = (x(n) - x(1))/real(n - 1, wp)
+         if (.not. abs(step) > 0.0_wp) return
+         if (any(abs(x(2:) - x(:n - 1) - step) > equal_steps*abs(step))) return
+         call fatal_error(error, layout%path//': column 1 goes on in equal steps of '// &
+            to_text(step, 4)//', as time does, and nothing says what columns hold: choose with '// &
+            columns(1)%option//'; '//headings_text(layout))
+      end associate
+   end subroutine check_time
 
 end module app_record_file

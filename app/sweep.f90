@@ -3,8 +3,8 @@ module app_sweep
    use asperity, only: error_type
    use asperity_error, only: fatal_error
    use asperity_text, only: to_text
-   use app_keys, only: belongs, find_key, keys, kind_choice, kind_file, kind_integer, kind_list, &
-      kind_real, kind_text, n_keys
+   use app_keys, only: belongs, command_hysteresis, find_key, keys, kind_choice, kind_file, &
+      kind_integer, kind_list, kind_real, kind_text, n_keys
    use app_lists, only: read_range, split_words
    use app_settings, only: assign_words, setting_type, settings_type
    use app_strings, only: lower_case, nearest_name, quoted
@@ -118,7 +118,8 @@ contains
       integer, intent(in) :: key, command
 
       can_be_swept = belongs(key, command) .and. keys(key)%kind < kind_file &
-         .and. keys(key)%kind /= kind_list .and. keys(key)%name /= 'history'
+         .and. keys(key)%kind /= kind_list .and. .not. belongs(key, command_hysteresis) &
+         .and. index(keys(key)%name, 'history') /= 1
    end function can_be_swept
 
    !> Values `a,b,c` or `start:stop:count` as words.

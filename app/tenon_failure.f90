@@ -2,7 +2,7 @@
 !> displacements up to that step, with which it fails again.
 module app_tenon_failure
    use asperity, only: computation_error, error_type, wp
-   use app_keys, only: command_tenon, find_key
+   use app_keys, only: command_hysteresis, command_tenon, find_key, keys, n_keys
    use app_output, only: open_target, output_file, write_files
    use app_print_case, only: case_text
    use app_settings, only: forget, settings_type
@@ -35,12 +35,15 @@ contains
       if (error%category /= computation_error) return
       own = settings
       call forget(own%of(find_key('record')))
-      own%of(find_key('displacement_column'))%text = 'displacement'
+      do i = 1, n_keys
+         if (iand(keys(i)%commands, command_hysteresis) /= 0) call forget(own%of(i))
+      end do
+      call forget(own%of(find_key('history_quantity')))
       associate (history => own%of(find_key('history')))
          history%has_value = .true.
          history%text = path_name
       end associate
-      call b%line('displacement')
+      call b%line('displacement (mm)')
       do i = 1, size(path)
          call b%line(full_figures(path(i)))
       end do

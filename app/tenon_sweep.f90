@@ -16,8 +16,7 @@ module app_tenon_sweep
    use app_sweep, only: axis_type, combinations, new_axes, set_case
    use app_sweep_file, only: append_case, open_partial, partial_type
    use app_sweep_table, only: case_result, evaluate, shown_columns, sweep_table
-   use app_tenon_history, only: take_history
-   use replay_tenon_settings, only: tenon_settings
+   use app_tenon_history, only: follow_history, history_type
    implicit none
    private
    public :: report_sweep, check_sweep
@@ -44,11 +43,13 @@ contains
 
    !> Run all combinations. A combination that fails says so in its row. `error` is set when the
    !> sweep itself is faulty or its partial file cannot be used.
-   subroutine report_sweep(line, base, report, partial, error)
+   subroutine report_sweep(line, base, history, report, partial, error)
       !> Command line
       type(command_line_type), intent(in) :: line
       !> Defaults and case file
       type(settings_type), intent(in) :: base
+      !> What all combinations follow
+      type(history_type), intent(in) :: history
       !> Its table is set
       type(report_type), intent(inout) :: report
       !> To be closed when the results are delivered
@@ -58,13 +59,10 @@ contains
       type(axis_type), allocatable :: axes(:)
       type(case_result), allocatable :: results(:)
       integer, allocatable :: todo(:)
-      type(tenon_settings) :: history
       type(progress_type) :: progress
       integer :: i, n, done
 
       call new_axes(axes, line%options%text_of('sweep'), line%command, error)
-      if (allocated(error)) return
-      call take_history(history, report%settings, error)
       if (allocated(error)) return
       n = combinations(axes)
       allocate (results(n))
@@ -102,7 +100,7 @@ contains
       type(command_line_type), intent(in) :: line
       type(settings_type), intent(in) :: base
       type(axis_type), intent(in) :: axes(:)
-      type(tenon_settings), intent(in) :: history
+      type(history_type), intent(in) :: history
       integer, intent(in) :: which
       type(case_result), intent(inout) :: result
       type(config_type) :: config
@@ -111,7 +109,7 @@ contains
 
       !$omp critical (asperity_sweep)
       call prepare_case(line, base, axes, which, config, error)
-      if (allocated(history%displacement)) config%tenon%displacement = history%displacement
+      if (.not. allocated(error)) call follow_history(config%tenon, history, error)
       !$omp end critical (asperity_sweep)
       if (.not. allocated(error)) call run_joint(config, hard, joints(hard), error)
       if (.not. allocated(error)) call run_joint(config, rough, joints(rough), error)

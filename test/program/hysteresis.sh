@@ -84,10 +84,10 @@ run hysteresis --record-file=h.csv --csv -
 mv out c2.csv
 check 'hysteresis: the record as an option, CSV on standard output' same_cycles
 
-run hysteresis h.csv --quantity moment --csv c2.csv
+run hysteresis bare.csv --quantity moment --csv c2.csv
 check 'hysteresis: moment against rotation' has c2.csv 'positive_rotation (rad),positive_moment ('
-check 'hysteresis: its units' grep -Eq 'N mm/rad' out
-run hysteresis h.csv --quantity moment --displacement-unit deg --force-unit 'kN m' --json -
+check 'hysteresis: its units' grep -Eq 'kN m/rad' out
+run hysteresis bare.csv --quantity moment --displacement-unit deg --force-unit 'kN m' --json -
 check 'hysteresis: units as given' has out '"energy": "kN m deg"'
 
 # Other records
@@ -164,14 +164,14 @@ bad_record 'missing column' 'bad.csv:3: force \(column 2\) is missing: the line 
    'x,f\n0,0\n1\n'
 bad_record 'column that is not there' 'bad.csv:2: force \(column 7\) is missing: the line has 2' \
    'x,f\n0,0\n1,1\n' --force-column 7
-bad_record 'unknown name' "bad.csv:1: there is no column 'forse' for force; did you mean force" \
+bad_record 'unknown name' "--force-column: bad.csv: there is no column 'forse', did you mean force\?; its columns are 1 'x', 2 'force' in N" \
    'x,force (N)\n0,0\n1,1\n' --force-column forse
-bad_record 'name twice' "bad.csv:1: there is more than one column 'f'" 'x,f,F\n0,0,0\n' \
+bad_record 'name twice' "--force-column: bad.csv: there is more than one column 'f'" 'x,f,F\n0,0,0\n' \
    --force-column f
 bad_record 'the same column twice' 'bad.csv: displacement and force are both column 1' \
-   'x,f\n0,0\n1,1\n2,2\n' --force-column x
+   'x,f\n0,0\n1,1\n2,2\n' --force-column x --displacement-column 1
 bad_record 'decimal comma' "bad.csv:2: .*'1,5' is not .*; for decimal commas use --decimal comma" \
-   '0;0\n1,5;1\n'
+   '0;0\n1,5;1\n' --decimal point
 bad_record 'thousands' "bad.csv:2: .*'1.000,5' is not a finite number$" '0;0\n1.000,5;1\n' \
    --decimal comma
 bad_record 'text in the middle' 'bad.csv:3: displacement' '0,0\n1,1\nend,of\n'

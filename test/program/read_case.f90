@@ -25,7 +25,9 @@ program read_case
    integer :: face_points, side_points, shoulder_points
    logical :: shoulders
    character(len=80) :: side_pair, gap, arm_datum, axial_rule, history, through
-   character(len=80) :: displacement_column
+   character(len=80) :: displacement_column, history_quantity, where, separator, decimal
+   character(len=80) :: displacement_unit
+   integer :: skip_lines
    ! Keys of the table
    real(wp) :: largest_pressure, smallest_pressure, tolerance, stick_pressure
    integer :: rows
@@ -45,6 +47,7 @@ program read_case
       column_load, bearing_modulus, bearing_depth, bearing_strength, hardening, column_modulus, &
       column_depth, column_strength, column_hardening, face_points, side_points, &
       shoulder_points, amplitudes, cycles, history, record, through, displacement_column, &
+      history_quantity, where, separator, decimal, skip_lines, displacement_unit, &
       largest_pressure, smallest_pressure, tolerance, rows, stick_pressure, &
       solver, contact, mesh_size, element, plasticity, field, penalty, search_distance, &
       disc_height, upper_grain, column_height, column_width, tail, side_interference, edge_relief, &
@@ -158,6 +161,12 @@ contains
       history = ''
       through = ''
       displacement_column = ''
+      history_quantity = ''
+      where = ''
+      separator = ''
+      decimal = ''
+      displacement_unit = ''
+      skip_lines = unset_integer
    end subroutine unset_all
 
    subroutine print_all()
@@ -222,6 +231,12 @@ contains
       call print_reals('record', record)
       call print_text('through', through)
       call print_text('displacement_column', displacement_column)
+      call print_text('history_quantity', history_quantity)
+      call print_text('where', where)
+      call print_text('separator', separator)
+      call print_text('decimal', decimal)
+      call print_text('displacement_unit', displacement_unit)
+      call print_integer('skip_lines', skip_lines)
       call print_reals('mesh_size', [mesh_size])
       call print_reals('penalty', [penalty])
       call print_reals('search_distance', [search_distance])

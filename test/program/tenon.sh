@@ -139,7 +139,7 @@ refuses 'tenon: history with text' 2 'bad.csv:5: .*abc.* is not a finite number'
    tenon --history bad.csv
 sed '5s/.*/700/' way.csv >bad.csv
 refuses 'tenon: history too far' 2 'bad.csv: displacement = 700.0 mm is not' tenon --history bad.csv
-refuses 'tenon: history without that column' 2 "way.csv:1: there is no column 'drift'" \
+refuses 'tenon: history without that column' 2 "--displacement-column: way.csv: there is no column 'drift'; its columns are 1 'displacement' in mm" \
    tenon --history way.csv --displacement-column drift
 
 # An interrupt leaves nothing; a programme of 1e5 steps takes minutes
