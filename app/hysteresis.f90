@@ -5,14 +5,14 @@ module app_hysteresis
    use asperity_text, only: to_text
    use hysteresis_analysis, only: analyse_hysteresis, check_hysteresis_settings, &
       hysteresis_result, hysteresis_settings, negative_side, positive_side
-   use app_hysteresis_plot, only: hysteresis_script
+   use app_hysteresis_plot, only: hysteresis_script, loops_script
    use app_hysteresis_tables, only: cycle_table, record_labels, side_table, skeleton_table
    use app_keys, only: find_key
    use app_hysteresis_tests, only: join_reports
    use app_record_columns, only: record_column
    use app_record_file, only: read_record, record_format
    use app_record_names, only: holds_displacement, holds_force, holds_moment, holds_rotation
-   use app_record_settings, only: ask_for_column, get_format, tell_column
+   use app_record_settings, only: ask_for_column, get_format, tell_column, tell_decimal
    use app_record_table, only: columns_table
    use app_record_tests, only: test_text, test_type
    use app_report, only: named_table, report_type
@@ -49,8 +49,9 @@ contains
       do i = 1, size(tests)
          associate (first => tests(i)%first, last => tests(i)%last)
             reports(i)%settings = report%settings
+            if (size(tests) > 1) labels%title = test_text(tests(i))
             call report_test(columns(1)%values(first:last), columns(2)%values(first:last), &
-               settings, labels, reports(i), error)
+               settings, labels, size(tests) == 1, reports(i), error)
          end associate
          if (.not. allocated(error)) cycle
          if (size(tests) > 1) error%message = test_text(tests(i))//': '//error%message
@@ -62,10 +63,11 @@ contains
    end subroutine report_hysteresis
 
    !> Analyse one test. `error` is set when that fails.
-   subroutine report_test(displacement, force, settings, labels, report, error)
+   subroutine report_test(displacement, force, settings, labels, is_only_one, report, error)
       real(wp), intent(in) :: displacement(:), force(:)
       type(hysteresis_settings), intent(in) :: settings
       type(record_labels), intent(in) :: labels
+      logical, intent(in) :: is_only_one
       type(report_type), intent(inout) :: report
       type(error_type), allocatable, intent(out) :: error
       type(hysteresis_result) :: result
@@ -91,7 +93,11 @@ contains
       call report%table%check_finite(error)
       if (.not. allocated(error)) call report%summary%check_finite(error)
       if (allocated(error)) return
-      report%picture_data = hysteresis_script(displacement, force, result, labels)
+      if (is_only_one) then
+         report%picture_data = hysteresis_script(displacement, force, result, labels)
+      else
+         report%picture_data = loops_script(displacement, force, result, labels)
+      end if
    end subroutine report_test
 
    !> How to read the record. `error` names the option.
@@ -146,6 +152,7 @@ contains
             ' and '//columns(2)%name//' are both column '//to_text(columns(1)%place))
          return
       end if
+      call tell_decimal(settings, format)
       do i = 1, 2
          call tell_column(settings, trim(axes(i)), columns(i))
          columns(i)%values(:) = settings%real_of(trim(axes(i))//'_factor') &

@@ -9,7 +9,7 @@ module app_hysteresis_plot
    use app_text_buffer, only: text_buffer
    implicit none
    private
-   public :: hysteresis_script
+   public :: hysteresis_script, loops_script, start_sheet
 
    !> Samples of the record that are drawn, besides the peaks
    integer, parameter :: most_samples = 5000
@@ -36,9 +36,7 @@ contains
       call add_record(b, displacement, force, result)
       call add_skeletons(b, result)
       call add_cycles(b, result)
-      call b%line('set multiplot layout 2,2 title '//label(labels%title))
-      call b%line('set key tmargin center horizontal')
-      call b%line('set offsets graph 0.03, graph 0.03, graph 0.04, graph 0.04')
+      call b%add(start_sheet(labels%title, 4))
       call add_loops_panel(b, result, labels)
       call b%line('set xrange [0:*]')
       call b%line('set yrange [0:*]')
@@ -69,6 +67,42 @@ contains
       call b%line('unset multiplot')
       script = b%text()
    end function hysteresis_script
+
+   !> The loops of one test as a panel of a sheet of several.
+   pure function loops_script(displacement, force, result, labels) result(script)
+      !> The record
+      real(wp), intent(in) :: displacement(:), force(:)
+      !> What was found in it
+      type(hysteresis_result), intent(in) :: result
+      !> Names and units; the title is that of the panel
+      type(record_labels), intent(in) :: labels
+      character(len=:), allocatable :: script
+      type(text_buffer) :: b
+
+      call add_record(b, displacement, force, result)
+      call add_skeletons(b, result)
+      call b%line('set title '//label(labels%title))
+      call add_loops_panel(b, result, labels)
+      script = b%text()
+   end function loops_script
+
+   !> The beginning of a sheet of panels, which ends with `unset multiplot`.
+   pure function start_sheet(title, panels) result(script)
+      !> Its title
+      character(len=*), intent(in) :: title
+      !> How many panels there will be
+      integer, intent(in) :: panels
+      character(len=:), allocatable :: script
+      type(text_buffer) :: b
+      integer :: columns
+
+      columns = ceiling(sqrt(real(panels, wp)))
+      call b%line('set multiplot layout '//to_text((panels - 1)/columns + 1)//','// &
+         to_text(columns)//' title '//label(title))
+      call b%line('set key tmargin center horizontal')
+      call b%line('set offsets graph 0.03, graph 0.03, graph 0.04, graph 0.04')
+      script = b%text()
+   end function start_sheet
 
    !> Loops, skeletons, yield and ultimate points.
    pure subroutine add_loops_panel(b, result, labels)

@@ -2,10 +2,11 @@
 !> apart in front.
 module app_hysteresis_tests
    use asperity, only: error_type, wp
+   use app_hysteresis_plot, only: start_sheet
    use app_record_numbers, only: looks_like_number, read_number
    use app_record_tests, only: test_text, test_type
    use app_report, only: report_type
-   use app_strings, only: string_type
+   use app_strings, only: newline, string_type
    use app_table, only: column_numbers, column_texts, column_type, table_type
    implicit none
    private
@@ -13,7 +14,7 @@ module app_hysteresis_tests
 
 contains
 
-   !> Make one report of those of several tests. The picture is that of `app_hysteresis_sheet`.
+   !> Make one report of those of several tests. The picture has the loops of each.
    pure subroutine join_reports(reports, tests, report)
       !> One report a test, of the same tables
       type(report_type), intent(inout) :: reports(:)
@@ -41,6 +42,11 @@ contains
          report%first_rows(i + 1) = report%first_rows(i) + reports(i)%table%rows
       end do
       allocate (report%important, source=[(reports(i)%important, i=1, size(tests))])
+      report%picture_data = start_sheet(report%settings%text_of('record_file'), size(tests))
+      do i = 1, size(tests)
+         report%picture_data = report%picture_data//reports(i)%picture_data
+      end do
+      report%picture_data = report%picture_data//'unset multiplot'//newline
       if (allocated(report%remarks)) deallocate (report%remarks)
       allocate (report%remarks(0))
       do i = 1, size(tests)

@@ -6,6 +6,7 @@ program asperity_main
    use app_process, only: set_signals
    use app_strings, only: newline
    use app_system, only: standard_error, write_text
+   use app_utf8, only: utf8_text
    implicit none
    type(command_line_type) :: line
    type(error_type), allocatable :: error
@@ -15,7 +16,8 @@ program asperity_main
    call parse_command_line(line, error)
    if (.not. allocated(error)) call drive(line, error)
    if (allocated(error)) then
-      call write_text(standard_error, 'asperity: error: '//error%message//newline, reason)
+      call write_text(standard_error, utf8_text('asperity: error: '//error%message)// &
+         newline, reason)
       stop error%category, quiet=.true.
    end if
 end program asperity_main

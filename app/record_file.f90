@@ -42,8 +42,8 @@ contains
    subroutine read_record(path, format, quantities, columns, tests, error)
       !> Path of the file
       character(len=*), intent(in) :: path
-      !> How it is written
-      type(record_format), intent(in) :: format
+      !> How it is written; the decimal sign that was found is set
+      type(record_format), intent(inout) :: format
       !> What the columns may hold together, one list a column; the first that the file has is taken
       integer, intent(in) :: quantities(:, :)
       !> Columns wanted; what was found is set
@@ -52,7 +52,7 @@ contains
       type(test_type), allocatable, intent(out) :: tests(:)
       !> Set when the file cannot be read or is faulty
       type(error_type), allocatable, intent(out) :: error
-      character(len=:), allocatable :: text, reason, decimal
+      character(len=:), allocatable :: text, reason
       type(condition_type), allocatable :: conditions(:)
       type(layout_type) :: layout
       integer :: i
@@ -72,15 +72,15 @@ contains
       if (.not. allocated(error)) &
          call read_conditions(text, layout, format%where, conditions, error)
       if (allocated(error)) return
-      decimal = format%decimal
-      if (decimal == 'auto') decimal = decimal_of(text, layout%start, columns%place)
-      if (decimal == '') then
+      if (format%decimal == 'auto') &
+         format%decimal = decimal_of(text, layout%start, columns%place)
+      if (format%decimal == '') then
          call fatal_error(error, path//': every number with a comma has three figures behind it: '// &
             'if that is the decimal sign, give --decimal comma')
          return
       end if
       call find_tests(text, layout, conditions, minval(columns%place) - 1, tests)
-      call read_rows(text, layout%start, decimal, conditions, columns, error)
+      call read_rows(text, layout%start, format%decimal, conditions, columns, error)
       if (allocated(error)) return
       if (size(tests) == 1) tests(1)%last = size(columns(1)%values)
       call check_time(layout, columns, error)

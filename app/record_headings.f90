@@ -7,7 +7,7 @@ module app_record_headings
    use app_utf8, only: utf8_text
    implicit none
    private
-   public :: heading_type, read_heading, rank_of
+   public :: heading_type, is_unit_of, read_heading, rank_of
 
    !> What a file says of one of its columns, in UTF-8.
    type :: heading_type
@@ -73,7 +73,9 @@ contains
 
    !> Whether a text is a unit of what a name stands for.
    pure logical function is_unit_of(holds, text)
+      !> What the name stands for
       integer, intent(in) :: holds
+      !> The text
       character(len=*), intent(in) :: text
 
       associate (unit => find_unit(text))

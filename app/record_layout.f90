@@ -4,13 +4,13 @@ module app_record_layout
    use asperity, only: error_type
    use asperity_error, only: fatal_error
    use asperity_text, only: to_text
-   use app_record_headings, only: heading_type, read_heading
+   use app_record_headings, only: heading_type, is_unit_of, read_heading
    use app_record_lines, only: field, field_count, next_line, place_text, place_type, &
       separator_of, start_reading
    use app_record_names, only: holds_unknown
    use app_record_numbers, only: looks_like_number
    use app_record_units, only: find_unit, unit_type, unit_unknown
-   use app_strings, only: quoted
+   use app_strings, only: quoted, string_type
    use app_utf8, only: utf8_text
    implicit none
    private
@@ -47,6 +47,7 @@ contains
       type(layout_type), intent(out) :: layout
       !> Set when there are no numbers
       type(error_type), allocatable, intent(out) :: error
+      type(place_type) :: names
       integer :: i
 
       layout%path = path
@@ -59,29 +60,105 @@ contains
          end if
          place%separator = separator_of(separator, text(place%first:place%last))
          if (separator == 'auto' .and. place%separator == ',') then
-            if (is_of_numbers(text(place%first:place%last), ' ') .and. .not. &
-               is_of_numbers(text(place%first:place%last), ',')) place%separator = ' '
+            if (comma_is_none(text(place%first:place%last))) place%separator = ' '
          end if
-         allocate (layout%columns(field_count(text(place%first:place%last), place%separator)))
-         do i = 1, size(layout%columns)
-            call read_heading(field(text(place%first:place%last), place, i), layout%columns(i))
-         end do
+         call read_headings(fields_of(text(place%first:place%last), place), layout%columns)
          layout%has_names = is_named .or. are_names(layout%columns)
-         if (layout%has_names) then
-            call next_line(text, place)
-            if (place%next > 0) call take_units(text, layout)
-            if (place%next == 0) then
-               call fatal_error(error, path//': has no line of numbers')
-            else
-               call check_width(text, layout, error)
-            end if
-         else
+         if (.not. layout%has_names) then
             do i = 1, size(layout%columns)
                call read_heading('', layout%columns(i))
             end do
+            return
+         end if
+         names = place
+         call next_line(text, place)
+         if (place%next > 0) then
+            call read_headings(names_of(text(names%first:names%last), names, &
+               field_count(text(place%first:place%last), place%separator)), layout%columns)
+            call take_units(text, layout)
+         end if
+         if (place%next == 0) then
+            call fatal_error(error, path//': has no line of numbers')
+         else
+            call check_width(text, layout, error)
          end if
       end associate
    end subroutine find_layout
+
+   !> Whether the commas of a line separate nothing: they are decimal, between blanks, or stand
+   !> before a unit.
+   pure logical function comma_is_none(line)
+      character(len=*), intent(in) :: line
+      type(heading_type), allocatable :: columns(:)
+      type(place_type) :: place
+      integer :: i
+
+      comma_is_none = is_of_numbers(line, ' ') .and. .not. is_of_numbers(line, ',')
+      place%separator = ','
+      call read_headings(fields_of(line, place), columns)
+      do i = 2, size(columns)
+         comma_is_none = comma_is_none .or. (columns(i - 1)%unit == '' &
+            .and. is_unit_of(columns(i - 1)%holds, columns(i)%text))
+      end do
+   end function comma_is_none
+
+   !> All fields of a line.
+   pure function fields_of(line, place) result(fields)
+      character(len=*), intent(in) :: line
+      type(place_type), intent(in) :: place
+      type(string_type), allocatable :: fields(:)
+      integer :: i
+
+      allocate (fields(field_count(line, place%separator)))
+      do i = 1, size(fields)
+         fields(i)%text = field(line, place, i)
+      end do
+   end function fields_of
+
+   !> The names of a line over so many columns: one for a single column; between blanks, with the
+   !> units in brackets that stand behind them.
+   pure function names_of(line, place, n) result(names)
+      character(len=*), intent(in) :: line
+      type(place_type), intent(in) :: place
+      integer, intent(in) :: n
+      type(string_type), allocatable :: names(:)
+      type(string_type), allocatable :: fields(:)
+      integer :: i, count
+      logical :: is_open
+
+      if (n == 1) then
+         allocate (names(1))
+         names(1)%text = trim(line)
+         return
+      end if
+      fields = fields_of(line, place)
+      count = 0
+      is_open = .false.
+      allocate (names(size(fields)))
+      do i = 1, size(fields)
+         if (is_open .or. (place%separator == ' ' .and. count > 0 &
+            .and. scan(fields(i)%text, '([') == 1)) then
+            names(count)%text = names(count)%text//' '//fields(i)%text
+            is_open = scan(fields(i)%text, ')]') == 0
+         else
+            count = count + 1
+            names(count)%text = fields(i)%text
+         end if
+      end do
+      names = names(:count)
+   end function names_of
+
+   !> What all headings say.
+   pure subroutine read_headings(names, columns)
+      type(string_type), intent(in) :: names(:)
+      type(heading_type), allocatable, intent(out) :: columns(:)
+      integer :: i
+
+      allocate (columns(size(names)))
+      do i = 1, size(names)
+         call read_heading(names(i)%text, columns(i))
+      end do
+   end subroutine read_headings
 
    !> Whether all fields of a line are numbers.
    pure logical function is_of_numbers(line, separator)
@@ -157,8 +234,8 @@ contains
          inside = text(2:len(text) - 1)
    end function unbracketed
 
-   !> Refuse a first line of numbers with more fields than there are names: its columns are not
-   !> where the names say.
+   !> Refuse a first line of numbers with more fields than there are names, or between blanks with
+   !> fewer: its columns are not where the names say.
    pure subroutine check_width(text, layout, error)
       character(len=*), intent(in) :: text
       type(layout_type), intent(in) :: layout
@@ -170,10 +247,15 @@ contains
          do i = n, size(layout%columns) + 1, -1
             if (field(line, layout%start, i) /= '') exit
          end do
-         if (i <= size(layout%columns)) return
-         call fatal_error(error, place_text(layout%start)//': the line has '//to_text(n)// &
-            ' fields for '//to_text(size(layout%columns))//' names; if commas are decimal, '// &
-            'columns need another separator')
+         if (i > size(layout%columns)) then
+            call fatal_error(error, place_text(layout%start)//': the line has '//to_text(n)// &
+               ' fields for '//to_text(size(layout%columns))//' names; if commas are decimal, '// &
+               'columns need another separator')
+         else if (layout%start%separator == ' ' .and. n < size(layout%columns)) then
+            call fatal_error(error, place_text(layout%start)//': the line has '//to_text(n)// &
+               ' fields for '//to_text(size(layout%columns))//' names: those with blanks need '// &
+               'quotes, or pass over them with --skip-lines')
+         end if
       end associate
    end subroutine check_width
 

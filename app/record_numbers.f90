@@ -19,7 +19,7 @@ contains
       character(len=len(text)) :: lower
 
       lower = lower_case(text)
-      looks_like_number = scan(text, digits) > 0 .and. verify(lower, digits//'+-.,ed ') == 0
+      looks_like_number = scan(text, digits) > 0 .and. verify(lower, digits//'+-.,ed') == 0
       if (len(text) == 0) return
       if (scan(text(1:1), '+-') == 1) lower = lower(2:)
       looks_like_number = looks_like_number .or. lower == 'nan' .or. lower == 'inf' &

@@ -9,7 +9,7 @@ module app_record_settings
    use app_settings, only: settings_type
    implicit none
    private
-   public :: get_format, ask_for_column, tell_column
+   public :: get_format, ask_for_column, tell_column, tell_decimal
 
 contains
 
@@ -29,6 +29,19 @@ contains
       if (format%skip_lines < 0) call fatal_error(error, 'skip_lines = '// &
          to_text(format%skip_lines)//' is not allowed: it must not be negative')
    end subroutine get_format
+
+   !> Let the settings say which decimal sign the numbers have.
+   pure subroutine tell_decimal(settings, format)
+      !> Settings in effect
+      type(settings_type), intent(inout) :: settings
+      !> How the record was read
+      type(record_format), intent(in) :: format
+
+      associate (setting => settings%of(find_key('decimal')))
+         if (setting%text /= format%decimal) setting%source = 'the numbers of the file'
+         setting%text = format%decimal
+      end associate
+   end subroutine tell_decimal
 
    !> A column as the user asks for it by `NAME_column` and `NAME_unit`.
    pure subroutine ask_for_column(settings, name, column)

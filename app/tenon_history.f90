@@ -8,7 +8,7 @@ module app_tenon_history
    use app_record_columns, only: record_column
    use app_record_file, only: read_record, record_format
    use app_record_names, only: holds_displacement, holds_rotation
-   use app_record_settings, only: ask_for_column, get_format, tell_column
+   use app_record_settings, only: ask_for_column, get_format, tell_column, tell_decimal
    use app_record_table, only: columns_table
    use app_record_tests, only: test_text, test_type
    use app_record_units, only: find_unit, unit_angle, unit_length, unit_share, unit_type
@@ -48,6 +48,7 @@ contains
       type(record_column) :: columns(1)
       type(record_format) :: format
       type(test_type), allocatable :: tests(:)
+      logical :: is_told
 
       history%path = settings%text_of('history')
       allocate (history%columns(0))
@@ -58,10 +59,18 @@ contains
       call read_record(history%path, format, &
          quantities_of(settings%text_of('history_quantity')), columns, tests, error)
       if (.not. allocated(error)) call check_tests(history%path, columns(1)%values, tests, error)
-      if (.not. allocated(error)) call convert(history, columns(1), error)
+      if (allocated(error)) return
+      is_told = columns(1)%unit /= '' .and. columns(1)%unit_given == ''
+      call convert(history, columns(1), error)
       if (allocated(error)) return
       history%values = history%values(:tests(1)%last)
+      call tell_decimal(settings, format)
       call tell_column(settings, 'displacement', columns(1))
+      associate (unit => settings%of(find_key('displacement_unit')))
+         if (is_told) unit%source = 'column '//to_text(columns(1)%place)
+         unit%has_value = .true.
+         unit%text = columns(1)%unit
+      end associate
       associate (quantity => settings%of(find_key('history_quantity')))
          if (.not. quantity%given) then
             quantity%has_value = .true.
