@@ -9,9 +9,9 @@ module app_driver
    use app_effective, only: case_settings, locate, settled
    use app_help, only: citation_text, help_text, version_text
    use app_hysteresis, only: report_hysteresis
-   use app_keys, only: belongs, command_citation, command_curve, command_deck_shear, command_deck_tenon, &
-      command_help, command_hysteresis, command_pairs, command_press, command_shear, &
-      command_surface, command_table, command_tenon, command_version, find_key
+   use app_keys, only: belongs, command_citation, command_curve, command_deck_shear, &
+      command_deck_tenon, command_help, command_hysteresis, command_pairs, command_press, &
+      command_shear, command_surface, command_table, command_tenon, command_version, find_key
    use app_law_table, only: report_law_table
    use app_output, only: write_standard_output
    use app_pairs, only: report_pairs

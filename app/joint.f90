@@ -83,8 +83,8 @@ contains
       ! A programme has no noise; a recorded history may
       if (.not. allocated(settings%displacement)) &
          analysis%threshold = exact*maxval(abs(joint%steps%rotation))
-      call analyse_hysteresis((joint%steps%rotation), kilonewton_metre*joint%steps%moment, joint%loops, &
-         error, analysis)
+      call analyse_hysteresis((joint%steps%rotation), kilonewton_metre*joint%steps%moment, &
+         joint%loops, error, analysis)
    end subroutine run_joint
 
    !> Energy of loops of moment, kN m, against rotation, rad, in J; what is not known stays so.

@@ -223,7 +223,7 @@ module app_keys
       key_type('force_factor', kind_real, '', command_hysteresis, no, '1', '', &
       'then multiplied by'), &
       key_type('displacement_unit', kind_text, '', records, no, '', '', &
-      'unit of that column (hysteresis: after zero and factor); that of the file, else mm or rad'), &
+      'unit (hysteresis: after zero and factor); that of the file, else mm or rad'), &
       key_type('force_unit', kind_text, '', command_hysteresis, no, '', '', &
       'label, after zero and factor; that of the file, else N or kN m'), &
       key_type('threshold', kind_real, '', command_hysteresis, no, '', '', &

@@ -1,5 +1,5 @@
-!> Which columns of a record are taken: those asked for by name or number, else those whose names and
-!> units say that they hold what is looked for.
+!> Which columns of a record are taken: those asked for by name or number, else those whose names
+!> and units say that they hold what is looked for.
 module app_record_columns
    use asperity, only: error_type, wp
    use asperity_error, only: fatal_error
@@ -42,7 +42,7 @@ module app_record_columns
 
 contains
 
-   !> Find the places of the columns. `error` lists the columns of the file when they cannot be told.
+   !> Find the places of the columns. `error` lists those of the file when they cannot be told.
    pure subroutine choose_columns(layout, quantities, columns, error)
       !> The file
       type(layout_type), intent(in) :: layout

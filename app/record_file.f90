@@ -1,6 +1,6 @@
 !> Reads columns of numbers from a text file as loggers and spreadsheets write them: separated by
-!> commas, semicolons, tabs or blanks; with or without column names, units and comments; one test, or
-!> several below each other.
+!> commas, semicolons, tabs or blanks; with or without column names, units and comments; one test,
+!> or several below each other.
 module app_record_file
    use asperity, only: computation_error, error_type, file_error, wp
    use asperity_error, only: fatal_error
@@ -73,10 +73,10 @@ contains
          call read_conditions(text, layout, format%where, conditions, error)
       if (allocated(error)) return
       if (format%decimal == 'auto') &
-         format%decimal = decimal_of(text, layout%start, columns%place)
+         format%decimal = decimal_of(text, layout%start, (columns%place))
       if (format%decimal == '') then
-         call fatal_error(error, path//': every number with a comma has three figures behind it: '// &
-            'if that is the decimal sign, give --decimal comma')
+         call fatal_error(error, path//': every number with a comma has three figures behind it: '&
+            //'if that is the decimal sign, give --decimal comma')
          return
       end if
       call find_tests(text, layout, conditions, minval(columns%place) - 1, tests)

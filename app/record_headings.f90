@@ -106,7 +106,7 @@ contains
       end select
    end function fits
 
-   !> How well a heading answers to a quantity: from 1 on, the lower the better; zero if it does not.
+   !> How well a heading answers to a quantity: from 1 on, the lower the better; zero if not.
    pure integer function rank_of(heading, holds) result(rank)
       !> The heading
       type(heading_type), intent(in) :: heading

@@ -122,8 +122,8 @@ contains
       type(place_type), intent(in) :: place
       integer, intent(in) :: n
       type(string_type), allocatable :: names(:)
-      type(string_type), allocatable :: fields(:)
-      integer :: i, count
+      character(len=:), allocatable :: part
+      integer :: i, n_fields, count
       logical :: is_open
 
       if (n == 1) then
@@ -131,18 +131,19 @@ contains
          names(1)%text = trim(line)
          return
       end if
-      fields = fields_of(line, place)
+      n_fields = field_count(line, place%separator)
       count = 0
       is_open = .false.
-      allocate (names(size(fields)))
-      do i = 1, size(fields)
+      allocate (names(n_fields))
+      do i = 1, n_fields
+         part = field(line, place, i)
          if (is_open .or. (place%separator == ' ' .and. count > 0 &
-            .and. scan(fields(i)%text, '([') == 1)) then
-            names(count)%text = names(count)%text//' '//fields(i)%text
-            is_open = scan(fields(i)%text, ')]') == 0
+            .and. scan(part, '([') == 1)) then
+            names(count)%text = names(count)%text//' '//part
+            is_open = scan(part, ')]') == 0
          else
             count = count + 1
-            names(count)%text = fields(i)%text
+            names(count)%text = part
          end if
       end do
       names = names(:count)

@@ -29,7 +29,7 @@ module app_record_names
 
    !> One word.
    type :: word_type
-      character(len=14) :: text
+      character(len=16) :: text
       integer :: holds
       !> `sure_name`, `other_name`, or zero: counts only if it is the whole heading
       integer :: rank
@@ -78,7 +78,8 @@ module app_record_names
       word_type('cycle', holds_count, sure_name), word_type('zyklus', holds_count, sure_name), &
       word_type('schritt', holds_count, sure_name), word_type('stufe', holds_count, sure_name), &
       word_type('sample', holds_count, other_name), word_type('point', holds_count, other_name), &
-      word_type('punkt', holds_count, other_name, ends), word_type('row', holds_count, other_name), &
+      word_type('punkt', holds_count, other_name, ends), &
+      word_type('row', holds_count, other_name), &
       word_type('line', holds_count, other_name), word_type('index', holds_count, other_name), &
       word_type('number', holds_count, other_name), word_type('nummer', holds_count, other_name), &
       word_type('no', holds_count, other_name), word_type('nr', holds_count, other_name), &
@@ -102,8 +103,8 @@ module app_record_names
 
 contains
 
-   !> What a column of some heading, without its unit, holds, and how sure that is. Of the words that
-   !> are known the last one says it, as in `load-point displacement`.
+   !> What a column of some heading, without its unit, holds, and how sure that is. Of the words
+   !> that are known the last one says it, as in `load-point displacement`.
    pure subroutine find_meaning(heading, holds, rank)
       !> The heading in UTF-8
       character(len=*), intent(in) :: heading

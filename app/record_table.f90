@@ -26,7 +26,7 @@ contains
       end do
       table = new_table(columns=5, rows=size(columns))
       call table%add_texts('quantity', quantity)
-      call table%add_codes('column', column_counts, columns%place)
+      call table%add_codes('column', column_counts, (columns%place))
       call table%add_texts('heading', name)
       call table%add_texts('unit', unit)
       call table%add_texts('chosen_by', chosen_by)

@@ -83,7 +83,7 @@ contains
       end do
    end subroutine read_conditions
 
-   !> Set `error` when no row meets all conditions: it lists what rows have that meet all but the last.
+   !> Set `error` when no row meets all conditions: it lists what rows have that meet all but one.
    pure subroutine check_value(text, layout, conditions, error)
       character(len=*), intent(in) :: text
       type(layout_type), intent(in) :: layout
@@ -101,7 +101,8 @@ contains
             associate (line => text(place%first:place%last))
                if (is_wanted(line, place, conditions)) return
                cell = field(line, place, last%place)
-               if (n <= most_listed .and. is_wanted(line, place, conditions(:size(conditions) - 1))) then
+               if (n <= most_listed .and. &
+                  is_wanted(line, place, conditions(:size(conditions) - 1))) then
                   if (.not. any([(is_same(cell, values(i)%text), i=1, n)])) then
                      n = n + 1
                      values(n)%text = cell
@@ -150,9 +151,9 @@ contains
       if (.not. allocated(error)) is_same = abs(x - y) <= same*max(abs(x), abs(y))
    end function is_same
 
-   !> The tests of a file, one if nothing tells them apart. A leading column does so if it holds texts,
-   !> or numbers of a name that is none of those looked for, no time and no count, changes at most every third row, and no
-   !> value comes back after another.
+   !> The tests of a file, one if nothing tells them apart. A leading column does so if it holds
+   !> texts, or numbers of a name that is none of those looked for, no time and no count, changes at
+   !> most every third row, and no value comes back after another.
    pure subroutine find_tests(text, layout, conditions, n_leading, tests)
       !> The whole file, and how it is written
       character(len=*), intent(in) :: text
@@ -238,8 +239,8 @@ contains
       end if
    end subroutine split
 
-   !> What tells a test from others, such as `model = rough, normal_stress = 0.05 MPa`; empty for the
-   !> only one.
+   !> What tells a test from others, such as `model = rough, normal_stress = 0.05 MPa`; empty for
+   !> the only one.
    pure function test_text(test) result(words)
       !> The test
       type(test_type), intent(in) :: test

@@ -110,7 +110,7 @@ contains
       if (i > 0) unit = units(i)
    end function find_unit
 
-   !> A text without marks of a product, and with ASCII letters for those of its signs that have one.
+   !> A text without marks of a product, and with ASCII letters for the signs that have one.
    pure function plain(text)
       character(len=*), intent(in) :: text
       character(len=:), allocatable :: plain
