@@ -8,9 +8,10 @@ timeout=$(command -v timeout)
 limited() { "$timeout" -k 10 600 "$@"; }
 
 # run ARGUMENT...: run the program; leaves files out and err, and status. What gfortran's checks
-# (-fcheck=all) remark about copies of arrays is not the program's word. With `memory`, in so many KiB
+# (-fcheck=all) remark about copies of arrays is not the program's word. With `address_space`, in so
+# many KiB
 run() {
-   (if [ -n "${memory:-}" ]; then ulimit -v "$memory"; fi; limited "$program" "$@") >out 2>all_err </dev/null
+   (if [ -n "${address_space:-}" ]; then ulimit -v "$address_space"; fi; limited "$program" "$@") >out 2>all_err </dev/null
    status=$?
    sed '/^At line .* of file /{N;/Fortran runtime warning: An array temporary/d;}' all_err >err
 }

@@ -235,10 +235,10 @@ fi
 
 # Little memory: a small record needs little, a large one ends with a word
 if (ulimit -v 65536 && "$program" version >/dev/null 2>&1); then
-   memory=65536 run hysteresis time_first.csv
+   address_space=65536 run hysteresis time_first.csv
    check 'records: 64 MiB are enough for a small one' is_quiet
    yes '1.23456789,2.3456789' | head -n 2000000 >large.csv
-   memory=65536 run hysteresis large.csv
+   address_space=65536 run hysteresis large.csv
    check 'records: and too little for one of 40 MB, which is said' is_refused 3 \
       'large.csv: cannot be read: not enough memory'
    rm large.csv
