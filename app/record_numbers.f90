@@ -18,12 +18,14 @@ contains
       character(len=*), intent(in) :: text
       character(len=len(text)) :: lower
 
-      lower = lower_case(text)
-      looks_like_number = scan(text, digits) > 0 .and. verify(lower, digits//'+-.,ed') == 0
+      looks_like_number = .false.
       if (len(text) == 0) return
+      lower = lower_case(text)
       if (scan(text(1:1), '+-') == 1) lower = lower(2:)
-      looks_like_number = looks_like_number .or. lower == 'nan' .or. lower == 'inf' &
-         .or. lower == 'infinity'
+      looks_like_number = lower == 'nan' .or. lower == 'inf' .or. lower == 'infinity'
+      ! e1 and d2 are names
+      if (scan(text, digits) > 0 .and. scan(lower(1:1), digits//'.,') == 1) &
+         looks_like_number = verify(trim(lower), digits//'+-.,ed') == 0
    end function looks_like_number
 
    !> The number in a field.

@@ -61,6 +61,12 @@ for heading in 'F' 'Load, kip' 'actuator force' 'Prüfkraft (N)' 'P' 'Channel 2 
    check "records: '$heading' is a force" grep -Eq '^  force_column +2 ' out
 done
 
+printf 'D1;E2\n0;0\n0.5;2\n-1;-2\n0;0\n' >named.csv
+run hysteresis named.csv --csv r.csv
+check 'records: names of a letter and a number are names' test "$(csv_column r.csv first_sample | head -n 1)" = 1
+check 'records: ... in the order of the columns' test "$(setting displacement_column)" = \
+   '1 what is left of the columns: D1'
+
 # Without names
 printf '0 0 0\n1 1 5\n2 4 9\n3 2 1\n4 0 -2\n' >unnamed.csv
 refuses 'records: an unnamed column like time among three' 2 \
