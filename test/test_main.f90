@@ -17,7 +17,9 @@ program test_main
    use test_friction, only: suite_friction
    use test_gaussian_tail, only: suite_gaussian_tail
    use test_hysteresis, only: suite_hysteresis
+   use test_hysteresis_programmes, only: suite_hysteresis_programmes
    use test_hysteresis_records, only: suite_hysteresis_records
+   use test_hysteresis_skeletons, only: suite_hysteresis_skeletons
    use test_hermite_polynomial, only: suite_hermite_polynomial
    use test_law_table, only: suite_law_table
    use test_map_faults, only: suite_map_faults
@@ -97,7 +99,9 @@ program test_main
    call all_suites%addTest(suite_map_faults())
    call all_suites%addTest(suite_map_x3p())
    call all_suites%addTest(suite_hysteresis())
+   call all_suites%addTest(suite_hysteresis_skeletons())
    call all_suites%addTest(suite_hysteresis_records())
+   call all_suites%addTest(suite_hysteresis_programmes())
    call all_suites%addTest(suite_surface_statistics())
    call all_suites%addTest(suite_surface_random())
    call all_suites%addTest(suite_surface_pair())
