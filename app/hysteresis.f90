@@ -4,8 +4,9 @@ module app_hysteresis
    use asperity_error, only: fatal_error
    use asperity_text, only: to_text
    use hysteresis_analysis, only: analyse_hysteresis, check_hysteresis_settings, &
-      hysteresis_result, hysteresis_settings, negative_side, positive_side
+      hysteresis_result, hysteresis_settings, leave_out, negative_side, positive_side
    use app_hysteresis_plot, only: hysteresis_script, loops_script
+   use app_hysteresis_remarks, only: record_remarks
    use app_hysteresis_tables, only: cycle_table, record_labels, side_table, skeleton_table
    use app_keys, only: find_key
    use app_hysteresis_tests, only: join_reports
@@ -17,14 +18,12 @@ module app_hysteresis
    use app_record_tests, only: test_text, test_type
    use app_report, only: named_table, report_type
    use app_settings, only: assign_values, setting_type, settings_type
-   use app_strings, only: string_type
    implicit none
    private
    public :: report_hysteresis
 
    !> Beginnings of the options of both columns
    character(len=*), parameter :: axes(2) = [character(len=12) :: 'displacement', 'force']
-   character(len=*), parameter :: side_names(2) = [character(len=8) :: 'positive', 'negative']
 
 contains
 
@@ -71,11 +70,13 @@ contains
       type(report_type), intent(inout) :: report
       type(error_type), allocatable, intent(out) :: error
       type(hysteresis_result) :: result
+      real(wp), allocatable :: x(:), f(:)
 
       call analyse_hysteresis(displacement, force, result, error, settings)
       if (allocated(error)) return
       if (.not. settings%threshold > 0.0_wp) call assign_values( &
-         report%settings%of(find_key('threshold')), [result%threshold], '1/400 of the range')
+         report%settings%of(find_key('threshold')), [result%threshold], trim(merge( &
+         'noise of displacement', '1/400 of the range   ', result%noise_sets_threshold)))
       report%table = cycle_table(result, labels)
       report%summary = side_table(result, labels)
       allocate (report%more(1))
@@ -89,14 +90,19 @@ contains
       report%first_rows = [1, size(result%cycles) + 1]
       allocate (report%important, source=result%cycles%in_skeleton(positive_side) .or. &
          result%cycles%in_skeleton(negative_side))
-      call add_remarks(report, result)
+      report%record_kind = trim(result%record_kind)
+      allocate (report%remarks, source=record_remarks(settings, result, labels))
       call report%table%check_finite(error)
       if (.not. allocated(error)) call report%summary%check_finite(error)
       if (allocated(error)) return
+      ! The picture is one of the samples that count
+      x = displacement
+      f = force
+      if (settings%outliers == 'drop') call leave_out(result%outliers, x, f)
       if (is_only_one) then
-         report%picture_data = hysteresis_script(displacement, force, result, labels)
+         report%picture_data = hysteresis_script(x, f, result, labels)
       else
-         report%picture_data = loops_script(displacement, force, result, labels)
+         report%picture_data = loops_script(x, f, result, labels)
       end if
    end subroutine report_test
 
@@ -111,6 +117,7 @@ contains
       settings%elastic_fraction = values%real_of('elastic_fraction')
       settings%ultimate_fraction = values%real_of('ultimate_fraction')
       settings%peaks = values%text_of('peaks')
+      settings%outliers = values%text_of('outliers')
       call check_hysteresis_settings(settings, error)
       if (allocated(error)) return
       call check_factor(values, 'displacement_factor', error)
@@ -219,47 +226,5 @@ contains
       setting%text = column%unit
       setting%source = 'column '//to_text(column%place)
    end subroutine set_unit
-
-   !> What the tables do not say.
-   pure subroutine add_remarks(report, result)
-      type(report_type), intent(inout) :: report
-      type(hysteresis_result), intent(in) :: result
-      type(string_type) :: lines(5)
-      character(len=*), parameter :: not_closed = &
-         'Not closed, so energy is the work done and there is no damping: '
-      character(len=:), allocatable :: open
-      integer :: i, n
-
-      n = 0
-      open = ''
-      do i = 1, size(result%cycles)
-         if (.not. result%cycles(i)%closed) open = open//' '//to_text(i)
-      end do
-      if (open /= '') then
-         n = n + 1
-         lines(n)%text = not_closed//'cycle'//open
-         ! of many, the number is enough
-         if (count(.not. result%cycles%closed) > 12) lines(n)%text = not_closed// &
-            to_text(count(.not. result%cycles%closed))//' cycles'
-      end if
-      do i = positive_side, negative_side
-         associate (skeleton => result%skeleton(i))
-            if (size(skeleton%cycle) == 0) cycle
-            if (skeleton%cycle(1) == 0) then
-               n = n + 1
-               lines(n)%text = 'The record has one peak, so its way there is the skeleton.'
-            else if (size(skeleton%cycle) == 1) then
-               n = n + 1
-               lines(n)%text = 'The '//side_names(i)//' skeleton is a straight line, having '// &
-                  'one amplitude: its stiffness and yield point say little.'
-            end if
-            if (.not. skeleton%yield_assumed) cycle
-            n = n + 1
-            lines(n)%text = 'The '//side_names(i)//' skeleton is too hollow for a yield point '// &
-               'of equal energy: 0.85 of the peak is taken (ASTM E2126).'
-         end associate
-      end do
-      if (n > 0) allocate (report%remarks, source=lines(:n))
-   end subroutine add_remarks
 
 end module app_hysteresis

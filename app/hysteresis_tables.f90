@@ -25,7 +25,9 @@ module app_hysteresis_tables
 
    !> Decimals of damping and ratios
    integer, parameter :: ratio_decimals = 4
-   character(len=*), parameter :: side_names(2) = [character(len=8) :: 'positive', 'negative']
+   !> The two sides in tables and remarks
+   character(len=*), parameter, public :: side_names(2) = &
+      [character(len=8) :: 'positive', 'negative']
 
 contains
 

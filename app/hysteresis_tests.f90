@@ -42,6 +42,12 @@ contains
          report%first_rows(i + 1) = report%first_rows(i) + reports(i)%table%rows
       end do
       allocate (report%important, source=[(reports(i)%important, i=1, size(tests))])
+      ! one kind if all are of it, else a list
+      if (any([(reports(i)%record_kind /= report%record_kind, i=1, size(tests))])) then
+         do i = 2, size(tests)
+            report%record_kind = report%record_kind//', '//reports(i)%record_kind
+         end do
+      end if
       report%picture_data = start_sheet(report%settings%text_of('record_file'), size(tests))
       do i = 1, size(tests)
          report%picture_data = report%picture_data//reports(i)%picture_data

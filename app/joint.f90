@@ -81,6 +81,10 @@ contains
          return
       end if
       ! A programme has no noise; a recorded history may
+      ! Skeletons go through the tips of first cycles, as the paper's do; computed samples are no
+      ! outliers
+      analysis%peaks = 'displacement'
+      analysis%outliers = 'keep'
       if (.not. allocated(settings%displacement)) &
          analysis%threshold = exact*maxval(abs(joint%steps%rotation))
       call analyse_hysteresis((joint%steps%rotation), kilonewton_metre*joint%steps%moment, &

@@ -30,6 +30,8 @@ contains
       call buffer%line('"command": '//json_string(command_names(report%command))//',')
       call buffer%line('"properties": {'//inputs(report, .true.)//'},')
       call buffer%line('"settings": {'//inputs(report, .false.)//'},')
+      if (allocated(report%record_kind)) &
+         call buffer%line('"record_kind": '//json_string(report%record_kind)//',')
       call buffer%line('"units": {'//units(report)//'},')
       call buffer%line('"remarks": ['//remarks(report)//'],')
       if (allocated(report%verdict)) &

@@ -227,10 +227,12 @@ module app_keys
       key_type('force_unit', kind_text, '', command_hysteresis, no, '', '', &
       'label, after zero and factor; that of the file, else N or kN m'), &
       key_type('threshold', kind_real, '', command_hysteresis, no, '', '', &
-      'reversals up to this displacement are noise; 1/400 of the range unless above 0'), &
-      key_type('peaks', kind_choice, '', command_hysteresis, no, 'displacement', &
-      'displacement force', &
-      'what is largest at the peak of a half cycle'), &
+      'reversals up to this are noise; 1/400 of the range or more by noise, unless above 0'), &
+      key_type('peaks', kind_choice, '', command_hysteresis, no, 'envelope', &
+      'envelope displacement force', &
+      'skeleton: first-cycle envelope, or the tip or the largest force of each first cycle'), &
+      key_type('outliers', kind_choice, '', command_hysteresis, no, 'drop', 'drop keep', &
+      'single samples that leap away and back, which a remark names'), &
       key_type('amplitude_tolerance', kind_real, '', command_hysteresis, no, '0.05', '', &
       'share by which an amplitude must exceed all before to be a new one'), &
       key_type('elastic_fraction', kind_real, '', command_hysteresis, no, '0.4', '', &

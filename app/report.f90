@@ -42,6 +42,8 @@ module app_report
       integer :: command = 0
       !> Settings in effect
       type(settings_type) :: settings
+      !> What a record is, as `hysteresis` finds it; not allocated elsewhere
+      character(len=:), allocatable :: record_kind
       !> All results
       type(table_type) :: table
       !> Whether the terminal shows `table`

@@ -4,7 +4,9 @@ module app_tenon
    use asperity_error, only: fatal_error
    use asperity_text, only: to_text
    use replay_tenon_programme, only: tenon_programme
+   use hysteresis_analysis, only: negative_side, positive_side
    use app_config, only: config_type
+   use app_hysteresis_remarks, only: excess_words
    use app_joint, only: hard, joint_type, rough, run_joint, steps_to_record
    use app_progress, only: clear_steps, show_steps, tell_terminal
    use app_report, only: named_table, report_type, turning_points
@@ -137,7 +139,7 @@ contains
       type(string_type), allocatable :: lines(:)
       type(string_type) :: line
       real(wp) :: furthest
-      integer :: i
+      integer :: i, side
 
       line%text = 'A prediction from chosen sizes, not a fit to the paper: compare ratios to '// &
          'hard contact, not moments.'
@@ -149,6 +151,15 @@ contains
             ' mm along its axis, more than a quarter of its length: the overlap, not the '// &
             'contact, then governs the moment'
          lines = [lines, line]
+      end do
+      do i = 1, size(joints)
+         do side = positive_side, negative_side
+            line%text = excess_words(joints(i)%loops%skeleton(side), 'kN m')
+            if (line%text == '') cycle
+            line%text = trim(legends(i))//': the replay has '//line%text// &
+               ' than its skeleton through the tips of first cycles'
+            lines = [lines, line]
+         end do
       end do
    end function remarks
 

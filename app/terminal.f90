@@ -40,6 +40,10 @@ contains
          call add_inputs(buffer, report)
          call buffer%line()
       end if
+      if (allocated(report%record_kind)) then
+         call buffer%line('Record: '//report%record_kind)
+         call buffer%line()
+      end if
       if (report%summary%set > 0) then
          call add_table(buffer, report%summary)
          call buffer%line()

@@ -67,7 +67,7 @@ contains
       loops%force = [1.0_wp, -1.0_wp, 3.0_wp, -3.0_wp]
       call analyse(loops, result)
       call assertEqual(2, size(result%cycles), 'cycles')
-      call assertEqual([3.0_wp], result%skeleton(1)%displacement, 0.0_wp, 'positive skeleton')
+      call assertEqual([1.0_wp, 3.0_wp], result%skeleton(1)%displacement, 0.0_wp, 'positive side')
       call assertEqual([-1.0_wp, -3.0_wp], result%skeleton(2)%displacement, 0.0_wp, 'negative')
    end subroutine test_from_peak
 
@@ -146,8 +146,7 @@ contains
       call assertEqual(0.0_wp, worst, exact, 'work')
    end subroutine test_random
 
-   !> A pause of the test with a little unloading is a cycle of its own, unless the threshold is
-   !> larger.
+   !> A pause with part-unloading makes no cycle; a return does, unless the threshold is larger.
    subroutine test_threshold()
       type(record_type) :: loops
       type(hysteresis_result) :: result
@@ -155,9 +154,13 @@ contains
       loops = response(plastic(), path_through([1.0_wp, 0.75_wp, 2.0_wp, -2.0_wp, 0.0_wp], &
          0.125_wp))
       call analyse(loops, result)
+      call assertEqual(1, size(result%cycles), 'a pause')
+      loops = response(plastic(), path_through([1.0_wp, 0.25_wp, 2.0_wp, -2.0_wp, 0.0_wp], &
+         0.125_wp))
+      call analyse(loops, result)
       call assertEqual(2, size(result%cycles), 'two cycles')
       call assertEqual(5, size(result%turning_points), 'turning points')
-      call analyse(loops, result, hysteresis_settings(threshold=0.25_wp))
+      call analyse(loops, result, hysteresis_settings(threshold=0.75_wp))
       call assertEqual(1, size(result%cycles), 'one cycle')
       call assertEqual([2.0_wp, -2.0_wp, 0.0_wp], loops%displacement(result%turning_points), &
          0.0_wp, 'turning points')
@@ -193,6 +196,8 @@ contains
       call expect(x, x, 'elastic_fraction = 0.1', hysteresis_settings(elastic_fraction=0.1_wp))
       call expect(x, x, 'ultimate_fraction = 1.0', hysteresis_settings(ultimate_fraction=1.0_wp))
       call expect(x, x, "peaks = 'foo' is unknown", hysteresis_settings(peaks='foo'))
+      call expect(x, x, "outliers = 'foo' is unknown", hysteresis_settings(outliers='foo'))
+      call expect(x, x, 'force_floor = -1.0 ', hysteresis_settings(force_floor=-1.0_wp))
    end subroutine test_refused
 
    !> A message that starts so, or none when that is empty.

@@ -4,7 +4,7 @@ module test_hysteresis_records
    use asperity_kinds, only: wp
    use extremes, only: worsen
    use funit, only: assertEqual, assertFalse, assertTrue, TestMethod, TestSuite
-   use hysteresis_analysis, only: hysteresis_result, not_known
+   use hysteresis_analysis, only: hysteresis_result, hysteresis_settings, not_known
    use hysteresis_checks, only: analyse
    use hysteresis_models, only: add_noise, path_through, random_path, record_type, &
       repeat_samples, response, spring_type, total_work
@@ -20,6 +20,8 @@ module test_hysteresis_records
    !> Amplitudes dy, 1, 2, 4, the last two twice
    real(wp), parameter :: programme(13) = [0.5_wp, -0.5_wp, 1.0_wp, -1.0_wp, 2.0_wp, -2.0_wp, &
       2.0_wp, -2.0_wp, 4.0_wp, -4.0_wp, 4.0_wp, -4.0_wp, 0.0_wp]
+
+   type(hysteresis_settings), parameter :: tips = hysteresis_settings(peaks='displacement')
 
 contains
 
@@ -59,7 +61,7 @@ contains
          loops = response(plastic(), path_through(programme, step))
          call analyse(loops, clean)
          call add_noise(stream, loops, e, h)
-         call analyse(loops, noisy)
+         call analyse(loops, noisy, tips)
          call assertEqual(6, size(noisy%cycles), 'cycles')
          if (size(noisy%cycles) /= 6) return
          call assertEqual([1, 2, 3, 5], noisy%skeleton(1)%cycle, 'skeleton')
@@ -84,6 +86,9 @@ contains
          end do
          ! 40 % of the peak is at 0.2 of the first point of the skeleton, whose error it inherits
          call assertEqual(limit, noisy%skeleton(1)%yield_force, 0.03_wp*limit, 'yield force')
+         call analyse(loops, noisy)
+         call assertEqual(limit, noisy%skeleton(1)%yield_force, 0.03_wp*limit, 'of the envelope')
+         call assertEqual(-limit, noisy%skeleton(2)%peak_force, 1.01_wp*h, 'largest force')
       end do
       call record('hysteresis.noisy_damping', worst)
       call record('hysteresis.noisy_energy_over_allowed', worst_work)
@@ -162,7 +167,7 @@ contains
       ! past zero: a third cycle has begun
       loops = response(plastic(), path_through([2.0_wp, -2.0_wp, 2.0_wp, -2.0_wp, 1.0_wp], &
          0.125_wp))
-      call analyse(loops, result)
+      call analyse(loops, result, tips)
       call assertEqual(3, size(result%cycles), 'a third')
       call assertTrue(all(result%cycles%closed .eqv. [.true., .true., .false.]), 'closed')
       call assertTrue(result%cycles(3)%peak(1) > 0 .and. result%cycles(3)%peak(2) == 0, &
@@ -221,7 +226,7 @@ contains
 
       loops = response(plastic(), path_through([0.5_wp, 0.0_wp, 2.0_wp, 0.0_wp, 4.0_wp, 0.0_wp], &
          0.125_wp))
-      call analyse(loops, result)
+      call analyse(loops, result, tips)
       call assertEqual(3, size(result%cycles), 'cycles')
       call assertEqual([0.5_wp, 2.0_wp, 4.0_wp], result%skeleton(1)%displacement, 0.0_wp, &
          'skeleton')
@@ -232,7 +237,7 @@ contains
 
       loops = response(plastic(), path_through([0.5_wp, 0.0_wp, 2.0_wp, 1.5_wp, 4.0_wp, 3.5_wp], &
          0.125_wp))
-      call analyse(loops, result)
+      call analyse(loops, result, tips)
       call assertEqual(3, size(result%cycles), 'cycles')
       call assertEqual([0.5_wp, 2.0_wp, 4.0_wp], result%skeleton(1)%displacement, 0.0_wp, &
          'skeleton')

@@ -17,8 +17,12 @@ program test_main
    use test_friction, only: suite_friction
    use test_gaussian_tail, only: suite_gaussian_tail
    use test_hysteresis, only: suite_hysteresis
+   use test_hysteresis_borders, only: suite_hysteresis_borders
+   use test_hysteresis_envelopes, only: suite_hysteresis_envelopes
+   use test_hysteresis_kinds, only: suite_hysteresis_kinds
    use test_hysteresis_programmes, only: suite_hysteresis_programmes
    use test_hysteresis_records, only: suite_hysteresis_records
+   use test_hysteresis_samples, only: suite_hysteresis_samples
    use test_hysteresis_skeletons, only: suite_hysteresis_skeletons
    use test_hermite_polynomial, only: suite_hermite_polynomial
    use test_law_table, only: suite_law_table
@@ -102,6 +106,10 @@ program test_main
    call all_suites%addTest(suite_hysteresis_skeletons())
    call all_suites%addTest(suite_hysteresis_records())
    call all_suites%addTest(suite_hysteresis_programmes())
+   call all_suites%addTest(suite_hysteresis_kinds())
+   call all_suites%addTest(suite_hysteresis_borders())
+   call all_suites%addTest(suite_hysteresis_envelopes())
+   call all_suites%addTest(suite_hysteresis_samples())
    call all_suites%addTest(suite_surface_statistics())
    call all_suites%addTest(suite_surface_random())
    call all_suites%addTest(suite_surface_pair())

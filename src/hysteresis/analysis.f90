@@ -1,24 +1,29 @@
-!> Post-processing of displacement-force records, measured or computed: cycles, skeleton, yield and
-!> ultimate point, stiffness, energy, damping. Rotation and moment may stand for the two.
+!> Post-processing of displacement-force records, measured or computed: kind, cycles, skeleton,
+!> yield and ultimate point, stiffness, energy, damping. Rotation and moment may stand for the two.
 module hysteresis_analysis
    use asperity_error, only: error_type, fatal_error
    use asperity_finite, only: is_finite
    use asperity_kinds, only: wp
    use asperity_text, only: to_text
    use hysteresis_cycles, only: find_peaks, measure_cycles
+   use hysteresis_record_kinds, only: classify
+   use hysteresis_samples, only: displacement_noise, find_gaps, find_outliers, find_zeros, leave_out
    use hysteresis_skeletons, only: evaluate_skeleton, new_skeleton
    use hysteresis_turning_points, only: cut_cycles, find_turning_points
    use hysteresis_types, only: check_hysteresis_settings, hysteresis_cycle, hysteresis_result, &
       hysteresis_settings, hysteresis_skeleton, largest_value, negative_side, not_known, &
-      positive_side
+      positive_side, record_gap, record_outlier, round_off_share
    implicit none
    private
-   public :: analyse_hysteresis
+   public :: analyse_hysteresis, leave_out
    public :: hysteresis_cycle, hysteresis_result, hysteresis_settings, hysteresis_skeleton
+   public :: record_gap, record_outlier
    public :: check_hysteresis_settings, negative_side, not_known, positive_side
 
-   !> Default threshold over the record's range of displacement
-   real(wp), parameter :: default_threshold = 1.0_wp/400.0_wp
+   !> Default threshold over the record's range of displacement, over the standard deviation of
+   !> noise if that is more, and the most that noise makes of it over the range
+   real(wp), parameter :: default_threshold = 1.0_wp/400.0_wp, noise_threshold = 8.0_wp, &
+      most_threshold = 1.0_wp/40.0_wp
    integer, parameter :: fewest_points = 3
 
 contains
@@ -37,16 +42,48 @@ contains
       !> How to read the record
       type(hysteresis_settings), intent(in), optional :: settings
       type(hysteresis_settings) :: s
-      integer :: i, side
+      real(wp), allocatable :: x(:), f(:)
 
       if (present(settings)) s = settings
       call check_hysteresis_settings(s, error)
-      if (.not. allocated(error)) call check_record(displacement, force, error)
+      if (.not. allocated(error)) call check_record(displacement, force, s, error)
       if (allocated(error)) return
+      call find_outliers(displacement, force, result%outliers)
+      if (size(result%outliers) > 0 .and. s%outliers == 'drop') then
+         allocate (x, source=displacement)
+         allocate (f, source=force)
+         call leave_out(result%outliers, x, f)
+         call analyse_samples(x, f, s, result, error)
+      else
+         call analyse_samples(displacement, force, s, result, error)
+      end if
+   end subroutine analyse_hysteresis
 
+   !> Analyse the samples that count.
+   pure subroutine analyse_samples(displacement, force, s, result, error)
+      real(wp), intent(in) :: displacement(:), force(:)
+      type(hysteresis_settings), intent(in) :: s
+      type(hysteresis_result), intent(inout) :: result
+      type(error_type), allocatable, intent(inout) :: error
+      real(wp) :: force_floor
+      logical :: sides(2)
+      integer :: i, side
+
+      result%displacement_noise = displacement_noise(displacement)
       result%threshold = s%threshold
-      if (.not. s%threshold > 0.0_wp) &
-         result%threshold = default_threshold*(maxval(displacement) - minval(displacement))
+      if (.not. s%threshold > 0.0_wp) then
+         associate (range => maxval(displacement) - minval(displacement))
+            result%threshold = default_threshold*range
+            result%noise_sets_threshold = &
+               noise_threshold*result%displacement_noise > result%threshold
+            if (result%noise_sets_threshold) result%threshold = &
+               min(noise_threshold*result%displacement_noise, most_threshold*range)
+         end associate
+      end if
+      force_floor = max(s%force_floor, round_off_share*maxval(abs(force)))
+      call find_gaps(displacement, result%gaps)
+      call find_zeros(displacement, force, result%threshold, result%unloaded_displacement, &
+         result%loaded_force)
       call find_turning_points(displacement, result%threshold, result%turning_points)
       if (size(result%turning_points) == 0) then
          call fatal_error(error, 'displacement changes by no more than '// &
@@ -55,24 +92,34 @@ contains
             to_text(result%threshold, 4))
          return
       end if
+      if (result%unloaded_displacement < not_known) then
+         ! the sides of a displaced record say nothing
+         call classify(displacement - result%unloaded_displacement, force, result%threshold, &
+            result%turning_points, result%record_kind, sides)
+         sides = .true.
+      else
+         call classify(displacement, force, result%threshold, result%turning_points, &
+            result%record_kind, sides)
+      end if
       call cut_cycles(displacement, force, result%threshold, result%turning_points, result%cycles)
       do i = 1, size(result%cycles)
-         call find_peaks(displacement, force, result%threshold, s%peaks == 'force', &
+         call find_peaks(displacement, force, result%threshold, sides, s%peaks == 'force', &
             result%cycles(i))
       end do
-      call check_signs(result%cycles, error)
+      call measure_cycles(displacement, force, result%threshold, force_floor, result%cycles)
+      call check_signs(result%cycles, force_floor, error)
       if (allocated(error)) return
-      call measure_cycles(displacement, force, result%threshold, result%cycles)
       do side = positive_side, negative_side
-         call new_skeleton(displacement, force, side, s%amplitude_tolerance, result%cycles, &
+         call new_skeleton(displacement, force, side, result%threshold, s, result%cycles, &
             result%skeleton(side))
-         call evaluate_skeleton(side, s, result%skeleton(side))
+         call evaluate_skeleton(side, s, result%threshold, force_floor, result%skeleton(side))
       end do
-   end subroutine analyse_hysteresis
+   end subroutine analyse_samples
 
    !> Refuse what is no record.
-   pure subroutine check_record(displacement, force, error)
+   pure subroutine check_record(displacement, force, settings, error)
       real(wp), intent(in) :: displacement(:), force(:)
+      type(hysteresis_settings), intent(in) :: settings
       type(error_type), allocatable, intent(out) :: error
       integer :: i
 
@@ -92,7 +139,7 @@ contains
       if (.not. maxval(displacement) > minval(displacement)) then
          call fatal_error(error, 'displacement is '//to_text(displacement(1), 6)// &
             ' in every sample: the record does not move')
-      else if (.not. (maxval(force) > 0.0_wp .or. minval(force) < 0.0_wp)) then
+      else if (.not. (maxval(abs(force)) > 0.0_wp .or. settings%force_floor > 0.0_wp)) then
          call fatal_error(error, 'force is zero in every sample')
       end if
    end subroutine check_record
@@ -111,25 +158,32 @@ contains
          ' is not a number below 1e100 in size')
    end subroutine check_number
 
-   !> Refuse a record without a peak, or whose forces point against the displacement.
-   pure subroutine check_signs(cycles, error)
+   !> Refuse a record without a peak, or whose forces point against the displacement: at the peaks,
+   !> and so that the test gives energy back. At the end of a test the force of a peak may be below
+   !> zero.
+   pure subroutine check_signs(cycles, force_floor, error)
       type(hysteresis_cycle), intent(in) :: cycles(:)
-      type(error_type), allocatable, intent(out) :: error
+      real(wp), intent(in) :: force_floor
+      type(error_type), allocatable, intent(inout) :: error
       real(wp) :: product
+      logical :: loaded
       integer :: i, side, peaks
 
       product = 0.0_wp
       peaks = 0
+      loaded = .false.
       do i = 1, size(cycles)
          do side = positive_side, negative_side
             if (cycles(i)%peak(side) == 0) cycle
             peaks = peaks + 1
             product = product + cycles(i)%displacement(side)*cycles(i)%force(side)
+            loaded = loaded .or. abs(cycles(i)%force(side)) > force_floor
          end do
       end do
       if (peaks == 0) then
          call fatal_error(error, 'displacement comes no further from zero than the threshold')
-      else if (.not. product > 0.0_wp) then
+      else if (loaded .and. .not. product > 0.0_wp .and. &
+         .not. cycles(size(cycles))%cumulative_energy > 0.0_wp) then
          call fatal_error(error, 'force points against the displacement at the peaks of '// &
             'the record: turn the sign of one of them')
       end if

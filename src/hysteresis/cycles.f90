@@ -2,20 +2,26 @@
 module hysteresis_cycles
    use asperity_kinds, only: wp
    use asperity_properties, only: pi
-   use hysteresis_types, only: hysteresis_cycle, negative_side, positive_side, side_sign
+   use hysteresis_types, only: hysteresis_cycle, negative_side, not_known, positive_side, side_sign
    implicit none
    private
    public :: find_peaks, measure_cycles
+
+   !> A loop with so much less than no area, as a share of the rectangle of its peaks, gives energy
+   !> back, which is no damping
+   real(wp), parameter :: given_back = 0.02_wp
 
 contains
 
    !> Find the peak of a cycle on each side where it comes further out than the threshold. Of
    !> samples equally far out the one with the larger force counts, and the other way round.
-   pure subroutine find_peaks(displacement, force, threshold, by_force, loop)
+   pure subroutine find_peaks(displacement, force, threshold, sides, by_force, loop)
       !> The record
       real(wp), intent(in) :: displacement(:), force(:)
       !> Distance from zero that counts as zero
       real(wp), intent(in) :: threshold
+      !> Sides on which peaks count
+      logical, intent(in) :: sides(2)
       !> The peak is the largest force rather than the largest displacement
       logical, intent(in) :: by_force
       !> The cycle, whose samples are known
@@ -23,6 +29,7 @@ contains
       integer :: i, side, best
 
       do side = positive_side, negative_side
+         if (.not. sides(side)) cycle
          best = 0
          associate (s => side_sign(side))
             do i = loop%first, loop%last
@@ -52,26 +59,32 @@ contains
       is_beyond = a > c .or. (a >= c .and. b > d)
    end function is_beyond
 
-   !> Stiffness, energy and shape of all cycles, whose ends and peaks are known.
-   pure subroutine measure_cycles(displacement, force, threshold, cycles)
+   !> Stiffness, energy and shape of all cycles, whose ends and peaks are known. Nothing but energy
+   !> is formed of a cycle whose forces are zero.
+   pure subroutine measure_cycles(displacement, force, threshold, force_floor, cycles)
       !> The record
       real(wp), intent(in) :: displacement(:), force(:)
       !> Distance from zero that counts as zero
       real(wp), intent(in) :: threshold
+      !> Forces up to this size are zero
+      real(wp), intent(in) :: force_floor
       !> The cycles
       type(hysteresis_cycle), intent(inout) :: cycles(:)
       real(wp) :: total
+      logical :: loaded
       integer :: i
 
       total = 0.0_wp
       do i = 1, size(cycles)
-         call measure_stiffness(cycles(i))
-         if (cycles(1)%secant_stiffness > 0.0_wp) &
+         loaded = any(cycles(i)%peak > 0 .and. abs(cycles(i)%force) > force_floor)
+         if (loaded) call measure_stiffness(cycles(i))
+         if (all(cycles([1, i])%secant_stiffness < not_known) .and. &
+            cycles(1)%secant_stiffness > 0.0_wp) &
             cycles(i)%stiffness_ratio = cycles(i)%secant_stiffness/cycles(1)%secant_stiffness
          cycles(i)%energy = work(cycles(i), displacement, force)
          total = total + cycles(i)%energy
          cycles(i)%cumulative_energy = total
-         if (cycles(i)%closed .and. all(cycles(i)%peak > 0)) &
+         if (loaded .and. cycles(i)%closed .and. all(cycles(i)%peak > 0)) &
             call measure_shape(cycles(i), displacement, force, threshold)
       end do
    end subroutine measure_cycles
@@ -109,7 +122,8 @@ contains
       trapezoid = 0.5_wp*(f1 + f2)*(x2 - x1)
    end function trapezoid
 
-   !> Area, damping, pinching and fullness of a closed cycle with two peaks.
+   !> Area, damping, pinching and fullness of a closed cycle with two peaks; the area alone if it
+   !> gives energy back, or if its peaks are the wrong way round.
    pure subroutine measure_shape(loop, displacement, force, threshold)
       type(hysteresis_cycle), intent(inout) :: loop
       real(wp), intent(in) :: displacement(:), force(:), threshold
@@ -120,11 +134,12 @@ contains
       associate (x => loop%displacement, f => loop%force)
          loop%loop_area = loop%energy + trapezoid(loop%end_displacement, loop%end_force, &
             loop%start_displacement, loop%start_force)
-         product = 0.5_wp*sum(f*x)
-         if (product > 0.0_wp) loop%damping = loop%loop_area/(2.0_wp*pi*product)
          height = f(positive_side) - f(negative_side)
          width = x(positive_side) - x(negative_side)
          if (.not. height > 0.0_wp) return
+         if (loop%loop_area < -given_back*height*width) return
+         product = 0.5_wp*sum(f*x)
+         if (product > 0.0_wp) loop%damping = loop%loop_area/(2.0_wp*pi*product)
          loop%fullness = loop%loop_area/(height*width)
 
          earlier = minval(loop%peak)

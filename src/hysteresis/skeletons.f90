@@ -1,8 +1,9 @@
 !> Skeleton of one side of a record, and its stiffness, yield and ultimate point.
 module hysteresis_skeletons
    use asperity_kinds, only: wp
+   use hysteresis_envelopes, only: find_envelope
    use hysteresis_types, only: hysteresis_cycle, hysteresis_settings, hysteresis_skeleton, &
-      initial_fraction, side_sign
+      initial_fraction, not_known, side_sign
    implicit none
    private
    public :: new_skeleton, evaluate_skeleton
@@ -14,65 +15,108 @@ module hysteresis_skeletons
    !> Yield force over peak force where that equation has no solution (ASTM E2126)
    real(wp), parameter :: assumed_yield = 0.85_wp
 
+   !> A displacement below this share of the threshold is zero
+   real(wp), parameter :: resolved = 0.1_wp
+
 contains
 
-   !> Peaks of the first cycle at each amplitude. A record with a single peak, such as a
-   !> monotonic test, is its own skeleton: all samples further out than those before them.
-   pure subroutine new_skeleton(displacement, force, side, tolerance, cycles, skeleton)
+   !> The first-cycle envelope, or the peaks of the first cycle at each amplitude. A record with a
+   !> single peak, such as a monotonic test, is its own skeleton whatever the definition.
+   pure subroutine new_skeleton(displacement, force, side, threshold, settings, cycles, skeleton)
       !> The record
       real(wp), intent(in) :: displacement(:), force(:)
       !> One of the two sides
       integer, intent(in) :: side
-      !> A peak has a new amplitude if it is larger than all before it by this share
-      real(wp), intent(in) :: tolerance
+      !> Distance from zero that counts as zero
+      real(wp), intent(in) :: threshold
+      !> Definition of the peaks; a peak has a new amplitude if it is larger than all before it by a
+      !> share
+      type(hysteresis_settings), intent(in) :: settings
       !> Cycles with their peaks; those in the skeleton are marked
       type(hysteresis_cycle), intent(inout) :: cycles(:)
       !> Its points are set
       type(hysteresis_skeleton), intent(out) :: skeleton
-      real(wp) :: largest
       integer, allocatable :: samples(:), origin(:)
-      integer :: i, n
+      logical :: own
+      integer :: i
 
-      allocate (samples(size(displacement)), origin(size(displacement)))
-      n = 0
-      largest = 0.0_wp
-      associate (s => side_sign(side))
-         do i = 1, size(cycles)
-            if (cycles(i)%peak(side) == 0) cycle
-            if (.not. s*cycles(i)%displacement(side) > largest*(1.0_wp + tolerance)) cycle
-            largest = s*cycles(i)%displacement(side)
-            cycles(i)%in_skeleton(side) = .true.
-            n = n + 1
-            samples(n) = cycles(i)%peak(side)
-            origin(n) = i
-         end do
-         if (n == 1 .and. size(cycles) == 1 .and. count(cycles(1)%peak > 0) == 1) then
-            n = 0
-            largest = 0.0_wp
-            do i = 1, size(displacement)
-               if (.not. s*displacement(i) > largest) cycle
-               largest = s*displacement(i)
-               n = n + 1
-               samples(n) = i
-               origin(n) = 0
-            end do
-         end if
-      end associate
-      allocate (skeleton%displacement(n), skeleton%force(n))
-      do i = 1, n
-         skeleton%displacement(i) = displacement(samples(i))
-         skeleton%force(i) = force(samples(i))
+      own = size(cycles) == 1 .and. count(cycles(1)%peak > 0) == 1
+      if (own .or. settings%peaks == 'envelope') then
+         call find_envelope(displacement, force, side, threshold, settings%amplitude_tolerance, &
+            cycles, samples, origin, skeleton%left_force)
+      else
+         call find_first_peaks(side, settings%amplitude_tolerance, cycles, samples, origin)
+      end if
+      do i = 1, size(origin)
+         cycles(origin(i))%in_skeleton(side) = .true.
       end do
-      allocate (skeleton%cycle, source=origin(:n))
+      if (own) origin = 0
+      allocate (skeleton%displacement(size(samples)), skeleton%force(size(samples)))
+      skeleton%displacement(:) = displacement(samples)
+      skeleton%force(:) = force(samples)
+      call move_alloc(origin, skeleton%cycle)
+      call find_largest(displacement, force, side, threshold, skeleton)
    end subroutine new_skeleton
 
+   !> Peaks of the first cycle at each amplitude.
+   pure subroutine find_first_peaks(side, tolerance, cycles, samples, origin)
+      integer, intent(in) :: side
+      real(wp), intent(in) :: tolerance
+      type(hysteresis_cycle), intent(in) :: cycles(:)
+      integer, allocatable, intent(out) :: samples(:), origin(:)
+      logical :: is_first(size(cycles))
+      real(wp) :: largest
+      integer :: i
+
+      is_first = .false.
+      largest = 0.0_wp
+      do i = 1, size(cycles)
+         if (cycles(i)%peak(side) == 0) cycle
+         associate (x => side_sign(side)*cycles(i)%displacement(side))
+            is_first(i) = x > largest*(1.0_wp + tolerance)
+            if (is_first(i)) largest = x
+         end associate
+      end do
+      origin = pack([(i, i=1, size(cycles))], is_first)
+      samples = [(cycles(origin(i))%peak(side), i=1, size(origin))]
+   end subroutine find_first_peaks
+
+   !> The record's largest force on a side.
+   pure subroutine find_largest(displacement, force, side, threshold, skeleton)
+      real(wp), intent(in) :: displacement(:), force(:), threshold
+      integer, intent(in) :: side
+      type(hysteresis_skeleton), intent(inout) :: skeleton
+      real(wp) :: largest
+      integer :: i
+
+      largest = 0.0_wp
+      associate (s => side_sign(side))
+         do i = 1, size(force)
+            if (.not. s*force(i) > largest) cycle
+            if (.not. s*displacement(i) > threshold) cycle
+            largest = s*force(i)
+            skeleton%record_sample = i
+         end do
+      end associate
+      if (skeleton%record_sample == 0) return
+      skeleton%record_displacement = displacement(skeleton%record_sample)
+      skeleton%record_force = force(skeleton%record_sample)
+   end subroutine find_largest
+
    !> Stiffness, peak, ultimate point and yield point of a skeleton whose points are set.
-   pure subroutine evaluate_skeleton(side, settings, skeleton)
+   pure subroutine evaluate_skeleton(side, settings, threshold, force_floor, skeleton)
       !> One of the two sides
       integer, intent(in) :: side
+      !> Distance from zero that counts as zero
+      real(wp), intent(in) :: threshold
+      !> Forces up to this size are zero
+      real(wp), intent(in) :: force_floor
       !> Shares of the peak force
       type(hysteresis_settings), intent(in) :: settings
-      !> Skeleton; it keeps its numbers unknown if the force never has the sign of displacement
+      !> Skeleton; it keeps its numbers unknown if the force never has the sign of displacement.
+      !> Where its first point has the force of the elastic stiffness already, at all but zero
+      !> displacement, the record has no sample of the rise: there is no stiffness, and no yield
+      !> point
       type(hysteresis_skeleton), intent(inout) :: skeleton
       real(wp), allocatable :: x(:), f(:)
       real(wp) :: largest, elastic, initial, last_x, last_f
@@ -89,25 +133,27 @@ contains
             f(i) = s*skeleton%force(i)
          end do
          largest = maxval(f)
-         if (.not. largest > 0.0_wp) return
+         if (.not. largest > force_floor) return
          do peak = ubound(f, 1), 1, -1
             if (f(peak) >= (1.0_wp - same_force)*largest) exit
          end do
          skeleton%peak_displacement = s*x(peak)
          skeleton%peak_force = s*f(peak)
 
-         elastic = displacement_at(x, f, share*f(peak))
-         initial = displacement_at(x, f, initial_fraction*f(peak))
-         skeleton%elastic_stiffness = share*f(peak)/elastic
-         ! the two points of a jump may be one
-         if (elastic > initial) &
-            skeleton%initial_stiffness = (share - initial_fraction)*f(peak)/(elastic - initial)
+         if (x(1) > resolved*threshold .or. f(1) < share*f(peak)) then
+            elastic = displacement_at(x, f, share*f(peak))
+            initial = displacement_at(x, f, initial_fraction*f(peak))
+            skeleton%elastic_stiffness = share*f(peak)/elastic
+            ! the two points of a jump may be one
+            if (elastic > initial) &
+               skeleton%initial_stiffness = (share - initial_fraction)*f(peak)/(elastic - initial)
+         end if
 
          call find_ultimate(x, f, peak, settings%ultimate_fraction, last_x, last_f, &
             skeleton%area, skeleton%ultimate_reached)
          skeleton%ultimate_displacement = s*last_x
          skeleton%ultimate_force = s*last_f
-         call find_yield(s, last_x, skeleton)
+         if (skeleton%elastic_stiffness < not_known) call find_yield(s, last_x, skeleton)
       end associate
    end subroutine evaluate_skeleton
 
@@ -135,6 +181,8 @@ contains
 
       area = 0.0_wp
       reached = .false.
+      last_x = x(0)
+      last_f = f(0)
       do i = 1, ubound(x, 1)
          last_x = x(i)
          last_f = f(i)

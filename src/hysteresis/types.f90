@@ -8,7 +8,7 @@ module hysteresis_types
    implicit none
    private
    public :: hysteresis_settings, hysteresis_cycle, hysteresis_skeleton, hysteresis_result
-   public :: check_hysteresis_settings
+   public :: check_hysteresis_settings, record_outlier, record_gap
 
    !> Stands for a number that the record does not give
    real(wp), parameter, public :: not_known = huge(1.0_wp)
@@ -20,16 +20,26 @@ module hysteresis_types
    real(wp), parameter, public :: initial_fraction = 0.1_wp
    !> Numbers of a record, and a threshold, must be smaller, so that no product overflows
    real(wp), parameter, public :: largest_value = 1.0e100_wp
+   !> Forces below this share of the record's largest are round-off
+   real(wp), parameter, public :: round_off_share = 1.0e-9_wp
+   !> Length of a kind of record, a definition of peaks, a quantity
+   integer, parameter, public :: name_length = 24
 
    !> How a record is read.
    type :: hysteresis_settings
       !> Reversals of displacement up to this size are noise, and so is such a distance from zero;
-      !> zero for 1/400 of the record's range of displacement
+      !> zero for 1/400 of the record's range of displacement, or more where the record is noisy
       real(wp) :: threshold = 0.0_wp
       !> A peak has a new amplitude if it is larger than all before it by this share at least
       real(wp) :: amplitude_tolerance = 0.05_wp
-      !> What makes the peak of a half cycle: largest `displacement` or largest `force`
-      character(len=12) :: peaks = 'displacement'
+      !> Skeleton: the first-cycle `envelope`, or one point a cycle, its largest `displacement` or
+      !> its largest `force`. The last makes the largest force the peak of a half cycle, the others
+      !> its tip
+      character(len=12) :: peaks = 'envelope'
+      !> Single samples far off those beside them: `drop` or `keep`
+      character(len=12) :: outliers = 'drop'
+      !> Forces up to this size are zero; zero for 1e-9 of the largest
+      real(wp) :: force_floor = 0.0_wp
       !> Share of the peak force that the elastic stiffness goes through (ASTM E2126)
       real(wp) :: elastic_fraction = 0.4_wp
       !> Share of the peak force, past the peak, at the ultimate point (ASTM E2126)
@@ -60,8 +70,8 @@ module hysteresis_types
       real(wp) :: stiffness_ratio = not_known
       !> Work of the force in this cycle, in the record's order, and in all cycles up to it
       real(wp) :: energy = 0.0_wp, cumulative_energy = 0.0_wp
-      !> Area of the loop, its small gap closed by a straight line; of closed cycles only, as are
-      !> the next three, which also need both peaks
+      !> Area of the loop, its small gap closed by a straight line; of closed cycles with both peaks
+      !> only, as are the next three, which a loop that gives energy back does not have
       real(wp) :: loop_area = not_known
       !> Equivalent viscous damping, area/(2 pi (F+ X+/2 + F- X-/2))
       real(wp) :: damping = not_known
@@ -77,6 +87,13 @@ module hysteresis_types
       real(wp), allocatable :: displacement(:), force(:)
       !> Cycle of each point; zero if the record is its own skeleton
       integer, allocatable :: cycle(:)
+      !> Force at zero displacement that the other side has left, signed, for which a straight line
+      !> takes the place of the first excursion of an envelope; else zero
+      real(wp) :: left_force = 0.0_wp
+      !> Sample of the record's largest force on this side; zero if it has none there
+      integer :: record_sample = 0
+      !> Displacement and force of that sample, signed
+      real(wp) :: record_displacement = not_known, record_force = not_known
       !> Slope between 0.1 of the peak force and the elastic fraction (EN 12512)
       real(wp) :: initial_stiffness = not_known
       !> Slope from the origin through the elastic fraction of the peak force, Ke of ASTM E2126
@@ -97,11 +114,43 @@ module hysteresis_types
       real(wp) :: ductility = not_known
    end type hysteresis_skeleton
 
+   !> A sample far off those beside it.
+   type :: record_outlier
+      !> Sample
+      integer :: sample = 0
+      !> `displacement` or `force`
+      character(len=name_length) :: quantity = ''
+      !> Its value in the record
+      real(wp) :: value = 0.0_wp
+   end type record_outlier
+
+   !> A step of displacement far larger than those beside it.
+   type :: record_gap
+      !> Sample before it
+      integer :: sample = 0
+      !> Its size
+      real(wp) :: step = 0.0_wp
+   end type record_gap
+
    !> Everything found in a record.
    type :: hysteresis_result
-      !> Threshold in use
+      !> `monotonic`, `monotonic_with_unloading`, `cyclic` or `one_sided`
+      character(len=name_length) :: record_kind = ''
+      !> Standard deviation of the noise of displacement, as far as the samples tell
+      real(wp) :: displacement_noise = 0.0_wp
+      !> Threshold in use, and whether noise makes it, as it needs more than 1/400 of the range
       real(wp) :: threshold = 0.0_wp
-      !> Samples at which the displacement turns, and the last extreme of a record that still moves
+      logical :: noise_sets_threshold = .false.
+      !> Outliers; they are left out if the settings say so
+      type(record_outlier), allocatable :: outliers(:)
+      !> Gaps in sampling
+      type(record_gap), allocatable :: gaps(:)
+      !> Displacement, far from zero, at which the record begins without force
+      real(wp) :: unloaded_displacement = not_known
+      !> Force at which the record begins without displacement
+      real(wp) :: loaded_force = not_known
+      !> Samples at which the displacement turns, and the last extreme of a record that still moves;
+      !> reversals that make no cycle are not among them
       integer, allocatable :: turning_points(:)
       !> The cycles, which follow each other without a gap
       type(hysteresis_cycle), allocatable :: cycles(:)
@@ -125,10 +174,16 @@ contains
          settings%elastic_fraction, 0.2_wp, 0.9_wp, '')
       if (.not. allocated(error)) call check_range(error, 'ultimate_fraction', &
          settings%ultimate_fraction, 0.1_wp, 0.99_wp, '')
+      if (.not. allocated(error)) call check_range(error, 'force_floor', settings%force_floor, &
+         0.0_wp, largest_value, '')
       if (allocated(error)) return
-      if (all(settings%peaks /= [character(len=12) :: 'displacement', 'force'])) &
+      if (all(settings%peaks /= [character(len=12) :: 'envelope', 'displacement', 'force'])) then
          call fatal_error(error, "peaks = '"//trim(settings%peaks)// &
-         "' is unknown; known: displacement, force")
+            "' is unknown; known: envelope, displacement, force")
+      else if (all(settings%outliers /= [character(len=12) :: 'drop', 'keep'])) then
+         call fatal_error(error, "outliers = '"//trim(settings%outliers)// &
+            "' is unknown; known: drop, keep")
+      end if
    end subroutine check_hysteresis_settings
 
 end module hysteresis_types

@@ -12,6 +12,8 @@ plastic() {
 
 run hysteresis h.csv --csv c.csv --json c.json
 check 'hysteresis' is_quiet
+check 'hysteresis: what the record is, on the screen' has out 'Record: cyclic'
+check 'hysteresis: and in JSON' has c.json '"record_kind": "cyclic",'
 header=cycle,closed,positive_displacement,positive_force,negative_displacement,negative_force,\
 skeleton,secant_stiffness,stiffness_ratio,energy,cumulative_energy,loop_area,damping,pinching,\
 fullness,first_sample,last_sample
@@ -41,6 +43,9 @@ check 'hysteresis: equal energy finds yield and stiffness' awk -v f="$(hysteresi
       exit off(F[1], 4) || off(F[2], -4) || off(X[1], 0.5) || off(X[2], -0.5) || off(K[1], 8) || off(K[2], 8) }'
 check 'hysteresis: JSON is JSON' sh -c 'command -v python3 >/dev/null || exit 0; python3 -m json.tool c.json'
 check 'hysteresis: JSON has the points of the skeleton' has c.json \
+   '"displacement": [1.2500000000000000E-001, 2.5000000000000000E-001, 3.7500000000000000E-001, '
+run hysteresis h.csv --peaks displacement --json c2.json
+check 'hysteresis: of the tips, if so wished' has c2.json \
    '"displacement": [5.0000000000000000E-001, 1.0000000000000000E+000, 2.0000000000000000E+000, -5.0'
 check 'hysteresis: the table is printed' sh -c 'grep -Eq "^ +4 +yes +2.0 +4.0 +-2.0 +-4.0 +2.0 " out'
 check 'hysteresis: the threshold is said' has out '1/400 of the range'
@@ -101,18 +106,22 @@ check 'hysteresis: what has no value is null' has out 'null'
 check 'hysteresis: a warning beside JSON' has err 'asperity: warning: Not closed'
 plastic | head -n 5 >push.csv
 run hysteresis push.csv
-check 'hysteresis: one push is its own skeleton' has out 'The record has one peak'
+check 'hysteresis: one push is monotonic' has out 'Record: monotonic'
+check 'hysteresis: and need not be closed' lacks out 'Not closed'
 printf '0 0\n2 1\n3 10\n4 10\n' >hollow.csv
 run hysteresis hollow.csv
 check 'hysteresis: yield that is assumed is said to be' has out \
    'The positive skeleton is too hollow for a yield point of equal energy: 0.85'
-# a pause of the test: more cycles, or not
+# a pause of the test makes no cycle, a return does, unless the threshold is larger
 printf '0 0\n1 8\n0.9 7\n2 9\n-2 -9\n0 0\n' >pause.csv
 run hysteresis pause.csv --csv c2.csv
-check 'hysteresis: a pause above the threshold' test "$(rows c2.csv)" -eq 2
-run hysteresis pause.csv --threshold 0.2 --csv c2.csv
-check 'hysteresis: and below it' test "$(rows c2.csv)" -eq 1
-check 'hysteresis: the threshold given' grep -Eq 'threshold +0.2 +--threshold' out
+check 'hysteresis: a pause is no cycle' test "$(rows c2.csv)" -eq 1
+printf '0 0\n1 8\n0.1 0\n2 9\n-2 -9\n0 0\n' >return.csv
+run hysteresis return.csv --csv c2.csv
+check 'hysteresis: a return is one' test "$(rows c2.csv)" -eq 2
+run hysteresis return.csv --threshold 0.9 --csv c2.csv
+check 'hysteresis: unless below the threshold' test "$(rows c2.csv)" -eq 1
+check 'hysteresis: the threshold given' grep -Eq 'threshold +0.9 +--threshold' out
 # the program's own files
 run shear --displacement 2,-2,0 --normal-stress 0.1 --no-shrinking-overlap --csv s.csv
 run hysteresis s.csv --displacement-column displacement --force-column shear_force --csv c2.csv
@@ -120,7 +129,14 @@ check 'hysteresis: of a shear box, friction pinches nothing' csv c2.csv \
    'if (far(c["pinching"], 1, 1e-9)) fail(c["pinching"])'
 
 check 'hysteresis: one amplitude makes no skeleton to speak of' has out \
-   'The positive skeleton is a straight line, having one amplitude'
+   'The negative skeleton is a straight line, having one amplitude'
+
+check 'hysteresis: force that the other side has left' has out 'The negative side begins with -'
+
+# a joint whose moment falls within its last cycle: the tenon's skeleton goes through tips
+run tenon --amplitudes 8,150 --length 80 --cycles 1,1
+check 'tenon: more moment than the tips of cycles' grep -Eq \
+   'hard contact: the replay has 2.6471 kN m, 6.[0-9]+ % more than its skeleton' out
 
 # noise does not change the cycles; printed seed
 seed=20260402
@@ -131,6 +147,61 @@ run hysteresis noisy.csv --csv c2.csv
 check 'hysteresis: four noisy cycles' test "$(rows c2.csv)" -eq 4
 check 'hysteresis: their damping within 2 %' csv c2.csv '
    if (NR == 5 && far(c["damping"], 2/3.14159265358979323846*0.75, 0.02)) fail(c["damping"])'
+
+# and where it is above 1/400 of the range it makes the threshold
+plastic 0.015625 | awk -F, -v seed=$seed 'BEGIN { srand(seed) }
+   { printf "%.9g,%.9g\n", $1 + 0.06*(rand() - 0.5), $2 + 0.04*(rand() - 0.5) }' >noisy.csv
+run hysteresis noisy.csv --csv c2.csv
+check 'hysteresis: four cycles in more noise' test "$(rows c2.csv)" -eq 4
+check 'hysteresis: which makes the threshold' grep -Eq 'threshold +0.1[0-9.]* +noise of displacement' out
+
+# Records of test/data/records, whose numbers are in its README
+records=$root/test/data/records
+# summary_of NAME: a column of the summary, the positive side first
+summary_of() { sed -n '/^"summary"/,/^}/p' c2.json | sed -n "s/^\"$1\": \[\([^,]*\),.*/\1/p"; }
+is_near() { awk -v a="$(summary_of "$1")" -v b="$2" -v t="$3" 'BEGIN { exit !(a != "" && a - b <= t && b - a <= t) }'; }
+for name in en26891 en26891_without_unloading; do
+   run hysteresis "$records/$name.csv" --json c2.json --csv c2.csv
+   check "hysteresis: $name, largest force" is_near peak_force 12.398 1e-6
+   check "hysteresis: $name, its displacement" is_near peak_displacement 11.988 1e-6
+   check "hysteresis: $name, ultimate" is_near ultimate_displacement 12.04864 1e-5
+   check "hysteresis: $name, ductility" is_near ductility 8.211282 1e-6
+   check "hysteresis: $name, one cycle" test "$(rows c2.csv)" -eq 1
+   sed -n '/^"summary"/,/^}/p' c2.json >$name.summary
+done
+check 'hysteresis: the unloading changes no number' cmp en26891.summary en26891_without_unloading.summary
+run hysteresis "$records/en26891.csv" --json c2.json
+check 'hysteresis: EN 26891 is told' has c2.json '"record_kind": "monotonic_with_unloading"'
+for name in peak_inside spike gap; do
+   run hysteresis "$records/$name.csv" --json c2.json
+   check "hysteresis: $name, largest force" is_near peak_force 11.536 1e-6
+   check "hysteresis: $name, its displacement" is_near peak_displacement 7.9664 1e-6
+   check "hysteresis: $name, ultimate" is_near ultimate_displacement 9.218535 1e-6
+   check "hysteresis: $name, cyclic" has c2.json '"record_kind": "cyclic"'
+   check "hysteresis: $name, fullness above 1" has out 'Fullness above 1, a loop outside the rectangle of its peaks: cycle 9'
+done
+check 'hysteresis: a gap is said' has out 'Gaps in sampling, 1: a step of 3.8302 mm after sample 755'
+run hysteresis "$records/spike.csv" --json c2.json
+check 'hysteresis: an outlier is said' has out 'Outliers, 1: displacement 400.0 mm in sample 701,'
+run hysteresis "$records/spike.csv" --outliers keep --json c2.json
+check 'hysteresis: and kept, if so wished' is_near ultimate_displacement 400 0
+check 'hysteresis: and still said' has out 'taken as measured'
+run hysteresis "$records/peak_inside.csv" --peaks displacement
+check 'hysteresis: more in the record than in the tips' has out \
+   'The record has 11.536 kN, 15.0 % more (sample 1671, 7.9664 mm) than the positive skeleton'
+run hysteresis "$records/peak_inside.csv" --peaks force
+check 'hysteresis: peaks by force, no loop outside its rectangle' lacks out 'Fullness above 1'
+run hysteresis "$records/offset.csv"
+check 'hysteresis: a zero that is none' has out 'The record begins at 60.0 mm without force'
+run hysteresis "$records/offset.csv" --displacement-zero 60 --json c2.json
+check 'hysteresis: set as said, the same' is_near ultimate_displacement 9.2185 1e-3
+awk -F, '{ print $1 "," $2 + 6 }' bare.csv >loaded.csv
+run hysteresis loaded.csv
+check 'hysteresis: a force that is not zeroed' has out 'The record begins with force 6.0 N at zero displacement'
+printf '0,0\n10,1\n10.5,10\n14,10\n14.1,0\n' >late.csv
+run hysteresis late.csv
+check 'hysteresis: a ductility below 1' has out 'The positive ductility is below 1'
+check 'hysteresis: of a hollow skeleton' has out 'The positive skeleton is too hollow'
 
 # Pictures
 if command -v gnuplot >/dev/null; then
@@ -208,8 +279,10 @@ refuses 'hysteresis: zero factor' 2 '--force-factor: force_factor = 0.0 is not a
    hysteresis h.csv --force-factor 0
 refuses 'hysteresis: negative lines' 2 '--skip-lines: skip_lines = -1 is not allowed' \
    hysteresis h.csv --skip-lines -1
-refuses 'hysteresis: unknown peaks' 2 "--peaks: peaks = 'x' is unknown; known: displacement, force" \
+refuses 'hysteresis: unknown peaks' 2 "--peaks: peaks = 'x' is unknown; known: envelope, displacement" \
    hysteresis h.csv --peaks x
+refuses 'hysteresis: unknown outliers' 2 "--outliers: outliers = 'x' is unknown; known: drop, keep" \
+   hysteresis h.csv --outliers x
 refuses 'hysteresis: unknown separator' 2 "--separator: .* is unknown; known: auto, comma" \
    hysteresis h.csv --separator pipe
 refuses 'hysteresis: no case files' 2 '--print-case: is an option of curve' \

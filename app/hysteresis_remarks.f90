@@ -1,0 +1,256 @@
+!> What is to be said of a record and of its analysis.
+module app_hysteresis_remarks
+   use asperity, only: wp
+   use asperity_properties, only: pi
+   use asperity_text, only: to_text
+   use hysteresis_analysis, only: hysteresis_result, hysteresis_settings, hysteresis_skeleton, &
+      not_known, positive_side, negative_side
+   use app_hysteresis_tables, only: record_labels, side_names
+   use app_strings, only: string_type
+   implicit none
+   private
+   public :: record_remarks, excess_words
+
+   !> Share by which the record may hold more than the skeleton, and by which a ratio may leave its
+   !> range, as noise does
+   real(wp), parameter :: allowance = 0.02_wp
+   !> Damping of a rectangle
+   real(wp), parameter :: largest_damping = 2.0_wp/pi
+   !> Cycles, samples and gaps that are named; of more, the number is said
+   integer, parameter :: most_cycles = 12, most_named = 3
+   !> Figures of numbers
+   integer, parameter :: figures = 5
+
+   !> Remarks, in the order of the analysis.
+   type :: remark_list
+      type(string_type), allocatable :: lines(:)
+   contains
+      procedure :: add
+   end type remark_list
+
+contains
+
+   !> All remarks.
+   pure function record_remarks(settings, result, labels) result(lines)
+      !> How it was read
+      type(hysteresis_settings), intent(in) :: settings
+      !> What was found
+      type(hysteresis_result), intent(in) :: result
+      !> Names and units
+      type(record_labels), intent(in) :: labels
+      type(string_type), allocatable :: lines(:)
+      type(remark_list) :: list
+      integer :: side
+
+      allocate (list%lines(0))
+      call add_outliers(list, settings, result, labels)
+      call add_gaps(list, result, labels)
+      call add_zeros(list, result, labels)
+      call add_cycles(list, settings, result)
+      do side = positive_side, negative_side
+         call add_side(list, side_names(side), settings, result%threshold, &
+            result%skeleton(side), labels)
+      end do
+      call move_alloc(list%lines, lines)
+   end function record_remarks
+
+   pure subroutine add(self, text)
+      class(remark_list), intent(inout) :: self
+      character(len=*), intent(in) :: text
+
+      self%lines = [self%lines, string_type(text)]
+   end subroutine add
+
+   !> Samples that leap away and back.
+   pure subroutine add_outliers(list, settings, result, labels)
+      type(remark_list), intent(inout) :: list
+      type(hysteresis_settings), intent(in) :: settings
+      type(hysteresis_result), intent(in) :: result
+      type(record_labels), intent(in) :: labels
+      character(len=:), allocatable :: text
+      integer :: i, n
+
+      n = size(result%outliers)
+      if (n == 0) return
+      text = ''
+      do i = 1, min(n, most_named)
+         associate (outlier => result%outliers(i))
+            if (outlier%quantity == 'force') then
+               text = text//labels%f//' '//shown(outlier%value, labels%f_unit)
+            else
+               text = text//labels%x//' '//shown(outlier%value, labels%x_unit)
+            end if
+            text = text//' in sample '//to_text(outlier%sample)//', '
+         end associate
+      end do
+      if (n > most_named) text = text//'and more, '
+      text = 'Outliers, '//to_text(n)//': '//text//'far off the samples beside '// &
+         trim(merge('it  ', 'them', n == 1))//': '
+      if (settings%outliers == 'drop') then
+         call list%add(text//'left out (--outliers keep takes them in).')
+      else
+         call list%add(text//'taken as measured; --outliers drop leaves them out.')
+      end if
+   end subroutine add_outliers
+
+   !> Steps that hide what happened.
+   pure subroutine add_gaps(list, result, labels)
+      type(remark_list), intent(inout) :: list
+      type(hysteresis_result), intent(in) :: result
+      type(record_labels), intent(in) :: labels
+      character(len=:), allocatable :: text
+      integer :: i, n
+
+      n = size(result%gaps)
+      if (n == 0) return
+      text = ''
+      do i = 1, min(n, most_named)
+         text = text//shown(result%gaps(i)%step, labels%x_unit)//' after sample '// &
+            to_text(result%gaps(i)%sample)//', '
+      end do
+      if (n > most_named) text = text//'and more, '
+      call list%add('Gaps in sampling, '//to_text(n)//': a step of '//text//'far above the '// &
+         'steps beside: energy, damping and shape of that cycle are of a straight line there.')
+   end subroutine add_gaps
+
+   !> A zero that may be none.
+   pure subroutine add_zeros(list, result, labels)
+      type(remark_list), intent(inout) :: list
+      type(hysteresis_result), intent(in) :: result
+      type(record_labels), intent(in) :: labels
+
+      if (result%unloaded_displacement < not_known) call list%add('The record begins at '// &
+         shown(result%unloaded_displacement, labels%x_unit)//' without '//labels%f//': zero of '// &
+         labels%x//' looks wrong, and stiffness, ductility and cycles with it; '// &
+         '--displacement-zero sets it (the reading at rest, before the factor).')
+      if (result%loaded_force < not_known) call list%add('The record begins with '//labels%f// &
+         ' '//shown(result%loaded_force, labels%f_unit)//' at zero '//labels%x// &
+         ': unless that is so, --force-zero sets its zero.')
+   end subroutine add_zeros
+
+   !> Cycles that are not closed, and numbers outside what a loop between its peaks can have.
+   pure subroutine add_cycles(list, settings, result)
+      type(remark_list), intent(inout) :: list
+      type(hysteresis_settings), intent(in) :: settings
+      type(hysteresis_result), intent(in) :: result
+      character(len=:), allocatable :: cure
+
+      cure = ''
+      if (settings%peaks /= 'force') cure = &
+         '; the largest force is not at the tip, perhaps (--peaks force)'
+      associate (c => result%cycles)
+         ! a monotonic record is expected to be open
+         if (result%record_kind(:9) /= 'monotonic') call add_list(list, &
+            'Not closed, so energy is the work done and there is no damping: ', .not. c%closed, '')
+         call add_list(list, 'Closed, but giving energy back, so there is no damping: ', &
+            c%closed .and. c%loop_area < 0.0_wp .and. .not. c%fullness < not_known, '')
+         call add_list(list, 'Fullness above 1, a loop outside the rectangle of its peaks: ', &
+            is_outside(c%fullness, 1.0_wp), cure)
+         call add_list(list, 'Damping above 2/pi, that of a rectangle: ', &
+            is_outside(c%damping, largest_damping), cure)
+         call add_list(list, 'Pinching outside 0 to 1, wider at zero than between the peaks: ', &
+            is_outside(c%pinching, 1.0_wp), cure)
+      end associate
+   end subroutine add_cycles
+
+   !> Whether a number is known and beyond its range by more than noise.
+   pure elemental logical function is_outside(value, largest)
+      real(wp), intent(in) :: value, largest
+
+      is_outside = value < not_known .and. &
+         (value < -allowance*largest .or. value > (1.0_wp + allowance)*largest)
+   end function is_outside
+
+   !> The cycles of which something is true.
+   pure subroutine add_list(list, text, is_true, more)
+      type(remark_list), intent(inout) :: list
+      character(len=*), intent(in) :: text, more
+      logical, intent(in) :: is_true(:)
+      character(len=:), allocatable :: names
+      integer :: i
+
+      if (.not. any(is_true)) return
+      if (count(is_true) > most_cycles) then
+         names = to_text(count(is_true))//' cycles'
+      else
+         names = 'cycle'
+         do i = 1, size(is_true)
+            if (is_true(i)) names = names//' '//to_text(i)
+         end do
+      end if
+      call list%add(text//names//more)
+   end subroutine add_list
+
+   !> One side.
+   pure subroutine add_side(list, name, settings, threshold, skeleton, labels)
+      type(remark_list), intent(inout) :: list
+      character(len=*), intent(in) :: name
+      type(hysteresis_settings), intent(in) :: settings
+      real(wp), intent(in) :: threshold
+      type(hysteresis_skeleton), intent(in) :: skeleton
+      type(record_labels), intent(in) :: labels
+      character(len=:), allocatable :: text
+
+      if (size(skeleton%force) == 0) return
+      if (size(skeleton%force) == 1) call list%add('The '//name//' skeleton is a straight '// &
+         'line, having one amplitude: its stiffness and yield point say little.')
+      if (.not. skeleton%peak_force < not_known) then
+         call list%add('The '//name//' skeleton has no force in its own direction: nothing is '// &
+            'formed from it.')
+         return
+      end if
+      text = excess_words(skeleton, labels%f_unit)
+      if (text /= '') then
+         text = 'The record has '//text//' (sample '//to_text(skeleton%record_sample)//', '// &
+            shown(skeleton%record_displacement, labels%x_unit)//') than the '//name//' skeleton'
+         if (settings%peaks == 'envelope') then
+            call list%add(text//', in a later or an inner cycle.')
+         else
+            call list%add(text//': --peaks envelope takes it in.')
+         end if
+      end if
+      if (abs(skeleton%left_force) > 0.0_wp) call list%add('The '//name//' side begins with '// &
+         shown(skeleton%left_force, labels%f_unit)//' at zero '//labels%x//', left by the '// &
+         'other side: a straight line goes to its first tip, whose stiffness says little.')
+      if (.not. skeleton%elastic_stiffness < not_known) then
+         call list%add('The '//name//' side has '//shown(skeleton%force(1), labels%f_unit)// &
+            ' at its first sample beyond zero, which is past the point of the elastic '// &
+            'stiffness: the record gives it no stiffness and no yield point.')
+      else if (settings%elastic_fraction*abs(skeleton%peak_force) &
+         <= skeleton%elastic_stiffness*threshold) then
+         call list%add('The elastic stiffness of the '//name//' side comes from within the '// &
+            'threshold of '//shown(threshold, labels%x_unit)//', where noise may make it.')
+      end if
+      if (skeleton%yield_assumed) call list%add('The '//name//' skeleton is too hollow for a '// &
+         'yield point of equal energy: 0.85 of the peak is taken (ASTM E2126).')
+      if (skeleton%ductility < 1.0_wp - allowance) call list%add('The '//name//' ductility is '// &
+         'below 1: the yield point lies beyond the ultimate point, so zero of '//labels%x// &
+         ' or of '//labels%f//', or the record, is not what it seems.')
+   end subroutine add_side
+
+   !> How much more force the record has than its skeleton; empty if it is no more than 2 %.
+   pure function excess_words(skeleton, unit) result(text)
+      !> The skeleton of one side
+      type(hysteresis_skeleton), intent(in) :: skeleton
+      !> Unit of its force
+      character(len=*), intent(in) :: unit
+      character(len=:), allocatable :: text
+      real(wp) :: more
+
+      text = ''
+      if (.not. skeleton%peak_force < not_known) return
+      more = abs(skeleton%record_force)/abs(skeleton%peak_force) - 1.0_wp
+      if (more > allowance) text = shown(skeleton%record_force, unit)//', '// &
+         to_text(100.0_wp*more, 2)//' % more'
+   end function excess_words
+
+   !> A number with its unit.
+   pure function shown(value, unit) result(text)
+      real(wp), intent(in) :: value
+      character(len=*), intent(in) :: unit
+      character(len=:), allocatable :: text
+
+      text = to_text(value, figures)//' '//unit
+   end function shown
+
+end module app_hysteresis_remarks
