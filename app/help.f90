@@ -68,8 +68,9 @@ contains
             newline//'(Figs 20-35): joint and programme of the case of asperity tenon.', topic)
       case (command_hysteresis)
          text = command_help('asperity hysteresis FILE.csv [options]', &
-            'Cycles, skeleton, yield and ultimate point, stiffness, energy and damping of a'// &
-            newline//'record of displacement and force, or of rotation and moment.', topic)
+            'What a record of displacement and force, or of rotation and moment, is'//newline// &
+            '(monotonic, with or without unloading, one-sided, cyclic), its cycles, skeleton,'// &
+            newline//'yield and ultimate point, stiffness, energy and damping.', topic)
       case (command_surface)
          text = command_help('asperity surface FILE [FILE --pair] [options]'//newline// &
             '       asperity surface --generate [options]', &
