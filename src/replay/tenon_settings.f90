@@ -7,6 +7,8 @@ module replay_tenon_settings
    use asperity_error, only: fatal_error
    use asperity_properties, only: check_positive, check_range
    use asperity_text, only: to_text
+   use replay_tenon_turns, only: check_amplitudes, check_displacement, default_amplitudes, &
+      default_cycles
    implicit none
    private
    public :: tenon_settings, check_tenon_settings, tenon_amplitudes, tenon_face_arm
@@ -74,11 +76,8 @@ module replay_tenon_settings
       real(wp), allocatable :: displacement(:)
    end type tenon_settings
 
-   !> Most steps of a programme and most points of a face
-   integer, parameter :: max_steps = 1000000, max_points = 100000
-   integer, parameter :: default_cycles(9) = [1, 1, 1, 1, 3, 3, 3, 3, 3]
-   real(wp), parameter :: default_amplitudes(9) = &
-      [0.5_wp, 1.0_wp, 2.0_wp, 4.0_wp, 8.0_wp, 16.0_wp, 24.0_wp, 32.0_wp, 48.0_wp]
+   !> Most points of a face
+   integer, parameter :: max_points = 100000
    real(wp), parameter :: largest = 1.0e9_wp, huge_value = 1.0e20_wp
 
 contains
@@ -122,14 +121,20 @@ contains
       type(tenon_settings), intent(in) :: settings
       !> Set when a setting is refused
       type(error_type), allocatable, intent(out) :: error
+      real(wp), allocatable :: amplitudes(:)
+      integer, allocatable :: cycles(:)
 
       call check_sizes(settings, error)
       call check_wood(settings, error)
       call check_choices(settings, error)
+      if (allocated(error)) return
       if (allocated(settings%displacement)) then
-         call check_displacement(settings, error)
+         call check_displacement(settings%displacement, settings%arm, &
+            settings%displacement_increment, error)
       else
-         call check_amplitudes(settings, error)
+         call tenon_amplitudes(settings, amplitudes, cycles)
+         call check_amplitudes(amplitudes, cycles, settings%arm, settings%displacement_increment, &
+            error)
       end if
    end subroutine check_tenon_settings
 
@@ -223,69 +228,5 @@ contains
       end do
       call fatal_error(error, name//" = '"//trim(value)//"' is unknown: it must be one of "//list)
    end subroutine check_choice
-
-   !> Amplitudes rise and are above zero, with one count each, and within reach of the arm.
-   pure subroutine check_amplitudes(s, error)
-      type(tenon_settings), intent(in) :: s
-      type(error_type), allocatable, intent(inout) :: error
-      real(wp), allocatable :: amplitudes(:)
-      integer, allocatable :: cycles(:)
-      integer :: i
-
-      if (allocated(error)) return
-      call tenon_amplitudes(s, amplitudes, cycles)
-      if (size(amplitudes) == 0) then
-         call fatal_error(error, 'amplitudes is empty: give at least one in mm')
-      else if (size(cycles) /= size(amplitudes)) then
-         call fatal_error(error, 'cycles has '//to_text(size(cycles))//' entries, but there are '&
-            //to_text(size(amplitudes))//' amplitudes: give one count an amplitude')
-      end if
-      do i = 1, size(amplitudes)
-         if (allocated(error)) return
-         call need_positive(error, 'amplitudes', amplitudes(i), 'mm')
-         call need_range(error, 'amplitudes', amplitudes(i), 0.0_wp, s%arm, ' mm')
-         if (allocated(error)) return
-         if (cycles(i) < 1 .or. cycles(i) > max_steps) then
-            call fatal_error(error, 'cycles = '//to_text(cycles(i))// &
-               ' is not allowed: it must be 1 or more')
-         else if (i > 1) then
-            if (amplitudes(i) < amplitudes(i - 1)) call fatal_error(error, 'amplitudes = '// &
-               to_text(amplitudes(i))//' mm after '//to_text(amplitudes(i - 1))// &
-               ' mm is out of order: they must not fall; give a history instead')
-         end if
-      end do
-      if (allocated(error)) return
-      call check_steps(error, s, sum(4.0_wp*cycles*amplitudes), 4.0_wp*sum(real(cycles, wp)))
-   end subroutine check_amplitudes
-
-   !> A recorded history is not empty and within reach of the arm.
-   pure subroutine check_displacement(s, error)
-      type(tenon_settings), intent(in) :: s
-      type(error_type), allocatable, intent(inout) :: error
-      integer :: i, n
-
-      if (allocated(error)) return
-      n = size(s%displacement)
-      if (n == 0) then
-         call fatal_error(error, 'displacement is empty: give at least one in mm')
-         return
-      end if
-      do i = 1, n
-         call check_range(error, 'displacement', s%displacement(i), -s%arm, s%arm, ' mm')
-         if (allocated(error)) return
-      end do
-      call check_steps(error, s, abs(s%displacement(1)) + sum(abs(s%displacement(2:) &
-         - s%displacement(:n - 1))), real(n, wp))
-   end subroutine check_displacement
-
-   pure subroutine check_steps(error, s, travel, turns)
-      type(error_type), allocatable, intent(inout) :: error
-      type(tenon_settings), intent(in) :: s
-      real(wp), intent(in) :: travel, turns
-
-      if (travel/s%displacement_increment + turns > max_steps) call fatal_error(error, &
-         'displacement_increment = '//to_text(s%displacement_increment)// &
-         ' mm gives more than '//to_text(max_steps)//' steps; make it larger')
-   end subroutine check_steps
 
 end module replay_tenon_settings
