@@ -34,7 +34,7 @@ contains
          t%clearance_above = s%real_of('clearance_above')
          t%clearance_below = s%real_of('clearance_below')
          t%gap = s%text_of('gap')
-         t%extension = s%real_of('extension')
+         call take(t%extension, s, 'extension')
          t%arm = s%real_of('arm')
          t%arm_datum = s%text_of('arm_datum')
          t%side_pressure = s%real_of('side_pressure')
@@ -42,15 +42,15 @@ contains
          t%axial_stiffness = s%real_of('axial_stiffness')
          t%axial_force = s%real_of('axial_force')
          t%shoulders = s%switch_of('shoulders')
-         t%shoulder_height = s%real_of('shoulder_height')
+         call take(t%shoulder_height, s, 'shoulder_height')
          t%shoulder_gap = s%real_of('shoulder_gap')
          t%column_load = s%real_of('column_load')
          t%bearing_modulus = s%real_of('bearing_modulus')
-         t%bearing_depth = s%real_of('bearing_depth')
+         call take(t%bearing_depth, s, 'bearing_depth')
          t%bearing_strength = s%real_of('bearing_strength')
          t%hardening = s%real_of('hardening')
          t%column_modulus = s%real_of('column_modulus')
-         t%column_depth = s%real_of('column_depth')
+         call take(t%column_depth, s, 'column_depth')
          t%column_strength = s%real_of('column_strength')
          t%column_hardening = s%real_of('column_hardening')
          t%points = s%whole_of('face_points')
@@ -69,6 +69,15 @@ contains
       if (abs(tenon%axial_force) > 0.0_wp .and. tenon%axial_rule /= 'force') &
          call fatal_error(error, 'axial_force needs axial_rule = force')
    end subroutine new_tenon_settings
+
+   !> Give a size the value of a key if it has one; keys of the replay have none for a deck.
+   pure subroutine take(size, settings, name)
+      real(wp), allocatable, intent(inout) :: size
+      type(settings_type), intent(in) :: settings
+      character(len=*), intent(in) :: name
+
+      if (settings%of(find_key(name))%has_value) size = settings%real_of(name)
+   end subroutine take
 
    !> Properties of the sides of the tenon, whose friction may be given. `error` begins with the
    !> name of the value.

@@ -38,7 +38,7 @@ module app_tenon_words
       origin_type('bearing_strength', 'paper, Table 1: strength perpendicular to the grain'), &
       origin_type('hardening', chosen//'small; wood densifies'), &
       origin_type('column_modulus', 'paper, Table 1: modulus parallel to the grain'), &
-      origin_type('column_depth', chosen//'half the column'), &
+      origin_type('column_depth', chosen//'half the height of the tenon'), &
       origin_type('column_strength', 'paper, Table 1: strength parallel to the grain'), &
       origin_type('column_hardening', chosen//'as that of the tenon'), &
       origin_type('column_load', 'paper: 54 kN; does not act in a plane model of the joint'), &

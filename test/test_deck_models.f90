@@ -6,7 +6,7 @@ module test_deck_models
    use deck_shear_deck, only: new_shear_deck, shear_deck
    use deck_side_fit, only: side_interference
    use deck_tenon_deck, only: new_tenon_deck, tenon_deck
-   use deck_tenon_parts, only: tenon_sizes
+   use deck_tenon_parts, only: default_tenon_sizes
    use deck_wood, only: check_wood, wood_type
    use deck_writer, only: writer_type
    use funit, only: assertEqual, assertFalse, assertLessThan, assertTrue, TestMethod, TestSuite
@@ -347,8 +347,8 @@ contains
       type(tenon_settings), intent(in) :: settings
       type(error_type), allocatable, intent(out) :: error
 
-      call new_tenon_deck(deck, choice, settings, tenon_sizes(), 10, pair_properties(), &
-         pair_properties(pair='tangential-tangential'), error)
+      call new_tenon_deck(deck, choice, settings, default_tenon_sizes(settings), 10, &
+         pair_properties(), pair_properties(pair='tangential-tangential'), error)
    end subroutine make
 
 end module test_deck_models

@@ -50,7 +50,7 @@ contains
          s%displacement_increment = 0.05_wp*t*s%arm
          call run_joint(s, steps, face_pair(0.0_wp))
          if (anyExceptions()) return
-         k = s%bearing_modulus/s%bearing_depth
+         k = s%bearing_modulus/(0.5_wp*s%height)
          l2 = 0.5_wp*s%length
          h2 = 0.5_wp*s%height
          x0 = (h2*(1.0_wp - cos(t)) + clearances(j))/sin(t)
@@ -323,7 +323,7 @@ contains
       s%hardening = 0.02_wp
       call run_joint(s, steps)
       s%column_modulus = 0.0_wp
-      s%bearing_depth = 2.0_wp*s%bearing_depth
+      s%bearing_depth = s%height
       s%hardening = 0.04_wp
       call run_joint(s, others)
       call assertEqual(others%moment, steps%moment, 1.0e-9_wp*maxval(steps%moment), 'elastic')
@@ -333,7 +333,7 @@ contains
       s%column_strength = s%bearing_strength
       call run_joint(s, steps)
       s%column_modulus = 0.0_wp
-      s%bearing_depth = 2.0_wp*s%bearing_depth
+      s%bearing_depth = s%height
       call run_joint(s, others)
       call assertEqual(others%moment, steps%moment, 1.0e-9_wp*maxval(steps%moment), 'both yield')
    end subroutine test_column

@@ -30,6 +30,7 @@ contains
       call suite%addTest(TestMethod('rest with too little clearance', test_interference))
       call suite%addTest(TestMethod('range of the paper', test_default))
       call suite%addTest(TestMethod('recorded displacements', test_displacement))
+      call suite%addTest(TestMethod('sizes that follow from the height', test_followers))
       call suite%addTest(TestMethod('pull-out', test_pull_out))
       call suite%addTest(TestMethod('pulled out by a given force', test_pulled))
       call suite%addTest(TestMethod('settings that are refused', test_refused))
@@ -253,6 +254,32 @@ contains
       call assertEqual(0.0_wp, steps(10)%displacement - steps(11)%displacement, 0.0_wp, 'no motion')
       call assertEqual(steps(10)%moment, steps(11)%moment, 1.0e-6_wp*steps(10)%moment, 'no change')
    end subroutine test_displacement
+
+   !> Bearing depths of half the height, an extension of a fifth, shoulders of a sixth: a joint that
+   !> names them is that which does not, to the bit.
+   subroutine test_followers()
+      type(tenon_settings) :: s
+      type(tenon_step), allocatable :: steps(:), others(:)
+      integer :: i
+
+      do i = 1, 2
+         s = tenon_settings(height=180.0_wp, length=250.0_wp, width=60.0_wp, shoulders=i == 2, &
+            amplitudes=[16.0_wp], points=40, side_points=4, displacement_increment=2.0_wp)
+         call run_joint(s, steps)
+         s%bearing_depth = 90.0_wp
+         s%column_depth = 90.0_wp
+         s%extension = 36.0_wp
+         s%shoulder_height = 30.0_wp
+         call run_joint(s, others)
+         if (anyExceptions()) return
+         call assertEqual(others%moment, steps%moment, 0.0_wp, 'moment')
+         call assertEqual(others%stored, steps%stored, 0.0_wp, 'stored')
+         ! 150 mm, half the height of the paper's joint, is another joint
+         s%bearing_depth = 150.0_wp
+         call run_joint(s, others)
+         call assertGreaterThan(maxval(steps%moment), 1.02_wp*maxval(others%moment), 'stiffer')
+      end do
+   end subroutine test_followers
 
    !> Free along its axis and without sides, the tenon walks out: the run stops, names the step and
    !> returns what it has.

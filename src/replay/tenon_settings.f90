@@ -1,7 +1,8 @@
 !> Settings of the tenon joint: sizes, wood, axial rule, resolution and load programme.
 !>
 !> The drawing, symbols and signs are in `replay_tenon_model`. What the paper does not print is
-!> marked as chosen.
+!> marked as chosen. Sizes that follow from others are allocatable: `complete_tenon_settings` sets
+!> those that are not allocated, and a run does it by itself.
 module replay_tenon_settings
    use asperity, only: error_type, wp
    use asperity_error, only: fatal_error
@@ -11,7 +12,8 @@ module replay_tenon_settings
       default_cycles
    implicit none
    private
-   public :: tenon_settings, check_tenon_settings, tenon_amplitudes, tenon_face_arm
+   public :: tenon_settings, complete_tenon_settings, check_tenon_settings, tenon_amplitudes, &
+      tenon_face_arm
 
    !> Sizes, wood, axial rule, resolution and load programme of one joint.
    type :: tenon_settings
@@ -23,8 +25,9 @@ module replay_tenon_settings
       real(wp) :: width = 105.0_wp
       !> Clearance above and below the tenon, mm, as `gap` defines it; chosen
       real(wp) :: clearance_above = 0.5_wp, clearance_below = 0.5_wp
-      !> Length of full material that runs on past the column face, mm; no use with shoulders
-      real(wp) :: extension = 60.0_wp
+      !> Length of full material that runs on past the column face, mm; a fifth of `height` when not
+      !> allocated; no use with shoulders
+      real(wp), allocatable :: extension
       !> Distance of the load point from `arm_datum`, mm
       real(wp) :: arm = 500.0_wp
       !> Where the arm is measured from, and the moment is taken about: `column_face` or
@@ -44,19 +47,25 @@ module replay_tenon_settings
       real(wp) :: axial_force = 0.0_wp
       !> Whether shoulders above and below the tenon bear on the column face
       logical :: shoulders = .false.
-      !> Height of each shoulder and its gap to the column face, mm
-      real(wp) :: shoulder_height = 50.0_wp, shoulder_gap = 0.0_wp
+      !> Height of each shoulder, mm; a sixth of `height` when not allocated
+      real(wp), allocatable :: shoulder_height
+      !> Gap between each shoulder and the column face, mm
+      real(wp) :: shoulder_gap = 0.0_wp
       !> Vertical load of the column, N, for information only
       real(wp) :: column_load = 0.0_wp
       !> Bearing of the tenon perpendicular to grain: modulus, MPa, over depth, mm, is its
-      !> stiffness. The modulus is the paper's, the depth chosen
-      real(wp) :: bearing_modulus = 351.0_wp, bearing_depth = 150.0_wp
+      !> stiffness. The modulus is the paper's; the depth is chosen, half of `height` when not
+      !> allocated
+      real(wp) :: bearing_modulus = 351.0_wp
+      real(wp), allocatable :: bearing_depth
       !> Its yield pressure fc90, MPa
       real(wp) :: bearing_strength = 4.7_wp
       !> Its hardening over its stiffness; zero or more; chosen
       real(wp) :: hardening = 0.02_wp
       !> Bearing of the column parallel to grain: modulus, MPa (zero: rigid), and depth, mm, chosen
-      real(wp) :: column_modulus = 3727.0_wp, column_depth = 150.0_wp
+      !> as that of the tenon
+      real(wp) :: column_modulus = 3727.0_wp
+      real(wp), allocatable :: column_depth
       !> Its yield pressure fc0, MPa, and hardening over its stiffness
       real(wp) :: column_strength = 50.1_wp, column_hardening = 0.02_wp
       !> Contact points along each face over `length`, along each side of a side face, and over each
@@ -76,11 +85,27 @@ module replay_tenon_settings
       real(wp), allocatable :: displacement(:)
    end type tenon_settings
 
+   !> What follows from the height of the tenon, over it
+   real(wp), parameter :: depth_ratio = 0.5_wp, extension_ratio = 0.2_wp, &
+      shoulder_ratio = 1.0_wp/6.0_wp
    !> Most points of a face
    integer, parameter :: max_points = 100000
    real(wp), parameter :: largest = 1.0e9_wp, huge_value = 1.0e20_wp
 
 contains
+
+   !> Give sizes that follow from the height their values unless they have some.
+   pure subroutine complete_tenon_settings(settings)
+      !> Settings
+      type(tenon_settings), intent(inout) :: settings
+
+      associate (s => settings)
+         if (.not. allocated(s%bearing_depth)) s%bearing_depth = depth_ratio*s%height
+         if (.not. allocated(s%column_depth)) s%column_depth = depth_ratio*s%height
+         if (.not. allocated(s%extension)) s%extension = extension_ratio*s%height
+         if (.not. allocated(s%shoulder_height)) s%shoulder_height = shoulder_ratio*s%height
+      end associate
+   end subroutine complete_tenon_settings
 
    !> Distance of the load point from the column face, mm.
    pure real(wp) function tenon_face_arm(settings)
@@ -121,12 +146,15 @@ contains
       type(tenon_settings), intent(in) :: settings
       !> Set when a setting is refused
       type(error_type), allocatable, intent(out) :: error
+      type(tenon_settings) :: complete
       real(wp), allocatable :: amplitudes(:)
       integer, allocatable :: cycles(:)
 
-      call check_sizes(settings, error)
-      call check_wood(settings, error)
-      call check_choices(settings, error)
+      complete = settings
+      call complete_tenon_settings(complete)
+      call check_sizes(complete, error)
+      call check_wood(complete, error)
+      call check_choices(complete, error)
       if (allocated(error)) return
       if (allocated(settings%displacement)) then
          call check_displacement(settings%displacement, settings%arm, &

@@ -42,17 +42,18 @@ contains
          if (.not. allocated(error)) &
             call check_range(error, 'amplitudes', amplitudes(i), 0.0_wp, arm, ' mm')
          if (allocated(error)) return
-         if (cycles(i) < 1 .or. cycles(i) > max_steps) then
-            call fatal_error(error, 'cycles = '//to_text(cycles(i))// &
-               ' is not allowed: it must be 1 or more')
-         else if (i > 1) then
-            if (amplitudes(i) < amplitudes(i - 1)) call fatal_error(error, 'amplitudes = '// &
-               to_text(amplitudes(i))//' mm after '//to_text(amplitudes(i - 1))// &
-               ' mm is out of order: they must not fall; give a history instead')
-         end if
+         if (cycles(i) < 1 .or. cycles(i) > max_steps) call fatal_error(error, 'cycles = '// &
+            to_text(cycles(i))//' is not allowed: it must be 1 or more')
+      end do
+      do i = 2, size(amplitudes)
+         if (allocated(error)) return
+         if (amplitudes(i) < amplitudes(i - 1)) call fatal_error(error, 'amplitudes = '// &
+            to_text(amplitudes(i))//' mm after '//to_text(amplitudes(i - 1))// &
+            ' mm is out of order: they must not fall; give a history instead')
       end do
       if (allocated(error)) return
-      call check_steps(sum(4.0_wp*cycles*amplitudes), 4.0_wp*sum(real(cycles, wp)), increment, error)
+      call check_steps(sum(4.0_wp*cycles*amplitudes), 4.0_wp*sum(real(cycles, wp)), increment, &
+         error)
    end subroutine check_amplitudes
 
    !> A recorded history is not empty and within reach of the arm.

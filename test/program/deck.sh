@@ -90,6 +90,11 @@ check 'deck: modulus of the case' has tenon.hard.abaqus.inp '3727.0, 400.0, 400.
 check 'deck: a step for each stroke' sh -c \
    'test "$(grep -c "^TIP, 3, 3, [-0-9]" tenon.hard.calculix.inp)" -eq 8 \
       && grep "^TIP, 3, 3," tenon.hard.calculix.inp | cut -d, -f4 | tr -d "\n" | grep -q "^ 0.0 2.0 -2.0 5.0 -5.0 5.0 -5.0 0.0$"'
+run deck tenon case.nml --height 180 --length 250 --inp follows.inp
+check 'deck tenon: sizes follow from the joint' sh -c '
+   grep -q "^  mesh_size  *18.0 mm  *a tenth of height$" out && grep -q "^  column_height  *600.0 mm  *10/3 of height$" out \
+      && grep -q "^  column_width  *250.0 mm  *as length$" out && grep -q "^  edge_relief  *1.8 mm  *a hundredth of height$" out'
+check 'deck tenon: the column of that joint' has follows.inp '- Column 600.0 mm high and 250.0 mm wide'
 run deck tenon case.nml "${joint[@]}" --inp -
 check 'deck: --inp - is the deck' sh -c 'sed "/^\*\*    asperity/d" out >a; sed "/^\*\*    asperity/d" tenon.uinter.calculix.inp | cmp - a'
 run deck tenon case.nml "${joint[@]}" --plasticity plastic --field all --contact hard --inp plastic.calculix.inp

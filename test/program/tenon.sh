@@ -80,6 +80,17 @@ check 'tenon: through UINTER it is the same joint' sh -c '
    cut -d, -f1,7 t.csv >a; cut -d, -f7 t4.csv | paste -d, a - | awk -F, "NR > 1 {
       d = \$2 - \$3; if (d*d > 1e4) { print; exit 1 } }"'
 
+# Sizes that follow from the height, to the bit, and where they come from
+run tenon "${small[@]}" --height 180 --csv follows.csv
+check 'tenon: a depth says what it follows from' sh -c '
+   grep -q "^  bearing_depth  *90.0 mm  *half of height$" out && grep -q "^  column_depth  *90.0 mm  *half of height$" out \
+      && grep -q "^  extension  *36.0 mm  *a fifth of height$" out'
+run tenon "${small[@]}" --height 180 --bearing-depth 90 --column-depth 90 --extension 36 --csv named.csv
+check 'tenon: sizes that follow are those sizes' cmp follows.csv named.csv
+run tenon "${small[@]}" --sweep height=180,300 --csv heights.csv
+check 'sweep: sizes follow in every case' awk -F, -v a="$least" '
+   NR == 1 { for (i = 1; i <= NF; i++) c[$i] = i } NR == 3 { exit !(sprintf("%.2f", $c["ultimate_moment_hard"]) == a) }' heights.csv
+
 # Warnings and failures
 run tenon --axial-rule free --side-pressure 0.05 --amplitudes 24 --cycles 10 --face-points 40 \
    --displacement-increment 2
