@@ -6,7 +6,7 @@ module app_keys
       command_pairs, command_press, command_shear, command_surface, command_table, &
       command_tenon, command_version, decks, everything, key_type, kind_choice, kind_file, &
       kind_integer, kind_list, kind_logical, kind_real, kind_request, kind_sweep, kind_text, &
-      moves, records, shears, slides, tabulates, tenons, with_friction
+      moves, records, shears, sized, slides, tabulates, tenons, with_friction
    use app_surface_keys, only: surface_keys
    implicit none
    private
@@ -58,6 +58,8 @@ module app_keys
       'largest elastic slip of the sides; critical_slip unless given'), &
       key_type('accept_unphysical', kind_logical, '', all_runs, yes, 'false', '', &
       'let properties that no face or solid has pass; results are flagged'), &
+      key_type('accept_sizes', kind_logical, '', sized, no, 'false', '', &
+      'let sizes and pressures pass that look like another unit, and large rotations'), &
       key_type('separation', kind_list, 'mm', command_curve + command_surface, no, '', '', &
       'separations, also from:to:count as an option; 4 sigma to 0 unless given'), &
       key_type('control', kind_choice, '', command_press, no, 'pressure', &

@@ -6,7 +6,7 @@ module app_tenon_config
    use asperity_properties, only: check_range
    use asperity_text, only: to_text
    use replay_tenon_settings, only: check_tenon_settings, tenon_settings
-   use app_keys, only: find_key
+   use app_keys, only: belongs, find_key
    use app_settings, only: settings_type
    implicit none
    private
@@ -19,11 +19,13 @@ contains
 
    !> The joint and its programme, without contact model and recorded history. `error` begins with
    !> the name of the value.
-   pure subroutine new_tenon_settings(tenon, settings, error)
+   pure subroutine new_tenon_settings(tenon, settings, command, error)
       !> The joint
       type(tenon_settings), intent(out) :: tenon
       !> Settings in effect
       type(settings_type), intent(in) :: settings
+      !> The command, of which a deck has no increment of displacement
+      integer, intent(in) :: command
       !> Set when a value is refused
       type(error_type), allocatable, intent(out) :: error
 
@@ -56,8 +58,10 @@ contains
          t%points = s%whole_of('face_points')
          t%side_points = s%whole_of('side_points')
          t%shoulder_points = s%whole_of('shoulder_points')
-         t%displacement_increment = s%real_of('displacement_increment')
+         if (belongs(find_key('displacement_increment'), command)) &
+            t%displacement_increment = s%real_of('displacement_increment')
          t%through_uinter = s%text_of('through') == 'uinter'
+         t%accept_sizes = s%switch_of('accept_sizes')
          t%amplitudes = s%of(find_key('amplitudes'))%values
          call whole_list(s, 'cycles', t%cycles, error)
       end associate

@@ -296,16 +296,20 @@ contains
       s%shoulders = .true.
       call refused('shoulders = true is not in the deck')
       s = plain
+      s%accept_sizes = .true.
       s%column_modulus = 0.0_wp
       call refused('column_modulus = 0 is a rigid column')
       s%column_modulus = 30.0_wp
       call refused('moduli of 30.0 MPa along and 351.0 MPa across the grain do not go')
       s = plain
+      s%accept_sizes = .true.
       s%side_pressure = 12.2_wp
       call refused('side_pressure = 12.2 MPa is above the hardness, 12.14 MPa')
       s = plain
       choice%mesh_size = -1.0_wp
       call refused('mesh_size = -1.0')
+      choice%mesh_size = 0.03_wp
+      call refused('mesh_size = 0.03 mm is outside 0.2 to 190.0 mm: 0.03 looks like metres, write 30.0')
       choice = joint_choice()
       choice%contact = 'table'
       choice%largest_pressure = 13.0_wp

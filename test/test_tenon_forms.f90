@@ -42,6 +42,7 @@ contains
       do j = 1, 2
          s = plain_joint()
          s%arm = 1.0e6_wp
+         s%accept_sizes = .true.
          s%points = 400
          s%clearance_above = clearances(j)
          s%clearance_below = clearances(j)
@@ -112,6 +113,7 @@ contains
          s = plain_joint()
          if (free(i)) s%axial_rule = 'free'
          s%bearing_modulus = 1.0e3_wp*s%bearing_modulus
+         s%accept_sizes = .true.
          s%hardening = 0.0_wp
          s%clearance_above = 0.0_wp
          s%clearance_below = 0.0_wp
@@ -307,6 +309,7 @@ contains
       end associate
       call assertEqual(0.0_wp, largest_of(others%face_normal(5)), 0.0_wp, 'none without')
       s%shoulder_gap = 50.0_wp
+      s%accept_sizes = .true.
       call run_joint(s, steps)
       call assertEqual(others%moment, steps%moment, 1.0e-9_wp*maxval(others%moment), 'far away')
    end subroutine test_shoulders

@@ -9,6 +9,7 @@ module deck_tenon_parts
    use asperity_text, only: to_text
    use deck_choices, only: check_mesh_size, deck_choice
    use deck_hex_mesh, only: add_cut, even_cuts, hex_mesh, joined_cuts, new_grid_mesh
+   use replay_sizes, only: check_size
    use replay_tenon_settings, only: tenon_face_arm, tenon_settings
    implicit none
    private
@@ -74,6 +75,13 @@ contains
          call check_positive(error, 'column_width', sizes%column_width, 'mm')
       if (.not. allocated(error)) &
          call check_range(error, 'tail', sizes%tail, 0.0_wp, 1.0e9_wp, ' mm')
+      associate (accepted => settings%accept_sizes)
+         call check_size(error, 'column_height', sizes%column_height, accepted)
+         call check_size(error, 'column_width', sizes%column_width, accepted)
+         call check_size(error, 'tail', sizes%tail, accepted)
+         call check_size(error, 'edge_relief', sizes%edge_relief, accepted)
+         call check_size(error, 'side_interference', sizes%side_interference, accepted)
+      end associate
       if (.not. allocated(error)) call check_range(error, 'edge_relief', sizes%edge_relief, &
          0.0_wp, 0.25_wp*min(choice%mesh_size, settings%width), ' mm')
       if (.not. allocated(error)) call check_range(error, 'side_interference', &

@@ -8,6 +8,7 @@ module replay_tenon_settings
    use asperity_error, only: fatal_error
    use asperity_properties, only: check_positive, check_range
    use asperity_text, only: to_text
+   use replay_sizes, only: check_between, check_size, range_of, size_range
    use replay_tenon_turns, only: check_amplitudes, check_displacement, default_amplitudes, &
       default_cycles
    implicit none
@@ -83,11 +84,16 @@ module replay_tenon_settings
       integer, allocatable :: cycles(:)
       !> Recorded displacements of the load point, mm, in place of amplitudes
       real(wp), allocatable :: displacement(:)
+      !> Let sizes outside the ranges of `replay_sizes` and rotations outside those of
+      !> `replay_tenon_turns` pass
+      logical :: accept_sizes = .false.
    end type tenon_settings
 
    !> What follows from the height of the tenon, over it
    real(wp), parameter :: depth_ratio = 0.5_wp, extension_ratio = 0.2_wp, &
       shoulder_ratio = 1.0_wp/6.0_wp
+   !> Largest clearance over the height: with more, the tenon lies in its mortise at an angle
+   real(wp), parameter :: clearance_ratio = 0.1_wp
    !> Most points of a face
    integer, parameter :: max_points = 100000
    real(wp), parameter :: largest = 1.0e9_wp, huge_value = 1.0e20_wp
@@ -155,14 +161,15 @@ contains
       call check_sizes(complete, error)
       call check_wood(complete, error)
       call check_choices(complete, error)
+      call check_ranges(complete, error)
       if (allocated(error)) return
       if (allocated(settings%displacement)) then
          call check_displacement(settings%displacement, settings%arm, &
-            settings%displacement_increment, error)
+            settings%displacement_increment, settings%accept_sizes, error)
       else
          call tenon_amplitudes(settings, amplitudes, cycles)
          call check_amplitudes(amplitudes, cycles, settings%arm, settings%displacement_increment, &
-            error)
+            settings%accept_sizes, error)
       end if
    end subroutine check_tenon_settings
 
@@ -175,8 +182,8 @@ contains
       call need_positive(error, 'width', s%width, 'mm')
       call need_positive(error, 'arm', s%arm, 'mm')
       call need_positive(error, 'displacement_increment', s%displacement_increment, 'mm')
-      call need_range(error, 'clearance_above', s%clearance_above, 0.0_wp, s%height, ' mm')
-      call need_range(error, 'clearance_below', s%clearance_below, 0.0_wp, s%height, ' mm')
+      call need_range(error, 'clearance_above', s%clearance_above, 0.0_wp, largest, ' mm')
+      call need_range(error, 'clearance_below', s%clearance_below, 0.0_wp, largest, ' mm')
       call need_range(error, 'extension', s%extension, 0.0_wp, largest, ' mm')
       call need_range(error, 'shoulder_gap', s%shoulder_gap, 0.0_wp, largest, ' mm')
       if (s%shoulders) call need_positive(error, 'shoulder_height', s%shoulder_height, 'mm')
@@ -205,6 +212,39 @@ contains
       call need_range(error, 'side_pressure', s%side_pressure, 0.0_wp, 1.0e6_wp, ' MPa')
       call need_range(error, 'column_load', s%column_load, -huge_value, huge_value, ' N')
    end subroutine check_wood
+
+   !> Refuse sizes that are most likely in another unit.
+   pure subroutine check_ranges(s, error)
+      type(tenon_settings), intent(in) :: s
+      type(error_type), allocatable, intent(inout) :: error
+      type(size_range) :: clearance
+
+      call check_size(error, 'length', s%length, s%accept_sizes)
+      call check_size(error, 'height', s%height, s%accept_sizes)
+      call check_size(error, 'width', s%width, s%accept_sizes)
+      call check_size(error, 'arm', s%arm, s%accept_sizes)
+      clearance = range_of('clearance_above')
+      clearance%highest = min(clearance%highest, clearance_ratio*s%height)
+      call check_between(error, 'clearance_above', s%clearance_above, clearance%lowest, &
+         clearance%highest, 'mm', s%accept_sizes)
+      call check_between(error, 'clearance_below', s%clearance_below, clearance%lowest, &
+         clearance%highest, 'mm', s%accept_sizes)
+      if (s%shoulders) then
+         call check_size(error, 'shoulder_height', s%shoulder_height, s%accept_sizes)
+         call check_size(error, 'shoulder_gap', s%shoulder_gap, s%accept_sizes)
+      else
+         call check_size(error, 'extension', s%extension, s%accept_sizes)
+      end if
+      call check_size(error, 'displacement_increment', s%displacement_increment, s%accept_sizes)
+      call check_size(error, 'bearing_depth', s%bearing_depth, s%accept_sizes)
+      call check_size(error, 'bearing_modulus', s%bearing_modulus, s%accept_sizes)
+      call check_size(error, 'bearing_strength', s%bearing_strength, s%accept_sizes)
+      call check_size(error, 'column_depth', s%column_depth, s%accept_sizes)
+      call check_size(error, 'column_modulus', s%column_modulus, s%accept_sizes)
+      call check_size(error, 'column_strength', s%column_strength, s%accept_sizes)
+      call check_size(error, 'side_pressure', s%side_pressure, s%accept_sizes)
+      call check_size(error, 'column_load', s%column_load, s%accept_sizes)
+   end subroutine check_ranges
 
    !> As `check_positive` and `check_range`, unless `error` is set.
    pure subroutine need_positive(error, name, value, unit)

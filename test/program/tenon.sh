@@ -142,7 +142,44 @@ sed '5s/.*/abc/' way.csv >bad.csv
 refuses 'tenon: history with text' 2 'bad.csv:5: .*abc.* is not a finite number' \
    tenon --history bad.csv
 sed '5s/.*/700/' way.csv >bad.csv
-refuses 'tenon: history too far' 2 'bad.csv: displacement = 700.0 mm is not' tenon --history bad.csv
+refuses 'tenon: history too far' 2 'bad.csv: displacement = 700.0 mm is a rotation of 1.4 rad' \
+   tenon --history bad.csv
+# Every size in metres, and what else looks like another unit. The reasons are in src/replay/sizes.f90
+refuses 'tenon: a joint in metres' 2 \
+   '--length: length = 0.25 mm is outside 5.0 to 4000.0 mm: 0.25 looks like metres, write 250.0; accept_sizes lets it pass$' \
+   tenon --length 0.25 --height 0.18 --width 0.06 --clearance 0.001
+refuses 'tenon: height in metres' 2 '--height: height = 0.18 mm .* metres, write 180.0' \
+   tenon --length 250 --height 0.18
+refuses 'tenon: clearance in metres' 2 \
+   '--clearance: clearance_above = 0.001 mm is outside 0.01 to 9.0 mm: 0.001 looks like metres, write 1.0' \
+   tenon --clearance 0.001
+refuses 'tenon: clearance in micrometres' 2 '--clearance: .* = 200.0 mm .* micrometres, write 0.2' \
+   tenon --clearance 200
+refuses 'tenon: clearance for that height' 2 '--clearance: .* = 8.0 mm is outside 0.01 to 6.0 mm' \
+   tenon --clearance 8 --height 60
+refuses 'tenon: arm in metres' 2 '--arm: arm = 0.5 mm .* metres, write 500.0' tenon --arm 0.5
+refuses 'tenon: pressure in kPa' 2 '--side-pressure: .* = 200.0 MPa .* kPa, write 0.2' \
+   tenon --side-pressure 200
+refuses 'tenon: modulus in Pa' 2 '--bearing-modulus: .* Pa, write 351.0' tenon --bearing-modulus 3.51e8
+refuses 'tenon: elastic slip of the sides in micrometres' 2 \
+   '--side-critical-slip: .* = 310.0 mm .* micrometres, write 0.31' tenon --side-critical-slip 310
+refuses 'tenon: amplitudes in metres' 2 '--amplitudes: amplitudes = 0.048 mm is a rotation of .* metres, write 48.0' \
+   tenon --amplitudes 0.0005,0.048
+awk 'NR > 2 { $0 = $0/1000 } 1' way.csv >metres.csv
+refuses 'tenon: a history in metres' 2 \
+   'metres.csv: displacement = -?0.024 mm is a rotation of .* 0.024 looks like metres, write -?24.0, or like a rotation in rad' \
+   tenon --history metres.csv
+awk 'NR > 2 { $0 = $0*1000 } 1' way.csv >micrometres.csv
+refuses 'tenon: a history in micrometres' 2 'micrometres.csv: .* looks like micrometres, write -?24.0$' \
+   tenon --history micrometres.csv
+printf 'd\nmm\n0\n400\n0\n' >far.csv
+refuses 'tenon: a rotation of 0.8 rad' 2 \
+   'far.csv: displacement = 400.0 mm is a rotation of 0.8 rad at arm = 500.0 mm, outside 0.00026 to 0.25 rad' \
+   tenon --history far.csv
+run tenon "${small[@]}" --clearance 9.5 --accept-sizes
+check 'tenon: a size that is accepted' is_quiet
+run tenon "${small[@]}" --clearance 9 --csv large.csv
+check 'tenon: the largest clearance' test "$status" -eq 0
 refuses 'tenon: history without that column' 2 "way.csv:1: there is no column 'drift'" \
    tenon --history way.csv --displacement-column drift
 
