@@ -53,8 +53,8 @@ contains
 
    end subroutine test_ends
 
-   !> Sizes all over each range, written in metres and micrometres, kPa and GPa, kN: each is refused,
-   !> and the message says the unit and the size that is meant.
+   !> Sizes all over each range, written in metres and micrometres, kPa and GPa, kN: each is
+   !> refused, and the message says the unit and the size that is meant.
    subroutine test_units()
       real(wp), parameter :: shares(5) = [0.0_wp, 0.2_wp, 0.5_wp, 0.8_wp, 1.0_wp]
       real(wp) :: size_meant

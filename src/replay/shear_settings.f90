@@ -80,8 +80,8 @@ contains
       end if
    end subroutine check_shear_settings
 
-   !> Refuse a largest displacement at which the discs hardly overlap, and one that is most likely in
-   !> another unit.
+   !> Refuse a largest displacement at which the discs hardly overlap, and one that is most likely
+   !> in another unit.
    pure subroutine check_way(error, displacement, diameter, accepted)
       type(error_type), allocatable, intent(inout) :: error
       real(wp), intent(in) :: displacement, diameter

@@ -98,7 +98,8 @@ contains
       type(size_range) :: range
 
       range = range_of(name)
-      call check_between(error, name, value, range%lowest, range%highest, trim(range%unit), accepted)
+      call check_between(error, name, value, range%lowest, range%highest, trim(range%unit), &
+         accepted)
    end subroutine check_size
 
    !> As `check_size`, with limits of one's own.
