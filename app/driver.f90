@@ -88,7 +88,7 @@ contains
          call report_shear(config, report, error)
       case (command_tenon)
          if (line%options%given('sweep')) then
-            call report_sweep(line, base, report, partial, error)
+            call report_sweep(line, base, config, report, partial, error)
          else
             call take_history(config%tenon, report%settings, error)
             if (.not. allocated(error)) call report_tenon(config, report, error)

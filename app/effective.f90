@@ -8,8 +8,8 @@ module app_effective
    use replay_tenon_settings, only: complete_tenon_settings, tenon_settings
    use app_case_file, only: read_case
    use app_cli, only: command_line_type
-   use app_keys, only: command_deck_shear, command_deck_tenon, command_press, command_table, &
-      decks, find_key, n_keys, tenons
+   use app_keys, only: belongs, command_deck_shear, command_deck_tenon, command_hysteresis, &
+      command_press, command_table, decks, find_key, n_keys, tenons
    use app_lists, only: linear_range
    use app_presets, only: apply_presets, check_presets_used, drop_overridden, fill
    use app_settings, only: default_settings, settings_type
@@ -17,7 +17,7 @@ module app_effective
    use asperity_kinds, only: wp
    implicit none
    private
-   public :: case_settings, settled, locate
+   public :: case_settings, settled, leader_of, locate, mark_unused
 
    !> Default of `separation`: from 4 sigma down to 0
    integer, parameter :: default_points = 41
@@ -75,6 +75,7 @@ contains
          return
       end if
       call fill_followers(settings, line%command)
+      call mark_unused(settings, line%command)
       if (line%command == command_press .and. settings%text_of('control') == 'overclosure' &
             .and. .not. settings%given('peak')) then
          call fatal_error(error, 'control = overclosure needs a peak, in mm')
@@ -154,6 +155,50 @@ contains
          follows=.true.)
    end subroutine follow
 
+   !> Mark what does not act on the run, so that no listing shows it as if it did.
+   pure subroutine mark_unused(settings, command)
+      !> Settings in effect
+      type(settings_type), intent(inout) :: settings
+      !> The command
+      integer, intent(in) :: command
+      integer :: key
+      logical :: recorded
+
+      if (iand(command, tenons) == 0) return
+      recorded = settings%text_of('history') /= ''
+      call mark(settings, [character(len=24) :: 'amplitudes', 'cycles'], recorded)
+      do key = 1, n_keys
+         ! how to read a record
+         if (belongs(key, command_hysteresis) .and. belongs(key, command)) &
+            settings%of(key)%unused = .not. recorded
+      end do
+      call mark(settings, [character(len=24) :: 'clearance'], &
+         .not. (settings%of(find_key('clearance_above'))%follows &
+         .or. settings%of(find_key('clearance_below'))%follows))
+      call mark(settings, [character(len=24) :: 'extension'], settings%switch_of('shoulders'))
+      call mark(settings, [character(len=24) :: 'shoulder_height', 'shoulder_gap', &
+         'shoulder_points'], .not. settings%switch_of('shoulders'))
+      call mark(settings, [character(len=24) :: 'axial_stiffness'], &
+         settings%text_of('axial_rule') /= 'spring')
+      call mark(settings, [character(len=24) :: 'axial_force'], &
+         settings%text_of('axial_rule') /= 'force')
+      call mark(settings, [character(len=24) :: 'side_pair', 'side_friction', &
+         'side_critical_slip', 'side_points'], .not. settings%real_of('side_pressure') > 0.0_wp)
+      call mark(settings, [character(len=24) :: 'column_depth', 'column_strength', &
+         'column_hardening'], .not. settings%real_of('column_modulus') > 0.0_wp)
+   end subroutine mark_unused
+
+   pure subroutine mark(settings, names, unused)
+      type(settings_type), intent(inout) :: settings
+      character(len=*), intent(in) :: names(:)
+      logical, intent(in) :: unused
+      integer :: i
+
+      do i = 1, size(names)
+         settings%of(find_key(trim(names(i))))%unused = unused
+      end do
+   end subroutine mark
+
    !> Put the place of a value before a message that starts with its name, such as
    !> `sigma = -1.0` or `eta*radius*sigma = 0.01`, if the user gave it.
    pure subroutine locate(error, settings)
@@ -182,9 +227,11 @@ contains
       end do
    end subroutine locate
 
-   !> The key that a key takes its value from, if it does: the last word of its source.
+   !> The key that a key takes its value from, else itself: the last word of its source.
    pure integer function leader_of(key, settings) result(leader)
+      !> Place of the key
       integer, intent(in) :: key
+      !> Settings in effect
       type(settings_type), intent(in) :: settings
 
       leader = key

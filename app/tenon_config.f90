@@ -68,7 +68,8 @@ contains
       ! Here, as the replay calls it `points`, which is the name of an output
       if (.not. allocated(error)) call check_range(error, 'face_points', &
          real(tenon%points, wp), 1.0_wp, real(most_points, wp), '')
-      if (.not. allocated(error)) call check_tenon_settings(tenon, error)
+      if (.not. allocated(error)) call check_tenon_settings(tenon, error, &
+         joint_only=settings%text_of('history') /= '')
       if (allocated(error)) return
       if (abs(tenon%axial_force) > 0.0_wp .and. tenon%axial_rule /= 'force') &
          call fatal_error(error, 'axial_force needs axial_rule = force')

@@ -147,11 +147,13 @@ contains
    end subroutine tenon_amplitudes
 
    !> `error` is set when a setting is not allowed.
-   pure subroutine check_tenon_settings(settings, error)
+   pure subroutine check_tenon_settings(settings, error, joint_only)
       !> Settings
       type(tenon_settings), intent(in) :: settings
       !> Set when a setting is refused
       type(error_type), allocatable, intent(out) :: error
+      !> Leave out amplitudes and displacements, which are not known yet
+      logical, intent(in), optional :: joint_only
       type(tenon_settings) :: complete
       real(wp), allocatable :: amplitudes(:)
       integer, allocatable :: cycles(:)
@@ -163,6 +165,9 @@ contains
       call check_choices(complete, error)
       call check_ranges(complete, error)
       if (allocated(error)) return
+      if (present(joint_only)) then
+         if (joint_only) return
+      end if
       if (allocated(settings%displacement)) then
          call check_displacement(settings%displacement, settings%arm, &
             settings%displacement_increment, settings%accept_sizes, error)
@@ -218,32 +223,26 @@ contains
       type(tenon_settings), intent(in) :: s
       type(error_type), allocatable, intent(inout) :: error
       type(size_range) :: clearance
+      character(len=22), parameter :: names(*) = [character(len=22) :: 'length', 'height', &
+         'width', 'arm', 'displacement_increment', 'bearing_depth', 'bearing_modulus', &
+         'bearing_strength', 'column_depth', 'column_modulus', 'column_strength', &
+         'side_pressure', 'column_load', 'extension', 'shoulder_height', 'shoulder_gap']
+      real(wp) :: values(size(names))
+      integer :: i
 
-      call check_size(error, 'length', s%length, s%accept_sizes)
-      call check_size(error, 'height', s%height, s%accept_sizes)
-      call check_size(error, 'width', s%width, s%accept_sizes)
-      call check_size(error, 'arm', s%arm, s%accept_sizes)
+      values = [s%length, s%height, s%width, s%arm, s%displacement_increment, s%bearing_depth, &
+         s%bearing_modulus, s%bearing_strength, s%column_depth, s%column_modulus, &
+         s%column_strength, s%side_pressure, s%column_load, s%extension, s%shoulder_height, &
+         s%shoulder_gap]
+      do i = 1, size(names)
+         call check_size(error, trim(names(i)), values(i), s%accept_sizes)
+      end do
       clearance = range_of('clearance_above')
       clearance%highest = min(clearance%highest, clearance_ratio*s%height)
       call check_between(error, 'clearance_above', s%clearance_above, clearance%lowest, &
          clearance%highest, 'mm', s%accept_sizes)
       call check_between(error, 'clearance_below', s%clearance_below, clearance%lowest, &
          clearance%highest, 'mm', s%accept_sizes)
-      if (s%shoulders) then
-         call check_size(error, 'shoulder_height', s%shoulder_height, s%accept_sizes)
-         call check_size(error, 'shoulder_gap', s%shoulder_gap, s%accept_sizes)
-      else
-         call check_size(error, 'extension', s%extension, s%accept_sizes)
-      end if
-      call check_size(error, 'displacement_increment', s%displacement_increment, s%accept_sizes)
-      call check_size(error, 'bearing_depth', s%bearing_depth, s%accept_sizes)
-      call check_size(error, 'bearing_modulus', s%bearing_modulus, s%accept_sizes)
-      call check_size(error, 'bearing_strength', s%bearing_strength, s%accept_sizes)
-      call check_size(error, 'column_depth', s%column_depth, s%accept_sizes)
-      call check_size(error, 'column_modulus', s%column_modulus, s%accept_sizes)
-      call check_size(error, 'column_strength', s%column_strength, s%accept_sizes)
-      call check_size(error, 'side_pressure', s%side_pressure, s%accept_sizes)
-      call check_size(error, 'column_load', s%column_load, s%accept_sizes)
    end subroutine check_ranges
 
    !> As `check_positive` and `check_range`, unless `error` is set.

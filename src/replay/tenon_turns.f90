@@ -18,8 +18,8 @@ module replay_tenon_turns
    !> Range of the largest rotation of a programme, rad, which can be let pass. The model takes the
    !> cosine of the angle between tenon and mortise for one in bearing and friction: it is 0.97 at
    !> 0.25, where the edges press in by a quarter of a bearing depth and wood densifies. Tests end
-   !> at 0.1 to 0.2. The lower limit is just above a thousandth of that, 0.13 mm at an arm of 500 mm,
-   !> where nothing touches yet: a displacement in metres, or a rotation, looks like that
+   !> at 0.1 to 0.2. The lower limit is just above a thousandth of that, 0.13 mm at an arm of
+   !> 500 mm, where nothing touches yet: a displacement in metres, or a rotation, looks like that
    real(wp), parameter :: largest_rotation = 0.25_wp, least_rotation = 2.6e-4_wp
 
    !> Largest displacement and arm, mm
