@@ -9,7 +9,7 @@ module app_effective
    use app_case_file, only: read_case
    use app_cli, only: command_line_type
    use app_keys, only: belongs, command_deck_shear, command_deck_tenon, command_hysteresis, &
-      command_press, command_table, decks, find_key, n_keys, tenons
+      command_press, command_table, command_tenon, decks, find_key, n_keys, tenons
    use app_lists, only: linear_range
    use app_presets, only: apply_presets, check_presets_used, drop_overridden, fill
    use app_settings, only: default_settings, settings_type
@@ -175,6 +175,8 @@ contains
       call mark(settings, [character(len=24) :: 'clearance'], &
          .not. (settings%of(find_key('clearance_above'))%follows &
          .or. settings%of(find_key('clearance_below'))%follows))
+      ! it acts on the deck alone
+      call mark(settings, [character(len=24) :: 'column_load'], command == command_tenon)
       call mark(settings, [character(len=24) :: 'extension'], settings%switch_of('shoulders'))
       call mark(settings, [character(len=24) :: 'shoulder_height', 'shoulder_gap', &
          'shoulder_points'], .not. settings%switch_of('shoulders'))

@@ -33,7 +33,8 @@ contains
 
       usual = usual_settings()
       is_paper_joint = settings%text_of('history') == '' &
-         .and. .not. settings%switch_of('shoulders') .and. settings%text_of('arm_datum') == usual%text_of('arm_datum')
+         .and. .not. settings%switch_of('shoulders') &
+         .and. settings%text_of('arm_datum') == usual%text_of('arm_datum')
       do i = 1, size(sizes)
          if (.not. is_paper_joint) return
          associate (own => settings%of(find_key(trim(sizes(i)))), &

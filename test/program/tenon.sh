@@ -46,6 +46,11 @@ run tenon "${full[@]}" --height 180
 check 'tenon: another joint has no published figures' lacks out 'test, paper|OC-FEM|1.221'
 run tenon "${full[@]}" --axial-rule fixed --friction-coefficient 0.24
 check 'tenon: the same joint with other wood has them' grep -q '^  test, paper  *-19.56 ' out
+run tenon "$root/examples/tenon_joint/clearance.nml" "${full[@]}"
+check 'tenon: twice the clearance has not' lacks out 'test, paper|OC-FEM'
+run tenon "$root/examples/tenon_joint/base.nml" "${full[@]}"
+check 'tenon: the base case is the paper'"'"'s joint' grep -q '^  test, paper  *-19.56 ' out
+check 'tenon: the load of the column acts on nothing here' lacks out '^  column_load '
 run tenon "${full[@]}" --json full.json
 check 'tenon: published figures' \
    sh -c 'grep -q "^  test, paper  *-19.56  1.221  *-22.14  *1.236  *181.06  *1.173" out \
