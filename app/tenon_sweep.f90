@@ -69,6 +69,8 @@ contains
       call new_axes(axes, line%options%text_of('sweep'), line%command, error)
       if (allocated(error)) return
       history = config%tenon
+      ! every case has an arm of its own then, and its own check
+      history%accept_sizes = history%accept_sizes .or. any(keys(axes%key)%name == 'arm')
       call take_history(history, report%settings, error)
       if (allocated(error)) return
       call hide_swept(report%settings, axes)

@@ -219,6 +219,20 @@ contains
       call nodes_in_box(mesh, [506.0_wp, -far, 0.0_wp], [506.0_wp, far, 0.0_wp], nodes)
       call assertEqual(2, size(nodes))
 
+      ! sizes that follow are in range with the height
+      choice%mesh_size = 3.0_wp
+      s%height = 5.0_wp
+      sizes = default_tenon_sizes(s)
+      call check_tenon_sizes(choice, s, sizes, error)
+      call assertFalse(allocated(error))
+      s%height = 4000.0_wp
+      sizes = default_tenon_sizes(s)
+      sizes%edge_relief = 0.0_wp
+      call check_tenon_sizes(choice, s, sizes, error)
+      call assertFalse(allocated(error))
+      s%height = 137.0_wp
+      sizes = default_tenon_sizes(s)
+
       choice%mesh_size = 76.0_wp
       call refused('mesh_size = 76.0 mm is larger than the part: width is 75.0 mm')
       choice%mesh_size = 30.0_wp

@@ -309,7 +309,7 @@ contains
       choice%mesh_size = -1.0_wp
       call refused('mesh_size = -1.0')
       choice%mesh_size = 0.03_wp
-      call refused('mesh_size = 0.03 mm is outside 0.2 to 190.0 mm: 0.03 looks like metres, '// &
+      call refused('mesh_size = 0.03 mm is outside 0.5 to 490.0 mm: 0.03 looks like metres, '// &
          'write 30.0')
       choice = joint_choice()
       choice%contact = 'table'

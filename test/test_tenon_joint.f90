@@ -384,6 +384,7 @@ contains
    !> rotation at their limits; all pass where they are accepted.
    subroutine test_sizes()
       character(len=*), parameter :: metres = ' looks like metres, write '
+      integer :: i
 
       call slip(tenon_settings(length=0.25_wp), 'length = 0.25 mm', '0.25'//metres//'250.0;')
       call slip(tenon_settings(height=0.18_wp), 'height = 0.18 mm', '0.18'//metres//'180.0;')
@@ -428,6 +429,11 @@ contains
       call passes(tenon_settings(height=80.0_wp, clearance_above=8.0000001_wp), .false.)
       call passes(tenon_settings(clearance_below=9.0_wp), .true.)
       call passes(tenon_settings(clearance_below=9.0000001_wp), .false.)
+      ! what follows from the height is in range where the height is
+      do i = 1, 2
+         call passes(tenon_settings(height=5.0_wp, shoulders=i == 2), .true.)
+         call passes(tenon_settings(height=4000.0_wp, shoulders=i == 2), .true.)
+      end do
       call passes(tenon_settings(displacement=[125.0_wp]), .true.)
       call passes(tenon_settings(displacement=[-125.00001_wp]), .false.)
       call passes(tenon_settings(displacement=[0.130001_wp]), .true.)

@@ -27,7 +27,7 @@ module replay_sizes
 
    !> The table
    type(size_range), parameter, public :: ranges(*) = [ &
-      ! tenons from chair legs to bridge beams
+      ! tenons from chair legs to bridge beams; what follows from a height is in range with it
       size_range('length', 'mm', 5.0_wp, 4000.0_wp), &
       size_range('height', 'mm', 5.0_wp, 4000.0_wp), &
       size_range('width', 'mm', 3.0_wp, 2000.0_wp), &
@@ -36,10 +36,10 @@ module replay_sizes
       ! a tenth of the height as well, see `check_sizes` of the settings
       size_range('clearance_above', 'mm', 0.01_wp, 9.0_wp), &
       size_range('clearance_below', 'mm', 0.01_wp, 9.0_wp), &
-      size_range('shoulder_height', 'mm', 1.0_wp, 900.0_wp), &
+      size_range('shoulder_height', 'mm', 0.8_wp, 790.0_wp), &
       size_range('shoulder_gap', 'mm', 0.01_wp, 9.0_wp), &
-      size_range('bearing_depth', 'mm', 2.0_wp, 1900.0_wp), &
-      size_range('column_depth', 'mm', 2.0_wp, 1900.0_wp), &
+      size_range('bearing_depth', 'mm', 2.5_wp, 2400.0_wp), &
+      size_range('column_depth', 'mm', 2.5_wp, 2400.0_wp), &
       ! wood across the grain from 40 MPa, along it to 39 GPa; strength from 0.3 to 200 MPa
       size_range('bearing_modulus', 'MPa', 40.0_wp, 39000.0_wp), &
       size_range('column_modulus', 'MPa', 40.0_wp, 39000.0_wp), &
@@ -57,8 +57,8 @@ module replay_sizes
       size_range('diameter', 'mm', 5.0_wp, 900.0_wp), &
       ! decks
       size_range('disc_height', 'mm', 1.0_wp, 900.0_wp), &
-      size_range('mesh_size', 'mm', 0.2_wp, 190.0_wp), &
-      size_range('column_height', 'mm', 20.0_wp, 19000.0_wp), &
+      size_range('mesh_size', 'mm', 0.5_wp, 490.0_wp), &
+      size_range('column_height', 'mm', 16.0_wp, 15000.0_wp), &
       size_range('column_width', 'mm', 5.0_wp, 4000.0_wp), &
       size_range('tail', 'mm', 5.0_wp, 4000.0_wp), &
       size_range('edge_relief', 'mm', 0.05_wp, 40.0_wp), &

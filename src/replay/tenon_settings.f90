@@ -232,8 +232,9 @@ contains
 
       values = [s%length, s%height, s%width, s%arm, s%displacement_increment, s%bearing_depth, &
          s%bearing_modulus, s%bearing_strength, s%column_depth, s%column_modulus, &
-         s%column_strength, s%side_pressure, s%column_load, s%extension, s%shoulder_height, &
-         s%shoulder_gap]
+         s%column_strength, s%side_pressure, s%column_load, &
+         merge(0.0_wp, s%extension, s%shoulders), &
+         merge([s%shoulder_height, s%shoulder_gap], 0.0_wp, s%shoulders)]
       do i = 1, size(names)
          call check_size(error, trim(names(i)), values(i), s%accept_sizes)
       end do

@@ -143,7 +143,7 @@ refuses 'deck: a side pressure that the law cannot reach' 2 \
    '--side-pressure: side_pressure = 13.0 MPa is above the hardness, 12.14 MPa' \
    deck tenon --side-pressure 13 --accept-sizes --inp never.inp
 refuses 'deck: a mesh in metres' 2 \
-   '--mesh-size: mesh_size = 0.03 mm is outside 0.2 to 190.0 mm: 0.03 looks like metres, write 30.0' \
+   '--mesh-size: mesh_size = 0.03 mm is outside 0.5 to 490.0 mm: 0.03 looks like metres, write 30.0' \
    deck tenon --mesh-size 0.03 --inp never.inp
 refuses 'deck: a mesh in micrometres' 2 \
    '--mesh-size: mesh_size = 2500.0 mm .* looks like micrometres, write 2.5' \

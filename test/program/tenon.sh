@@ -309,6 +309,11 @@ if [ -e again.csv.partial ]; then
 else
    skip 'sweep: restart' 'the run was over before it could be killed'
 fi
+# A record may go too far for the arm that is swept, not for one of the sweep
+printf 'd\n0\n150\n-150\n0\n' >wide.csv
+run tenon "${full[@]}" --history wide.csv --sweep arm=500,1000 --csv arms.csv
+check 'sweep: a record within reach of its arm' sh -c '
+   sed -n 2p arms.csv | grep -q "displacement = 150.0 mm is a rotation of 0.3 rad" && sed -n 3p arms.csv | grep -q ",done$"'
 # A record that changes below its name makes another sweep; the same displacements do not
 stopped() { # NAME HISTORY: a partial file with some of the rows
    printf 'd\n0\n%s\n-%s\n0\n' "$2" "$2" >h.csv
