@@ -200,7 +200,7 @@ refuses 'tenon: a history in metres' 2 \
 awk 'NR > 2 { $0 = $0*1000 } 1' way.csv >micrometres.csv
 refuses 'tenon: a history in micrometres' 2 'micrometres.csv: .* looks like micrometres, write -?24.0$' \
    tenon --history micrometres.csv
-printf 'd\nmm\n0\n400\n0\n' >far.csv
+printf 'displacement\nmm\n0\n400\n0\n' >far.csv
 refuses 'tenon: a rotation of 0.8 rad' 2 \
    'far.csv: displacement = 400.0 mm is a rotation of 0.8 rad at arm = 500.0 mm, outside 0.00026 to 0.25 rad' \
    tenon --history far.csv
@@ -236,10 +236,10 @@ check 'tenon: the sides alone, said' sh -c '
 refuses 'tenon: no contact at all' 2 \
    '--amplitudes: amplitudes up to 8.0 mm move the joint within its clearance: neither hard nor rough' \
    tenon "${full[@]}" --clearance 9 --amplitudes 8 --side-pressure 0
-run tenon "${quiet[@]}" --amplitudes 1.2 --sweep clearance=0.5,5 --csv no.csv
+run tenon "${quiet[@]}" --amplitudes 1.2 --sweep clearance=0.5,5 --csv untouched.csv
 check 'sweep: no contact is an outcome' sh -c '
-   sed -n 2p no.csv | grep -q "done: the faces of hard contact touch in no step$" \
-      && sed -n 3p no.csv | grep -q "neither hard nor rough contact carries a moment"'
+   sed -n 2p untouched.csv | grep -q "done: the faces of hard contact touch in no step$" \
+      && sed -n 3p untouched.csv | grep -q "neither hard nor rough contact carries a moment"'
 
 # Sweeps
 sweep=(--sweep friction-coefficient=0.3:0.5:2 --sweep gap=mean_plane,first_touch)
@@ -310,14 +310,14 @@ else
    skip 'sweep: restart' 'the run was over before it could be killed'
 fi
 # A record may go too far for the arm that is swept, not for one of the sweep
-printf 'd\n0\n150\n-150\n0\n' >wide.csv
+printf 'displacement\n0\n150\n-150\n0\n' >wide.csv
 run tenon "${full[@]}" --history wide.csv --sweep arm=500,1000 --csv arms.csv
 check 'sweep: a record within reach of its arm' sh -c '
    sed -n 2p arms.csv | grep -q "displacement = 150.0 mm is a rotation of 0.3 rad" && sed -n 3p arms.csv | grep -q ",done$"'
 # A record that changes below its name makes another sweep; the same displacements do not
 stopped() { # NAME HISTORY: a partial file with some of the rows
-   printf 'd\n0\n%s\n-%s\n0\n' "$2" "$2" >h.csv
-   "$program" tenon "${full[@]}" --history h.csv --sweep friction_coefficient=0.1:0.9:40 --csv "$1" \
+   printf 'displacement\n0\n%s\n-%s\n0\n' "$2" "$2" >changes.csv
+   "$program" tenon "${full[@]}" --history changes.csv --sweep friction_coefficient=0.1:0.9:40 --csv "$1" \
       >/dev/null 2>&1 &
    other=$!
    for i in $(seq 500); do
@@ -328,19 +328,19 @@ stopped() { # NAME HISTORY: a partial file with some of the rows
    wait "$other" 2>/dev/null
    [ -e "$1.partial" ]
 }
-history=("${full[@]}" --history h.csv --sweep friction_coefficient=0.1:0.9:40)
-if stopped s.csv 8; then
-   cp s.csv.partial kept
-   printf 'd\n0\n24\n-24\n0\n' >h.csv
-   run tenon "${history[@]}" --csv s.csv
+history=("${full[@]}" --history changes.csv --sweep friction_coefficient=0.1:0.9:40)
+if stopped resumed.csv 8; then
+   cp resumed.csv.partial kept
+   printf 'displacement\n0\n24\n-24\n0\n' >changes.csv
+   run tenon "${history[@]}" --csv resumed.csv
    check 'sweep: a history that has changed' is_refused 2 \
-      's.csv.partial: h.csv has changed since it was begun; remove it, or name another file'
-   check 'sweep: no row of another history is written' sh -c 'test ! -e s.csv && cmp kept s.csv.partial'
-   printf 'a record\n"0.0"\n8.00\n-8e0\n0\n' >h.csv
-   run tenon "${history[@]}" --csv s.csv
-   check 'sweep: one with the same displacements' grep -q 'of 40 cases were taken from s.csv.partial' out
+      'resumed.csv.partial: changes.csv has changed since it was begun; remove it, or name another file'
+   check 'sweep: no row of another history is written' sh -c 'test ! -e resumed.csv && cmp kept resumed.csv.partial'
+   printf 'displacement\n"0.0"\n8.00\n-8e0\n0\n' >changes.csv
+   run tenon "${history[@]}" --csv resumed.csv
+   check 'sweep: one with the same displacements' grep -q 'of 40 cases were taken from resumed.csv.partial' out
    run tenon "${history[@]}" --csv anew.csv
-   check 'sweep: to the results of one run' cmp s.csv anew.csv
+   check 'sweep: to the results of one run' cmp resumed.csv anew.csv
 else
    skip 'sweep: a history that changes' 'the run was over before it could be killed'
 fi
