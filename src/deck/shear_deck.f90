@@ -59,7 +59,6 @@ contains
       if (.not. allocated(error)) call check_shear_settings(settings, settings%displacement, error)
       if (.not. allocated(error)) call check_positive(error, 'disc_height', disc_height, 'mm')
       call check_size(error, 'disc_height', disc_height, settings%accept_sizes)
-      call check_size(error, 'critical_slip', properties%critical_slip, settings%accept_sizes)
       call check_mesh_size(error, choice, 'disc_height', disc_height)
       call check_mesh_size(error, choice, 'diameter', settings%diameter)
       if (.not. allocated(error)) call check_wood(deck%wood, error)

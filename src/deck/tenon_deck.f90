@@ -10,7 +10,6 @@ module deck_tenon_deck
    use deck_tenon_parts, only: check_tenon_sizes, new_beam, new_column, tenon_sizes
    use deck_side_fit, only: side_interference
    use deck_wood, only: check_wood, wood_type
-   use replay_sizes, only: check_size
    use replay_tenon_programme, only: tenon_programme
    use replay_tenon_settings, only: check_tenon_settings, tenon_face_arm, tenon_settings
    implicit none
@@ -69,8 +68,6 @@ contains
       deck%has_sides = settings%side_pressure > 0.0_wp
       call check_deck_choice(choice, settings%accept_sizes, error)
       if (.not. allocated(error)) call check_tenon_settings(settings, error)
-      call check_size(error, 'critical_slip', faces%critical_slip, settings%accept_sizes)
-      call check_size(error, 'side_critical_slip', sides%critical_slip, settings%accept_sizes)
       if (.not. allocated(error)) call check_joint(settings, error)
       if (.not. allocated(error)) call check_range(error, 'stroke_increments', &
          real(increments, wp), 1.0_wp, real(most_increments, wp), '')

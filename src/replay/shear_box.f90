@@ -7,7 +7,6 @@ module replay_shear_box
    use asperity_contact_properties, only: close_pressure_ratio
    use asperity_error, only: fatal_error
    use asperity_text, only: to_text
-   use replay_sizes, only: check_size
    use replay_host, only: accept_increment, host_point, new_host_point, refuse_cut, &
       try_increment
    use replay_shear_settings, only: box_path, check_shear_settings, current_area, &
@@ -78,7 +77,6 @@ contains
          allocate (turns, source=[default_displacement])
       end if
       call check_shear_settings(settings, turns, error)
-      call check_size(error, 'critical_slip', properties%critical_slip, settings%accept_sizes)
       if (allocated(error)) return
       if (settings%normal_stress <= close_pressure_ratio*properties%p_open) then
          call fatal_error(error, 'normal_stress = '//to_text(settings%normal_stress)// &

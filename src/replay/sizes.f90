@@ -5,8 +5,7 @@
 !> The limits are wide of what is built and tested, from furniture and scale models to bridges, and
 !> of the woods there are, from balsa to the hardest. All are chosen, and no range spans a factor
 !> of 1000, so that no value within one passes in a unit of 1000 or 1/1000 times the size: metres or
-!> micrometres for mm, kPa or GPa for MPa. The elastic slip alone may be as small as one likes,
-!> since that is friction without it. Zero, where it is allowed, means none and passes.
+!> micrometres for mm, kPa or GPa for MPa. Zero, where it is allowed, means none and passes.
 module replay_sizes
    use asperity, only: error_type, wp
    use asperity_error, only: fatal_error
@@ -49,9 +48,7 @@ module replay_sizes
       size_range('side_pressure', 'MPa', 0.005_wp, 4.9_wp), &
       size_range('normal_stress', 'MPa', 0.005_wp, 4.9_wp), &
       size_range('column_load', 'N', 500.0_wp, 490000.0_wp), &
-      ! elastic slip of faces of wood, steps of a replay
-      size_range('critical_slip', 'mm', 0.0_wp, 4.9_wp), &
-      size_range('side_critical_slip', 'mm', 0.0_wp, 4.9_wp), &
+      ! steps of a replay
       size_range('displacement_increment', 'mm', 0.005_wp, 4.9_wp), &
       ! the shear box
       size_range('diameter', 'mm', 5.0_wp, 900.0_wp), &

@@ -4,7 +4,6 @@ module replay_tenon
    use asperity_error, only: fatal_error
    use asperity_text, only: to_text
    use replay_host, only: accept_increment
-   use replay_sizes, only: check_size
    use replay_tenon_balance, only: balance_tenon
    use replay_tenon_contact, only: contact_record
    use replay_tenon_ledger, only: book_increment, tenon_ledger
@@ -142,8 +141,6 @@ contains
       if (present(points)) allocate (points(0))
       allocate (steps(0))
       call check_tenon_settings(settings, error)
-      call check_size(error, 'critical_slip', faces%critical_slip, settings%accept_sizes)
-      call check_size(error, 'side_critical_slip', sides%critical_slip, settings%accept_sizes)
       if (allocated(error)) return
       call new_tenon_model(joint%model, settings, faces, sides, error)
       if (allocated(error)) return

@@ -190,7 +190,7 @@ refuses 'tenon: pressure in kPa' 2 '--side-pressure: .* = 200.0 MPa .* kPa, writ
    tenon --side-pressure 200
 refuses 'tenon: modulus in Pa' 2 '--bearing-modulus: .* Pa, write 351.0' tenon --bearing-modulus 3.51e8
 refuses 'tenon: elastic slip of the sides in micrometres' 2 \
-   '--side-critical-slip: .* = 310.0 mm .* micrometres, write 0.31' tenon --side-critical-slip 310
+   '--side-critical-slip: side_critical_slip = 310.0 mm .* looks like um' tenon --side-critical-slip 310
 refuses 'tenon: amplitudes in metres' 2 '--amplitudes: amplitudes = 0.048 mm is a rotation of .* metres, write 48.0' \
    tenon --amplitudes 0.0005,0.048
 awk 'NR > 2 { $0 = $0/1000 } 1' way.csv >metres.csv
