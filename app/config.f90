@@ -77,7 +77,7 @@ contains
          end if
          if (.not. allocated(error) .and. iand(command, tenons) /= 0) then
             call new_side_properties(config%sides, s, friction_rule, slip_integration, error)
-            if (.not. allocated(error)) call new_tenon_settings(config%tenon, s, error)
+            if (.not. allocated(error)) call new_tenon_settings(config%tenon, s, command, error)
             if (.not. allocated(error) .and. s%given('record')) &
                call whole_list(s, 'record', config%record, error)
          end if
@@ -97,12 +97,14 @@ contains
          config%press%peak = s%real_of('peak')
          config%press%increments = s%of(find_key('increments'))%whole
          config%press%step_time = s%real_of('step_time')
+         config%press%accept_sizes = s%switch_of('accept_sizes')
          config%shear%diameter = s%real_of('diameter')
          config%shear%rate = s%real_of('rate')
          config%shear%displacement = s%of(find_key('displacement'))%values
          config%shear%displacement_increment = s%real_of('displacement_increment')
          config%shear%shrinking_overlap = s%switch_of('shrinking_overlap')
          config%shear%shear_compliance = s%real_of('shear_compliance')
+         config%shear%accept_sizes = s%switch_of('accept_sizes')
          config%normal_stress = s%of(find_key('normal_stress'))%values
       end associate
    end subroutine new_config

@@ -80,7 +80,9 @@ contains
       end if
       if (belongs(find_key('history'), line%command)) then
          call read_history(history, report%settings, error)
-         if (.not. allocated(error)) call follow_history(config%tenon, history, error)
+         ! The cases of a sweep may have arms of their own
+         if (.not. allocated(error) .and. .not. line%options%given('sweep')) &
+            call follow_history(config%tenon, history, error)
          if (allocated(error)) then
             call locate(error, report%settings)
             return
@@ -99,7 +101,7 @@ contains
          call report_shear(config, report, error)
       case (command_tenon)
          if (line%options%given('sweep')) then
-            call report_sweep(line, base, history, report, partial, error)
+            call report_sweep(line, base, config, history, report, partial, error)
          else
             call report_tenon(config, report, error)
             if (.not. allocated(error)) report%more = [report%more, history%columns]

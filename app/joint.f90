@@ -6,13 +6,13 @@ module app_joint
    use asperity_text, only: to_text
    use hysteresis_analysis, only: analyse_hysteresis, hysteresis_result, hysteresis_settings, &
       not_known
-   use replay_tenon, only: run_tenon, tenon_point, tenon_progress, tenon_step
+   use replay_tenon, only: bearing_faces, run_tenon, tenon_point, tenon_progress, tenon_step
    use replay_tenon_settings, only: tenon_settings
    use app_config, only: config_type
    use app_units, only: joule, kilonewton_metre
    implicit none
    private
-   public :: joint_type, run_joint, largest_cycle, loop_joules, steps_to_record
+   public :: joint_type, run_joint, check_moment, largest_cycle, loop_joules, steps_to_record
 
    !> Contact models, in the order of tables
    integer, parameter, public :: hard = 1, rough = 2
@@ -20,6 +20,10 @@ module app_joint
 
    !> Reversals over the largest rotation that are rounding
    real(wp), parameter :: exact = 1.0e-6_wp
+
+   !> Forces over strength times width times length up to which they are round-off: what the solver
+   !> lets pass is below
+   real(wp), parameter :: round_off = 1.0e-8_wp
 
    !> Way back after a turn over the amplitude at which the contact is looked at
    real(wp), parameter :: turned = 0.02_wp
@@ -32,7 +36,11 @@ module app_joint
       type(tenon_step), allocatable :: steps(:)
       !> Every contact point at the steps asked for
       type(tenon_point), allocatable :: points(:)
-      !> Analysis of moment, kN m, against rotation, rad; samples are steps from 1
+      !> Whether upper or lower face or a shoulder touches in some step, and whether the joint has a
+      !> moment in some step
+      logical :: touches = .true., has_moment = .true.
+      !> Analysis of moment, kN m, against rotation, rad; samples are steps from 1. Without a moment
+      !> there is no cycle, and nothing is known
       type(hysteresis_result) :: loops
       !> Time of the replay, s
       real(wp) :: seconds = 0.0_wp
@@ -57,6 +65,8 @@ contains
       type(tenon_settings) :: settings
       type(hysteresis_settings) :: analysis
       integer(int64) :: began, ended, rate
+      real(wp) :: least
+      integer :: i
 
       call system_clock(began, rate)
       joint%model = model
@@ -74,10 +84,15 @@ contains
       if (allocated(error)) return
       call system_clock(ended)
       joint%seconds = real(ended - began, wp)/real(rate, wp)
-      if (.not. any(abs(joint%steps%moment) > 0.0_wp)) then
-         call fatal_error(error, 'amplitudes up to '// &
-            to_text(maxval(abs(joint%steps%displacement)))//' mm move the joint within its '// &
-            'clearance: '//trim(model_names(model))//' contact carries no moment')
+      least = round_off*settings%bearing_strength*settings%width*settings%length
+      joint%has_moment = any(abs(joint%steps%force) > least)
+      joint%touches = .false.
+      do i = 0, ubound(joint%steps, 1)
+         if (joint%touches) exit
+         joint%touches = any(joint%steps(i)%face_normal(bearing_faces) > least)
+      end do
+      if (.not. joint%has_moment) then
+         call leave_unknown(joint%loops)
          return
       end if
       ! A programme has no noise; a recorded history may
@@ -99,6 +114,32 @@ contains
       loop_joules = energy
       if (energy < not_known) loop_joules = energy*(joule/kilonewton_metre)
    end function loop_joules
+
+   !> What is known of a record without a force: nothing.
+   pure subroutine leave_unknown(loops)
+      type(hysteresis_result), intent(inout) :: loops
+      integer :: side
+
+      allocate (loops%turning_points(0), loops%cycles(0))
+      do side = 1, size(loops%skeleton)
+         associate (skeleton => loops%skeleton(side))
+            allocate (skeleton%displacement(0), skeleton%force(0), skeleton%cycle(0))
+         end associate
+      end do
+   end subroutine leave_unknown
+
+   !> `error` is set when neither model has a moment in any step: there is nothing to compare.
+   subroutine check_moment(joints, error)
+      !> Both models
+      type(joint_type), intent(in) :: joints(:)
+      !> Set when there is nothing to compare
+      type(error_type), allocatable, intent(out) :: error
+
+      if (any(joints%has_moment)) return
+      call fatal_error(error, 'amplitudes up to '// &
+         to_text(maxval(abs(joints(1)%steps%displacement)))//' mm move the joint within its '// &
+         'clearance: neither hard nor rough contact carries a moment in any step')
+   end subroutine check_moment
 
    !> The first cycle that goes furthest, zero when there is none.
    pure integer function largest_cycle(loops)

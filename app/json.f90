@@ -92,7 +92,7 @@ contains
       integer, intent(in) :: key
 
       is_input = belongs(key, report%command) .and. keys(key)%kind < kind_file &
-         .and. report%settings%of(key)%has_value
+         .and. report%settings%of(key)%has_value .and. .not. report%settings%of(key)%unused
    end function is_input
 
    !> Units of columns and of input; one of the same name has the same unit.

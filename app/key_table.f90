@@ -19,6 +19,7 @@ module app_key_table
    integer, parameter, public :: all_runs = all_replays + decks
    integer, parameter, public :: with_friction = shears + tenons + command_table + command_surface
    integer, parameter, public :: slides = shears + tenons
+   integer, parameter, public :: sized = slides + command_press
    integer, parameter, public :: moves = shears + command_tenon
    integer, parameter, public :: tabulates = command_table + decks
    integer, parameter, public :: records = command_hysteresis + tenons

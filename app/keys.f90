@@ -6,7 +6,7 @@ module app_keys
       command_pairs, command_press, command_shear, command_surface, command_table, &
       command_tenon, command_version, decks, everything, key_type, kind_choice, kind_file, &
       kind_integer, kind_list, kind_logical, kind_real, kind_request, kind_sweep, kind_text, &
-      moves, records, shears, slides, tabulates, tenons, with_friction
+      moves, records, shears, sized, slides, tabulates, tenons, with_friction
    use app_surface_keys, only: surface_keys
    implicit none
    private
@@ -58,6 +58,8 @@ module app_keys
       'largest elastic slip of the sides; critical_slip unless given'), &
       key_type('accept_unphysical', kind_logical, '', all_runs, yes, 'false', '', &
       'let properties that no face or solid has pass; results are flagged'), &
+      key_type('accept_sizes', kind_logical, '', sized, no, 'false', '', &
+      'let sizes and pressures pass that look like another unit, and large rotations'), &
       key_type('separation', kind_list, 'mm', command_curve + command_surface, no, '', '', &
       'separations, also from:to:count as an option; 4 sigma to 0 unless given'), &
       key_type('control', kind_choice, '', command_press, no, 'pressure', &
@@ -107,8 +109,8 @@ module app_keys
       'gap below the tenon; clearance unless given'), &
       key_type('gap', kind_choice, '', tenons, no, 'mean_plane', 'mean_plane first_touch', &
       'what the clearance is measured between'), &
-      key_type('extension', kind_real, 'mm', command_tenon, no, '60', '', &
-      'length of full material that runs on past the column face'), &
+      key_type('extension', kind_real, 'mm', command_tenon, no, '', '', &
+      'length of full material past the column face; a fifth of height unless given'), &
       key_type('arm', kind_real, 'mm', tenons, no, '500', '', &
       'distance of the load point from arm_datum; the moment is force times arm'), &
       key_type('arm_datum', kind_choice, '', tenons, no, 'column_face', &
@@ -125,24 +127,24 @@ module app_keys
       'axial force of axial_rule = force, positive pulls the tenon out'), &
       key_type('shoulders', kind_logical, '', tenons, no, 'false', '', &
       'shoulders above and below the tenon bear on the column face; no extension then'), &
-      key_type('shoulder_height', kind_real, 'mm', command_tenon, no, '50', '', &
-      'height of each shoulder'), &
+      key_type('shoulder_height', kind_real, 'mm', command_tenon, no, '', '', &
+      'height of each shoulder; a sixth of height unless given'), &
       key_type('shoulder_gap', kind_real, 'mm', command_tenon, no, '0', '', &
       'gap between each shoulder and the column face'), &
       key_type('column_load', kind_real, 'N', tenons, no, '0', '', &
       'vertical load of the column; the plane replay does not use it'), &
       key_type('bearing_modulus', kind_real, 'MPa', tenons, no, '351', '', &
       'modulus of the wood perpendicular to the grain'), &
-      key_type('bearing_depth', kind_real, 'mm', command_tenon, no, '150', '', &
-      'depth of wood that the bearing compresses'), &
+      key_type('bearing_depth', kind_real, 'mm', command_tenon, no, '', '', &
+      'depth of wood that the bearing compresses; half of height unless given'), &
       key_type('bearing_strength', kind_real, 'MPa', tenons, no, '4.7', '', &
       'strength fc90 perpendicular to the grain'), &
       key_type('hardening', kind_real, '', tenons, no, '0.02', '', &
       'stiffness after yield over bearing_modulus/bearing_depth'), &
       key_type('column_modulus', kind_real, 'MPa', tenons, no, '3727', '', &
       'modulus of the column parallel to the grain, 0 for rigid'), &
-      key_type('column_depth', kind_real, 'mm', command_tenon, no, '150', '', &
-      'depth of the column that the bearing compresses'), &
+      key_type('column_depth', kind_real, 'mm', command_tenon, no, '', '', &
+      'depth of the column that the bearing compresses; half of height unless given'), &
       key_type('column_strength', kind_real, 'MPa', tenons, no, '50.1', '', &
       'strength fc0 of the column parallel to the grain'), &
       key_type('column_hardening', kind_real, '', tenons, no, '0.02', '', &
@@ -170,7 +172,7 @@ module app_keys
       key_type('contact', kind_choice, '', decks, no, 'uinter', 'uinter table hard', &
       'UINTER, the law as a table, or hard contact'), &
       key_type('mesh_size', kind_real, 'mm', decks, no, '', '', &
-      'edge of an element aimed at; shear 2.5, tenon 30 unless given'), &
+      'edge of an element aimed at; shear 2.5, tenon a tenth of height unless given'), &
       key_type('element', kind_choice, '', decks, no, 'c3d8i', 'c3d8i c3d8 c3d8r', &
       'element; the paper''s C3D8R deforms without resistance in CalculiX'), &
       key_type('plasticity', kind_choice, '', decks, no, 'elastic', 'elastic plastic', &
@@ -185,14 +187,14 @@ module app_keys
       'height of each disc'), &
       key_type('upper_grain', kind_choice, '', command_deck_shear, no, '', 'normal along', &
       'grain of the upper disc; along its face for pair tangential-tangential, else normal'), &
-      key_type('column_height', kind_real, 'mm', command_deck_tenon, no, '1000', '', &
-      'height of the column'), &
-      key_type('column_width', kind_real, 'mm', command_deck_tenon, no, '300', '', &
-      'width of the column across the beam'), &
+      key_type('column_height', kind_real, 'mm', command_deck_tenon, no, '', '', &
+      'height of the column; 10/3 of height unless given'), &
+      key_type('column_width', kind_real, 'mm', command_deck_tenon, no, '', '', &
+      'width of the column across the beam; length unless given'), &
       key_type('tail', kind_real, 'mm', command_deck_tenon, no, '0', '', &
       'length of the beam behind the column'), &
-      key_type('edge_relief', kind_real, 'mm', command_deck_tenon, no, '3', '', &
-      'contact begins so far from the back, at the sides from top and bottom of the mortise'), &
+      key_type('edge_relief', kind_real, 'mm', command_deck_tenon, no, '', '', &
+      'no contact so near the edges of the mortise; a hundredth of height unless given'), &
       key_type('side_interference', kind_real, 'mm', command_deck_tenon, no, '', '', &
       'interference at each side; made for side_pressure unless given'), &
       key_type('stroke_increments', kind_integer, '', command_deck_tenon, no, '10', '', &

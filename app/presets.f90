@@ -147,7 +147,7 @@ contains
       real(wp), intent(in) :: values(:)
       !> Where they come from
       character(len=*), intent(in) :: source
-      !> Whether they are made from sigma
+      !> Whether they are made from another key, the last word of the source
       logical, intent(in), optional :: follows
 
       associate (setting => settings%of(find_key(name)))

@@ -42,6 +42,7 @@ contains
       do key = 1, n_keys
          if (.not. belongs(key, command) .or. keys(key)%kind >= kind_file) cycle
          if (.not. settings%of(key)%has_value) cycle
+         if (settings%of(key)%unused .and. .not. settings%of(key)%given) cycle
          if (settings%of(key)%follows) then
             ! said, not fixed: it must follow when the other key changes
             call buffer%line('  ! '//trim(keys(key)%name)//': '//settings%of(key)%source)

@@ -57,6 +57,8 @@ module app_report
       character(len=:), allocatable :: picture_data
       !> Input for other programs, none when not allocated
       type(deck_type), allocatable :: decks(:)
+      !> Whether the law was used at all: the faces touch in some step
+      logical :: has_contact = .true.
       !> What is to be said of the results, one line each, none when not allocated
       type(string_type), allocatable :: remarks(:)
       !> What the results come to, one or two lines, none when not allocated
@@ -74,6 +76,8 @@ module app_report
       procedure :: selected_rows
       !> All validity flags of the results together
       procedure :: validity
+      !> What is to be said when there are none
+      procedure :: valid_text
    end type report_type
 
 contains
@@ -141,5 +145,16 @@ contains
       i = self%table%find('validity')
       if (i > 0) validity = iany(self%table%columns(i)%codes)
    end function validity
+
+   !> What is to be said when no validity flag is set.
+   pure function valid_text(self) result(text)
+      !> The report
+      class(report_type), intent(in) :: self
+      character(len=:), allocatable :: text
+
+      text = 'no limit of the law is passed.'
+      if (.not. self%has_contact) &
+         text = 'the faces touch in no step, so that the law was not used.'
+   end function valid_text
 
 end module app_report

@@ -19,6 +19,8 @@ module app_settings
       logical :: has_value = .false.
       !> Not given, and made from another key
       logical :: follows = .false.
+      !> Of no effect on this run, so that no listing shows it
+      logical :: unused = .false.
       !> Where the value comes from, such as `case.nml:4`, `--sigma` or `default`
       character(len=:), allocatable :: source
       !> Value of a text, a choice or a file; sweeps, separated by blanks

@@ -1,9 +1,11 @@
 !> The partial file of a sweep, FILE.csv.partial: the input as comment lines, then a CSV file whose
 !> rows are complete and stand in the order in which they were done.
 module app_sweep_file
-   use asperity, only: error_type, file_error, validity_text
+   use asperity, only: error_type, file_error, validity_text, wp
    use asperity_error, only: fatal_error
+   use asperity_text, only: to_text
    use asperity_validity, only: all_flags
+   use app_checksum, only: checksum
    use app_cli, only: command_line_type
    use app_csv, only: csv_text
    use app_locked_file, only: append_text, locked_file, open_locked, remove_locked, shorten
@@ -19,7 +21,7 @@ module app_sweep_file
    private
    public :: partial_type, open_partial, append_case, close_partial
 
-   character(len=*), parameter :: ending = '.partial'
+   character(len=*), parameter :: ending = '.partial', comment = '# ', record_mark = '! history: '
    !> Largest partial file, characters
    integer, parameter :: largest = 512*1024*1024
 
@@ -35,13 +37,15 @@ contains
 
    !> Take what is done from a partial file of the same sweep, or begin one. `error` is set when it
    !> is of another sweep or cannot be written.
-   subroutine open_partial(partial, line, settings, axes, results, error)
+   subroutine open_partial(partial, line, settings, history, axes, results, error)
       !> The file
       type(partial_type), intent(out) :: partial
       !> Command line
       type(command_line_type), intent(in) :: line
       !> Settings in effect but for the keys that are swept
       type(settings_type), intent(in) :: settings
+      !> Recorded displacements, mm, if there are
+      real(wp), allocatable, intent(in) :: history(:)
       !> The axes
       type(axis_type), intent(in) :: axes(:)
       !> One result per combination; those in the file are set
@@ -65,7 +69,7 @@ contains
          call fatal_error(error, partial%path//': is no file', file_error)
          return
       end if
-      head = heading(line, settings)//csv_text(sweep_table(axes, results, no_rows))
+      head = heading(line, settings, history)//csv_text(sweep_table(axes, results, no_rows))
       call open_locked(partial%file, target%target, reason)
       if (.not. allocated(reason)) call read_file(target%target, largest, text, reason)
       if (.not. allocated(reason)) then
@@ -78,32 +82,56 @@ contains
             call read_cases(text(len(head) + 1:), size(axes), results)
             call shorten(partial%file, index(text, newline, back=.true.), reason)
          else
-            call fatal_error(error, partial%path//': is of another sweep; remove it, or name '// &
-               'another file with --csv')
+            call fatal_error(error, partial%path//': '//difference(head, text, settings)// &
+               '; remove it, or name another file with --csv')
          end if
       end if
       if (allocated(reason)) call fatal_error(error, partial%path//': cannot be used: '//reason, &
          file_error)
    end subroutine open_partial
 
-   !> What tells one sweep from another: all input, as comment lines.
-   function heading(line, settings) result(text)
+   !> What tells one sweep from another: version and all input, as comment lines. Of a record, which
+   !> may change below its name, the number of displacements and their checksum.
+   function heading(line, settings, history) result(text)
       type(command_line_type), intent(in) :: line
       type(settings_type), intent(in) :: settings
+      real(wp), allocatable, intent(in) :: history(:)
       character(len=:), allocatable :: text
       character(len=:), allocatable :: input
       integer :: first, length
 
       input = '--sweep '//line%options%text_of('sweep')//newline// &
          case_text(settings, line%command)
+      if (allocated(history)) input = input//record_mark//to_text(size(history))// &
+         ' displacements, checksum '//checksum(history)//newline
       text = ''
       first = 1
       do while (first <= len(input))
          length = index(input(first:), newline)
-         text = text//'# '//input(first:first + length - 1)
+         text = text//comment//input(first:first + length - 1)
          first = first + length
       end do
    end function heading
+
+   !> How a partial file differs from what is wanted: in its first line that does.
+   function difference(head, text, settings) result(words)
+      character(len=*), intent(in) :: head, text
+      type(settings_type), intent(in) :: settings
+      character(len=:), allocatable :: words
+      integer :: i, first, last
+
+      words = 'is of another sweep'
+      do i = 1, min(len(head), len(text))
+         if (head(i:i) /= text(i:i)) exit
+      end do
+      first = index(head(:min(i, len(head)) - 1), newline, back=.true.) + 1
+      last = first + index(head(first:), newline) - 1
+      if (index(head(first:last), comment//record_mark) == 1) then
+         words = settings%text_of('history')//' has changed since it was begun'
+      else if (index(head(first:last), ', version ') > 0) then
+         words = 'was begun by another version'
+      end if
+   end function difference
 
    !> Take over complete rows.
    subroutine read_cases(text, n_axes, results)

@@ -56,6 +56,11 @@ contains
          return
       end if
       result%outcome = well
+      if (.not. all(joints%touches)) then
+         i = findloc(joints%touches, .false., 1)
+         result%outcome = well//': the faces of '//trim(model_names(i))//' contact touch in no step'
+         if (.not. any(joints%touches)) result%outcome = well//': the faces touch in no step'
+      end if
       associate (f => result%figures)
          do i = 1, 2
             f((i - 1)*n_names + 1:i*n_names) = figures_of(joints(i))

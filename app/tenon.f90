@@ -3,11 +3,13 @@ module app_tenon
    use asperity, only: error_type, wp
    use asperity_error, only: fatal_error
    use asperity_text, only: to_text
+   use replay_tenon, only: tenon_warned_pull_out
    use replay_tenon_programme, only: tenon_programme
    use hysteresis_analysis, only: negative_side, positive_side
    use app_config, only: config_type
    use app_hysteresis_remarks, only: excess_words
-   use app_joint, only: hard, joint_type, rough, run_joint, steps_to_record
+   use app_joint, only: check_moment, hard, joint_type, rough, run_joint, steps_to_record
+   use app_paper_joint, only: is_paper_joint
    use app_progress, only: clear_steps, show_steps, tell_terminal
    use app_report, only: named_table, report_type, turning_points
    use app_strings, only: string_type
@@ -20,9 +22,6 @@ module app_tenon
    public :: report_tenon
 
    character(len=12), parameter :: legends(2) = ['hard contact', 'rough law   ']
-   !> Pull-out over length from which the overlap rather than the contact governs the moment
-   real(wp), parameter :: far_out = 0.25_wp
-
 contains
 
    !> Run both models. `error` is set when a setting is refused or a replay fails.
@@ -54,11 +53,13 @@ contains
          return
       end if
       call tell_times(config, joints)
+      call check_moment(joints, error)
+      if (allocated(error)) return
 
       report%table = steps_table(joints)
       call report%table%check_finite(error)
       if (allocated(error)) return
-      report%summary = comparison_table(joints)
+      report%summary = comparison_table(joints, is_paper_joint(report%settings))
       report%more = [ &
          named_table('totals', 'Whole programme', &
          totals_table(joints)), &
@@ -66,7 +67,8 @@ contains
          named_table('skeleton', '', skeleton_table(joints))]
       report%points = points_table(joints)
       call joint_pictures(joints, report%picture_data, report%pictures)
-      report%remarks = remarks(config, joints)
+      report%remarks = remarks(config, joints, is_paper_joint(report%settings))
+      report%has_contact = any(joints%touches)
       report%shows_table = .false.
       associate (n => size(joints(hard)%steps))
          report%first_rows = [1, n + 1, report%table%rows + 1]
@@ -133,20 +135,28 @@ contains
    end subroutine check_record
 
    !> What must be known beside the figures.
-   pure function remarks(config, joints) result(lines)
+   pure function remarks(config, joints, beside_paper) result(lines)
       type(config_type), intent(in) :: config
       type(joint_type), intent(in) :: joints(:)
+      logical, intent(in) :: beside_paper
       type(string_type), allocatable :: lines(:)
       type(string_type) :: line
       real(wp) :: furthest
       integer :: i, side
 
-      line%text = 'A prediction from chosen sizes, not a fit to the paper: compare ratios to '// &
-         'hard contact, not moments.'
+      line%text = 'A prediction, not a fit to a test: '
+      if (beside_paper) line%text = 'A prediction from chosen sizes, not a fit to the paper: '
+      line%text = line%text//'compare ratios to hard contact, not moments.'
       lines = [line]
       do i = 1, size(joints)
+         if (.not. joints(i)%touches) then
+            line%text = trim(legends(i))//': the faces touch in no step, '// &
+               trim(merge('so that all moment is friction of the sides', &
+               'and there is no moment                     ', joints(i)%has_moment))
+            lines = [lines, line]
+         end if
          furthest = maxval(abs(joints(i)%steps%pull_out))
-         if (furthest <= far_out*config%tenon%length) cycle
+         if (furthest <= tenon_warned_pull_out*config%tenon%length) cycle
          line%text = trim(legends(i))//': the tenon moves '//to_text(furthest, 3)// &
             ' mm along its axis, more than a quarter of its length: the overlap, not the '// &
             'contact, then governs the moment'

@@ -6,7 +6,7 @@ module app_tenon_config
    use asperity_properties, only: check_range
    use asperity_text, only: to_text
    use replay_tenon_settings, only: check_tenon_settings, tenon_settings
-   use app_keys, only: find_key
+   use app_keys, only: belongs, find_key
    use app_settings, only: settings_type
    implicit none
    private
@@ -19,11 +19,13 @@ contains
 
    !> The joint and its programme, without contact model and recorded history. `error` begins with
    !> the name of the value.
-   pure subroutine new_tenon_settings(tenon, settings, error)
+   pure subroutine new_tenon_settings(tenon, settings, command, error)
       !> The joint
       type(tenon_settings), intent(out) :: tenon
       !> Settings in effect
       type(settings_type), intent(in) :: settings
+      !> The command, of which a deck has no increment of displacement
+      integer, intent(in) :: command
       !> Set when a value is refused
       type(error_type), allocatable, intent(out) :: error
 
@@ -34,7 +36,7 @@ contains
          t%clearance_above = s%real_of('clearance_above')
          t%clearance_below = s%real_of('clearance_below')
          t%gap = s%text_of('gap')
-         t%extension = s%real_of('extension')
+         call take(t%extension, s, 'extension')
          t%arm = s%real_of('arm')
          t%arm_datum = s%text_of('arm_datum')
          t%side_pressure = s%real_of('side_pressure')
@@ -42,33 +44,45 @@ contains
          t%axial_stiffness = s%real_of('axial_stiffness')
          t%axial_force = s%real_of('axial_force')
          t%shoulders = s%switch_of('shoulders')
-         t%shoulder_height = s%real_of('shoulder_height')
+         call take(t%shoulder_height, s, 'shoulder_height')
          t%shoulder_gap = s%real_of('shoulder_gap')
          t%column_load = s%real_of('column_load')
          t%bearing_modulus = s%real_of('bearing_modulus')
-         t%bearing_depth = s%real_of('bearing_depth')
+         call take(t%bearing_depth, s, 'bearing_depth')
          t%bearing_strength = s%real_of('bearing_strength')
          t%hardening = s%real_of('hardening')
          t%column_modulus = s%real_of('column_modulus')
-         t%column_depth = s%real_of('column_depth')
+         call take(t%column_depth, s, 'column_depth')
          t%column_strength = s%real_of('column_strength')
          t%column_hardening = s%real_of('column_hardening')
          t%points = s%whole_of('face_points')
          t%side_points = s%whole_of('side_points')
          t%shoulder_points = s%whole_of('shoulder_points')
-         t%displacement_increment = s%real_of('displacement_increment')
+         if (belongs(find_key('displacement_increment'), command)) &
+            t%displacement_increment = s%real_of('displacement_increment')
          t%through_uinter = s%text_of('through') == 'uinter'
+         t%accept_sizes = s%switch_of('accept_sizes')
          t%amplitudes = s%of(find_key('amplitudes'))%values
          call whole_list(s, 'cycles', t%cycles, error)
       end associate
       ! Here, as the replay calls it `points`, which is the name of an output
       if (.not. allocated(error)) call check_range(error, 'face_points', &
          real(tenon%points, wp), 1.0_wp, real(most_points, wp), '')
-      if (.not. allocated(error)) call check_tenon_settings(tenon, error)
+      if (.not. allocated(error)) call check_tenon_settings(tenon, error, &
+         joint_only=settings%text_of('history') /= '')
       if (allocated(error)) return
       if (abs(tenon%axial_force) > 0.0_wp .and. tenon%axial_rule /= 'force') &
          call fatal_error(error, 'axial_force needs axial_rule = force')
    end subroutine new_tenon_settings
+
+   !> Give a size the value of a key if it has one; keys of the replay have none for a deck.
+   pure subroutine take(size, settings, name)
+      real(wp), allocatable, intent(inout) :: size
+      type(settings_type), intent(in) :: settings
+      character(len=*), intent(in) :: name
+
+      if (settings%of(find_key(name))%has_value) size = settings%real_of(name)
+   end subroutine take
 
    !> Properties of the sides of the tenon, whose friction may be given. `error` begins with the
    !> name of the value.

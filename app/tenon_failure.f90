@@ -2,6 +2,7 @@
 !> displacements up to that step, with which it fails again.
 module app_tenon_failure
    use asperity, only: computation_error, error_type, wp
+   use app_effective, only: mark_unused
    use app_keys, only: command_hysteresis, command_tenon, find_key, keys, n_keys
    use app_output, only: open_target, output_file, write_files
    use app_print_case, only: case_text
@@ -43,6 +44,7 @@ contains
          history%has_value = .true.
          history%text = path_name
       end associate
+      call mark_unused(own, command_tenon)
       call b%line('displacement (mm)')
       do i = 1, size(path)
          call b%line(full_figures(path(i)))

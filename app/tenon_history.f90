@@ -24,7 +24,7 @@ module app_tenon_history
       !> Path of the file, empty when there is none
       character(len=:), allocatable :: path
       !> Displacements, mm, or rotations, rad; what they are
-      real(wp), allocatable :: values(:)
+      real(wp), allocatable, public :: values(:)
       logical :: is_rotation = .false.
       !> Which column was taken
       type(named_table), allocatable, public :: columns(:)

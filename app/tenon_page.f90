@@ -1,17 +1,16 @@
 !> The page that `asperity tenon --report` writes: case, assumptions, tables and pictures in one
 !> file that needs no other and prints well.
 module app_tenon_page
-   use asperity, only: error_type, validity_remark
+   use asperity, only: validity_remark
    use asperity_text, only: to_text
    use asperity_version, only: version
-   use app_cli, only: command_line_type
-   use app_effective, only: settled
    use app_html, only: add_html_table, html_text, split_svg
-   use app_keys, only: belongs, command_tenon, keys, kind_file, n_keys
+   use app_keys, only: belongs, keys, kind_file, n_keys
+   use app_paper_joint, only: is_paper_joint, usual_settings
    use app_presets, only: faces_text
    use app_report, only: report_type
-   use app_tenon_words, only: assumptions, cautions, origin_of
-   use app_settings, only: default_settings, settings_type
+   use app_tenon_words, only: assumptions, cautions, origin_of, paper_cautions
+   use app_settings, only: settings_type
    use app_tenon_sketch, only: add_sketch
    use app_terminal, only: input_text
    use app_text_buffer, only: text_buffer
@@ -55,16 +54,21 @@ contains
       character(len=:), allocatable :: text
       type(text_buffer) :: b
       integer :: i
+      logical :: beside_paper
 
+      beside_paper = is_paper_joint(report%settings)
       call add_head(b)
       call b%line('<h1>Tenon joint: hard contact against the rough law</h1>')
       call b%line('<p class="sub">Faces: '//html_text(faces_text(report%settings))// &
          '. asperity '//version//'.</p>')
       call b%line('<h2>Result</h2>')
-      call add_html_table(b, report%summary, 'As Table 5 of the paper: negative loading; yield '// &
-         'moment by equal energy (EEEP), bending stiffness = ultimate moment over the '// &
-         'ultimate rotation; ratios are to hard contact of the same source')
+      call add_html_table(b, report%summary, &
+         trim(merge('As Table 5 of the paper: negative', 'Negative                         ', &
+         beside_paper))//' loading; yield moment by equal energy (EEEP), bending stiffness = '// &
+         'ultimate moment over the ultimate rotation; ratios are to hard contact of the same '// &
+         'source')
       call add_list(b, cautions)
+      if (beside_paper) call add_list(b, paper_cautions)
       do i = 1, size(report%more)
          if (report%more(i)%title == 'Whole programme') &
             call add_html_table(b, report%more(i)%table, 'Energies and pull-out over the whole '// &
@@ -160,7 +164,8 @@ contains
       integer :: bit, i
 
       call b%line('<ul>')
-      if (report%validity() == 0) call b%line('<li>No limit of the law is passed.</li>')
+      if (report%validity() == 0) call b%line('<li>Validity: '// &
+         html_text(report%valid_text())//'</li>')
       do bit = 0, bit_size(bit) - 2
          if (btest(report%validity(), bit)) call b%line('<li>Past a limit of the law: '// &
             html_text(validity_remark(ibset(0, bit)))//'</li>')
@@ -189,7 +194,7 @@ contains
       associate (s => report%settings)
          do key = 1, n_keys
             if (.not. belongs(key, report%command) .or. keys(key)%kind >= kind_file) cycle
-            if (.not. s%of(key)%has_value) cycle
+            if (.not. s%of(key)%has_value .or. s%of(key)%unused) cycle
             origin = s%of(key)%source
             ! Who writes a default into a case file has chosen it for the same reason
             if (origin_of(trim(keys(key)%name)) /= '' .and. &
@@ -205,16 +210,6 @@ contains
       end associate
       call b%line('</tbody></table>')
    end subroutine add_case
-
-   !> Settings of a run without any input.
-   pure function usual_settings() result(settings)
-      type(settings_type) :: settings
-      type(command_line_type) :: line
-      type(error_type), allocatable :: error
-
-      line%command = command_tenon
-      call settled(default_settings(), line, settings, error)
-   end function usual_settings
 
    !> A cell of text.
    pure function cell(text) result(html)

@@ -33,6 +33,12 @@ contains
       end do
       call b%line('EOD')
       call start_block(b, joint, 'loop')
+      if (size(joint%loops%cycles) == 0) then
+         ! gnuplot refuses a block without any point
+         call b%line('NaN NaN NaN NaN')
+         call b%line('EOD')
+         return
+      end if
       associate (cycle => joint%loops%cycles(max(1, largest_cycle(joint%loops))))
          ! sample 1 is step 0
          do i = cycle%first - 1, cycle%last - 1, stride

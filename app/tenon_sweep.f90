@@ -2,13 +2,16 @@
 !> done is kept in FILE.partial beside the CSV file, line by line, so that a run that was stopped
 !> goes on where it was.
 module app_tenon_sweep
+   !$ use omp_lib, only: omp_get_max_threads
    use asperity, only: error_type
    use asperity_error, only: fatal_error
    use asperity_text, only: to_text
+   use replay_tenon_settings, only: tenon_settings
    use app_cli, only: command_line_type
    use app_config, only: config_type, new_config
-   use app_effective, only: locate, settled
-   use app_joint, only: hard, joint_type, rough, run_joint
+   use app_effective, only: leader_of, locate, settled
+   use app_joint, only: check_moment, hard, joint_type, rough, run_joint
+   use app_keys, only: keys, n_keys
    use app_progress, only: progress_type
    use app_report, only: report_type
    use app_settings, only: settings_type
@@ -43,11 +46,13 @@ contains
 
    !> Run all combinations. A combination that fails says so in its row. `error` is set when the
    !> sweep itself is faulty or its partial file cannot be used.
-   subroutine report_sweep(line, base, history, report, partial, error)
+   subroutine report_sweep(line, base, config, history, report, partial, error)
       !> Command line
       type(command_line_type), intent(in) :: line
       !> Defaults and case file
       type(settings_type), intent(in) :: base
+      !> The joint without what is swept
+      type(config_type), intent(in) :: config
       !> What all combinations follow
       type(history_type), intent(in) :: history
       !> Its table is set
@@ -59,14 +64,22 @@ contains
       type(axis_type), allocatable :: axes(:)
       type(case_result), allocatable :: results(:)
       integer, allocatable :: todo(:)
+      type(tenon_settings) :: joint
       type(progress_type) :: progress
-      integer :: i, n, done
+      integer :: i, n, done, threads
 
       call new_axes(axes, line%options%text_of('sweep'), line%command, error)
       if (allocated(error)) return
+      ! every case has an arm of its own then, and its own check
+      if (all(keys(axes%key)%name /= 'arm')) then
+         joint = config%tenon
+         call follow_history(joint, history, error)
+         if (allocated(error)) return
+      end if
+      call hide_swept(report%settings, axes)
       n = combinations(axes)
       allocate (results(n))
-      call open_partial(partial, line, report%settings, axes, results, error)
+      call open_partial(partial, line, report%settings, history%values, axes, results, error)
       if (allocated(error)) return
       todo = pack([(i, i=1, n)], .not. results%done)
       if (size(todo) < n) report%remarks = [string_type(to_text(n - size(todo))//' of '// &
@@ -74,7 +87,9 @@ contains
 
       call progress%start('tenon --sweep')
       done = n - size(todo)
-      !$omp parallel do schedule(dynamic) default(shared) private(i)
+      threads = 1
+      !$ threads = max(1, min(omp_get_max_threads(), size(todo)))
+      !$omp parallel do schedule(dynamic) default(shared) private(i) num_threads(threads)
       do i = 1, size(todo)
          call run_case(line, base, axes, history, todo(i), results(todo(i)))
          !$omp critical (asperity_sweep)
@@ -93,6 +108,29 @@ contains
       report%first_rows = [1, n + 1]
       allocate (report%important(n), source=.true.)
    end subroutine report_sweep
+
+   !> Keys that are swept, and what follows from them, have no value of their own to show.
+   pure subroutine hide_swept(settings, axes)
+      type(settings_type), intent(inout) :: settings
+      type(axis_type), intent(in) :: axes(:)
+      integer :: key, leader, pass
+
+      settings%of(axes%key)%unused = .true.
+      do key = 1, n_keys
+         ! what a pair or a surface gives, whose name is before that of the pair
+         associate (source => settings%of(key)%source)
+            if (any(keys(axes%key)%name == source(:max(1, index(source, ' ') - 1)))) &
+               settings%of(key)%unused = .true.
+         end associate
+      end do
+      ! what follows from what follows
+      do pass = 1, 2
+         do key = 1, n_keys
+            leader = leader_of(key, settings)
+            if (settings%of(leader)%unused .and. leader /= key) settings%of(key)%unused = .true.
+         end do
+      end do
+   end subroutine hide_swept
 
    !> Run one combination. Texts have static parts in some compilers, so that threads take turns
    !> with them.
@@ -113,6 +151,7 @@ contains
       !$omp end critical (asperity_sweep)
       if (.not. allocated(error)) call run_joint(config, hard, joints(hard), error)
       if (.not. allocated(error)) call run_joint(config, rough, joints(rough), error)
+      if (.not. allocated(error)) call check_moment(joints, error)
       !$omp critical (asperity_sweep)
       call evaluate(joints, error, result)
       !$omp end critical (asperity_sweep)

@@ -4,6 +4,7 @@ module app_tenon_tables
    use hysteresis_analysis, only: hysteresis_cycle, hysteresis_skeleton, negative_side
    use replay_tenon, only: tenon_face_names, tenon_faces, tenon_point, tenon_step
    use app_joint, only: hard, joint_type, loop_joules, model_names, rough
+   use app_paper_joint, only: published, published_methods
    use app_table, only: column_counts, column_status, column_validity, new_table, no_value, &
       table_type
    use app_units, only: joule, kilonewton_metre
@@ -13,14 +14,8 @@ module app_tenon_tables
       skeleton_table
 
    !> Methods of Table 5: the paper's, then ours
-   character(len=*), parameter :: methods(5) = [character(len=32) :: 'test, paper', &
-      'hard contact, paper (OC-FEM)', 'rough law, paper (VC-FEM)', 'hard contact, this model', &
-      'rough law, this model']
-   !> Table 5 of the paper, negative loading: yield and ultimate moment, kN m, stiffness, kN m/rad
-   real(wp), parameter :: published(3, 3) = reshape([ &
-      -19.56_wp, -22.14_wp, 181.06_wp, &
-      -16.02_wp, -17.91_wp, 154.39_wp, &
-      -18.03_wp, -19.84_wp, 163.82_wp], [3, 3])
+   character(len=*), parameter :: methods(5) = [published_methods, [character(len=32) :: &
+      'hard contact, this model', 'rough law, this model']]
 
 contains
 
@@ -110,13 +105,15 @@ contains
       call table%add_numbers('indentation', 'mm', (p%indentation))
    end function points_table
 
-   !> Table 5 of the paper with ours below, each with its ratio to hard contact of the same source.
-   pure function comparison_table(joints) result(table)
+   !> What Table 5 of the paper holds, each with its ratio to hard contact of the same source.
+   pure function comparison_table(joints, beside_paper) result(table)
       !> Both models
       type(joint_type), intent(in) :: joints(:)
+      !> Whether the paper's rows come first
+      logical, intent(in) :: beside_paper
       type(table_type) :: table
       real(wp) :: values(3, 5), ratios(3, 5)
-      integer :: i
+      integer :: i, first
 
       values(:, :3) = published
       do i = 1, 2
@@ -125,14 +122,15 @@ contains
       do i = 1, 5
          ratios(:, i) = ratio(values(:, i), values(:, merge(2, 4, i < 4)))
       end do
-      table = new_table(columns=7, rows=5)
-      call table%add_texts('method', methods)
-      call table%add_numbers('yield_moment', 'kN m', values(1, :), decimals=2)
-      call table%add_numbers('yield_to_hard', '-', ratios(1, :), decimals=3)
-      call table%add_numbers('ultimate_moment', 'kN m', values(2, :), decimals=2)
-      call table%add_numbers('ultimate_to_hard', '-', ratios(2, :), decimals=3)
-      call table%add_numbers('bending_stiffness', 'kN m/rad', values(3, :), decimals=2)
-      call table%add_numbers('stiffness_to_hard', '-', ratios(3, :), decimals=3)
+      first = merge(1, 4, beside_paper)
+      table = new_table(columns=7, rows=6 - first)
+      call table%add_texts('method', methods(first:))
+      call table%add_numbers('yield_moment', 'kN m', values(1, first:), decimals=2)
+      call table%add_numbers('yield_to_hard', '-', ratios(1, first:), decimals=3)
+      call table%add_numbers('ultimate_moment', 'kN m', values(2, first:), decimals=2)
+      call table%add_numbers('ultimate_to_hard', '-', ratios(2, first:), decimals=3)
+      call table%add_numbers('bending_stiffness', 'kN m/rad', values(3, first:), decimals=2)
+      call table%add_numbers('stiffness_to_hard', '-', ratios(3, first:), decimals=3)
    end function comparison_table
 
    !> Yield moment (EEEP), ultimate moment, and that over the ultimate rotation.
@@ -192,12 +190,19 @@ contains
       real(wp), allocatable :: reach(:)
       integer :: i, n
 
-      n = min(size(joints(hard)%loops%cycles), size(joints(rough)%loops%cycles))
-      allocate (h, source=joints(hard)%loops%cycles(:n))
-      allocate (r, source=joints(rough)%loops%cycles(:n))
+      associate (hs => joints(hard)%loops%cycles, rs => joints(rough)%loops%cycles)
+         n = min(size(hs), size(rs))
+         ! one model may have no moment, and so no cycles
+         if (n == 0) n = max(size(hs), size(rs))
+         allocate (h(n), r(n), source=hysteresis_cycle(energy=no_value, &
+            cumulative_energy=no_value))
+         if (size(hs) > 0) h = hs(:n)
+         if (size(rs) > 0) r = rs(:n)
+      end associate
       allocate (reach(n), source=0.0_wp)
       do i = 1, n
          if (any(h(i)%peak > 0)) reach(i) = maxval(abs(h(i)%displacement), mask=h(i)%peak > 0)
+         if (any(r(i)%peak > 0)) reach(i) = maxval(abs(r(i)%displacement), mask=r(i)%peak > 0)
       end do
       table = new_table(columns=14, rows=n)
       call table%add_codes('cycle', column_counts, [(i, i=1, n)])

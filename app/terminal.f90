@@ -115,7 +115,7 @@ contains
 
       flags = report%validity()
       if (flags == 0) then
-         text = 'Validity: no limit of the law is passed.'//newline//own_remarks(report, '')
+         text = 'Validity: '//report%valid_text()//newline//own_remarks(report, '')
          return
       end if
       text = 'Validity: results that pass a limit of the law are marked:'//newline
@@ -195,7 +195,7 @@ contains
       associate (s => report%settings)
          do key = 1, n_keys
             if (.not. belongs(key, report%command) .or. keys(key)%kind >= kind_file) cycle
-            if (.not. s%of(key)%has_value) cycle
+            if (.not. s%of(key)%has_value .or. s%of(key)%unused) cycle
             left = '  '//keys(key)%name//input_text(s, key)//' '//s%unit_of(key)
             call buffer%line(left//repeat(' ', max(1, source_column - len(left)))// &
                s%of(key)%source)

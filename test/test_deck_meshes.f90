@@ -5,7 +5,8 @@ module test_deck_meshes
    use deck_disc_mesh, only: new_disc_mesh
    use deck_hex_mesh, only: even_cuts, faces_in_box, hex_mesh, least_jacobian, mesh_volume, &
       new_grid_mesh, nodes_in_box
-   use deck_tenon_parts, only: check_tenon_sizes, new_beam, new_column, node_near, tenon_sizes
+   use deck_tenon_parts, only: check_tenon_sizes, default_mesh_size, default_tenon_sizes, &
+      new_beam, new_column, node_near, tenon_sizes
    use extremes, only: worsen
    use funit, only: assertEqual, assertFalse, assertGreaterThan, assertLessThan, assertTrue, &
       TestMethod, TestSuite
@@ -160,7 +161,10 @@ contains
       integer, allocatable :: faces(:, :), nodes(:)
       real(wp) :: half, top, bottom
 
-      choice%mesh_size = 30.0_wp
+      ! the paper's mesh for the paper's joint
+      call assertEqual(30.0_wp, default_mesh_size(s), tolerance=0.0_wp)
+      choice%mesh_size = default_mesh_size(s)
+      sizes = default_tenon_sizes(s)
       sizes%gap_above = 0.3_wp
       sizes%gap_below = -0.2_wp
       sizes%side_interference = 0.5_wp
@@ -204,14 +208,30 @@ contains
       s%arm = 611.0_wp
       s%arm_datum = 'column_axis'
       choice%mesh_size = 75.0_wp
+      sizes = default_tenon_sizes(s)
       call check_tenon_sizes(choice, s, sizes, error)
       call assertFalse(allocated(error))
       call new_column(mesh, choice, s, sizes)
-      call check_mesh(mesh, 210.0_wp*(150.0_wp*1000.0_wp - 37.5_wp*137.0_wp), 'column')
+      ! a square column, 10/3 as high as the tenon
+      call check_mesh(mesh, 210.0_wp*(105.0_wp*1370.0_wp/3.0_wp - 37.5_wp*137.0_wp), 'column')
       call new_beam(mesh, choice, s, sizes)
       call check_mesh(mesh, (210.0_wp + 506.0_wp)*37.5_wp*137.0_wp, 'beam')
       call nodes_in_box(mesh, [506.0_wp, -far, 0.0_wp], [506.0_wp, far, 0.0_wp], nodes)
       call assertEqual(2, size(nodes))
+
+      ! sizes that follow are in range with the height
+      choice%mesh_size = 3.0_wp
+      s%height = 5.0_wp
+      sizes = default_tenon_sizes(s)
+      call check_tenon_sizes(choice, s, sizes, error)
+      call assertFalse(allocated(error))
+      s%height = 4000.0_wp
+      sizes = default_tenon_sizes(s)
+      sizes%edge_relief = 0.0_wp
+      call check_tenon_sizes(choice, s, sizes, error)
+      call assertFalse(allocated(error))
+      s%height = 137.0_wp
+      sizes = default_tenon_sizes(s)
 
       choice%mesh_size = 76.0_wp
       call refused('mesh_size = 76.0 mm is larger than the part: width is 75.0 mm')
@@ -220,9 +240,11 @@ contains
       call refused('column_width = 75.0 mm is too small')
       sizes%column_width = 0.0_wp
       call refused('column_width = 0.0 is not allowed')
-      sizes = tenon_sizes(column_height=137.0_wp)
+      sizes = default_tenon_sizes(s)
+      sizes%column_height = 137.0_wp
       call refused('column_height = 137.0 mm is too small')
-      sizes = tenon_sizes(tail=-1.0_wp)
+      sizes = default_tenon_sizes(s)
+      sizes%tail = -1.0_wp
       call refused('tail = -1.0')
 
    contains

@@ -6,7 +6,7 @@ module test_deck_models
    use deck_shear_deck, only: new_shear_deck, shear_deck
    use deck_side_fit, only: side_interference
    use deck_tenon_deck, only: new_tenon_deck, tenon_deck
-   use deck_tenon_parts, only: tenon_sizes
+   use deck_tenon_parts, only: default_tenon_sizes
    use deck_wood, only: check_wood, wood_type
    use deck_writer, only: writer_type
    use funit, only: assertEqual, assertFalse, assertLessThan, assertTrue, TestMethod, TestSuite
@@ -296,16 +296,21 @@ contains
       s%shoulders = .true.
       call refused('shoulders = true is not in the deck')
       s = plain
+      s%accept_sizes = .true.
       s%column_modulus = 0.0_wp
       call refused('column_modulus = 0 is a rigid column')
       s%column_modulus = 30.0_wp
       call refused('moduli of 30.0 MPa along and 351.0 MPa across the grain do not go')
       s = plain
+      s%accept_sizes = .true.
       s%side_pressure = 12.2_wp
       call refused('side_pressure = 12.2 MPa is above the hardness, 12.14 MPa')
       s = plain
       choice%mesh_size = -1.0_wp
       call refused('mesh_size = -1.0')
+      choice%mesh_size = 0.03_wp
+      call refused('mesh_size = 0.03 mm is outside 0.5 to 490.0 mm: 0.03 looks like metres, '// &
+         'write 30.0')
       choice = joint_choice()
       choice%contact = 'table'
       choice%largest_pressure = 13.0_wp
@@ -347,8 +352,8 @@ contains
       type(tenon_settings), intent(in) :: settings
       type(error_type), allocatable, intent(out) :: error
 
-      call new_tenon_deck(deck, choice, settings, tenon_sizes(), 10, pair_properties(), &
-         pair_properties(pair='tangential-tangential'), error)
+      call new_tenon_deck(deck, choice, settings, default_tenon_sizes(settings), 10, &
+         pair_properties(), pair_properties(pair='tangential-tangential'), error)
    end subroutine make
 
 end module test_deck_models

@@ -39,6 +39,7 @@ program test_main
    use test_properties, only: suite_properties
    use test_replay_host, only: suite_replay_host
    use test_shear_box, only: suite_shear_box
+   use test_sizes, only: suite_sizes
    use test_single_asperity, only: suite_single_asperity
    use test_surface_cholesky, only: suite_surface_cholesky
    use test_surface_fourier, only: suite_surface_fourier
@@ -95,6 +96,7 @@ program test_main
    call all_suites%addTest(suite_vuinter_agreement())
    call all_suites%addTest(suite_press())
    call all_suites%addTest(suite_shear_box())
+   call all_suites%addTest(suite_sizes())
    call all_suites%addTest(suite_law_table())
    call all_suites%addTest(suite_deck_meshes())
    call all_suites%addTest(suite_deck_models())

@@ -93,7 +93,11 @@ contains
       call expect(press_settings(increments=0), 'increments = 0')
       call expect(press_settings(increments=2000000), 'increments = 2000000')
       call expect(press_settings(step_time=0.0_wp), 'step_time = 0.0')
-      call expect(press_settings('overclosure', 1.0e15_wp, 1), 'UINTER cannot compute')
+      call expect(press_settings('overclosure', 1.0e15_wp, 1, accept_sizes=.true.), &
+         'UINTER cannot compute')
+      call expect(press_settings('overclosure', 140.0_wp), 'peak = 140.0 mm is outside')
+      call expect(press_settings('overclosure', 1.4e-4_wp), 'peak = 0.00014 mm is outside')
+      call expect(press_settings(peak=4.7e6_wp), 'peak = 4700000.0 MPa is outside')
    end subroutine test_refused
 
    subroutine expect(settings, text)

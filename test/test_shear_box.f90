@@ -158,7 +158,7 @@ contains
          if (anyExceptions()) return
       end do
       call assertGreaterThan(coupling, 0.1_wp, 'pressure rises under stored slip')
-      settings = shear_settings(normal_stress=30.0_wp)
+      settings = shear_settings(normal_stress=30.0_wp, accept_sizes=.true.)
       call run_shear_box(settings, p, steps, error)
       call assertEqual(3.0_wp, steps(size(steps))%displacement, 0.0_wp, 'default displacement')
       call assertEqual(3, steps(1)%validity, 'past real area and hardness')
@@ -219,7 +219,7 @@ contains
       call expect(s, 'diameter = -1.0')
       s = shear_settings(normal_stress=0.0_wp)
       call expect(s, 'normal_stress = 0.0')
-      s = shear_settings(normal_stress=5.0e-7_wp)
+      s = shear_settings(normal_stress=5.0e-7_wp, accept_sizes=.true.)
       call expect(s, 'normal_stress = 5.0E-7 MPa leaves the faces open')
       s = shear_settings(rate=-1.2_wp)
       call expect(s, 'rate = -1.2')
@@ -229,11 +229,13 @@ contains
       call expect(s, 'shear_compliance = -1.0')
       s = shear_settings(displacement=[1.0_wp, 60.0_wp])
       call expect(s, 'displacement = 60.0')
+      s%accept_sizes = .true.
+      call expect(s, 'displacement = 60.0 mm is not allowed')
       s = shear_settings()
       allocate (s%displacement(0))
       call expect(s, 'displacement is empty')
-      s = shear_settings(displacement_increment=1.0e-9_wp)
-      call expect(s, 'displacement_increment = 1.0E-9')
+      s = shear_settings(displacement_increment=1.0e-9_wp, accept_sizes=.true.)
+      call expect(s, 'displacement_increment = 1.0E-9 mm gives more than 1000000 steps')
    end subroutine test_refused
 
    subroutine expect(settings, text)

@@ -42,6 +42,7 @@ contains
       do j = 1, 2
          s = plain_joint()
          s%arm = 1.0e6_wp
+         s%accept_sizes = .true.
          s%points = 400
          s%clearance_above = clearances(j)
          s%clearance_below = clearances(j)
@@ -50,7 +51,7 @@ contains
          s%displacement_increment = 0.05_wp*t*s%arm
          call run_joint(s, steps, face_pair(0.0_wp))
          if (anyExceptions()) return
-         k = s%bearing_modulus/s%bearing_depth
+         k = s%bearing_modulus/(0.5_wp*s%height)
          l2 = 0.5_wp*s%length
          h2 = 0.5_wp*s%height
          x0 = (h2*(1.0_wp - cos(t)) + clearances(j))/sin(t)
@@ -112,6 +113,7 @@ contains
          s = plain_joint()
          if (free(i)) s%axial_rule = 'free'
          s%bearing_modulus = 1.0e3_wp*s%bearing_modulus
+         s%accept_sizes = .true.
          s%hardening = 0.0_wp
          s%clearance_above = 0.0_wp
          s%clearance_below = 0.0_wp
@@ -307,6 +309,7 @@ contains
       end associate
       call assertEqual(0.0_wp, largest_of(others%face_normal(5)), 0.0_wp, 'none without')
       s%shoulder_gap = 50.0_wp
+      s%accept_sizes = .true.
       call run_joint(s, steps)
       call assertEqual(others%moment, steps%moment, 1.0e-9_wp*maxval(others%moment), 'far away')
    end subroutine test_shoulders
@@ -323,7 +326,7 @@ contains
       s%hardening = 0.02_wp
       call run_joint(s, steps)
       s%column_modulus = 0.0_wp
-      s%bearing_depth = 2.0_wp*s%bearing_depth
+      s%bearing_depth = s%height
       s%hardening = 0.04_wp
       call run_joint(s, others)
       call assertEqual(others%moment, steps%moment, 1.0e-9_wp*maxval(steps%moment), 'elastic')
@@ -333,7 +336,7 @@ contains
       s%column_strength = s%bearing_strength
       call run_joint(s, steps)
       s%column_modulus = 0.0_wp
-      s%bearing_depth = 2.0_wp*s%bearing_depth
+      s%bearing_depth = s%height
       call run_joint(s, others)
       call assertEqual(others%moment, steps%moment, 1.0e-9_wp*maxval(steps%moment), 'both yield')
    end subroutine test_column

@@ -8,7 +8,7 @@ module test_tenon_joint
    use funit, only: anyExceptions, assertEqual, assertGreaterThan, assertLessThan, assertTrue, &
       TestMethod, TestSuite
    use measurements, only: record
-   use replay_tenon, only: run_tenon, tenon_point, tenon_settings, tenon_step
+   use replay_tenon, only: check_tenon_settings, run_tenon, tenon_point, tenon_settings, tenon_step
    use tenon_cases, only: face_pair, plain_joint, run_joint, scaled_pair, side_pair
    implicit none
    private
@@ -30,9 +30,11 @@ contains
       call suite%addTest(TestMethod('rest with too little clearance', test_interference))
       call suite%addTest(TestMethod('range of the paper', test_default))
       call suite%addTest(TestMethod('recorded displacements', test_displacement))
+      call suite%addTest(TestMethod('sizes that follow from the height', test_followers))
       call suite%addTest(TestMethod('pull-out', test_pull_out))
       call suite%addTest(TestMethod('pulled out by a given force', test_pulled))
       call suite%addTest(TestMethod('settings that are refused', test_refused))
+      call suite%addTest(TestMethod('sizes in another unit', test_sizes))
    end function suite_tenon_joint
 
    !> All signs turned: the moment turns, pull-out and energies stay.
@@ -254,6 +256,32 @@ contains
       call assertEqual(steps(10)%moment, steps(11)%moment, 1.0e-6_wp*steps(10)%moment, 'no change')
    end subroutine test_displacement
 
+   !> Bearing depths of half the height, an extension of a fifth, shoulders of a sixth: a joint that
+   !> names them is that which does not, to the bit.
+   subroutine test_followers()
+      type(tenon_settings) :: s
+      type(tenon_step), allocatable :: steps(:), others(:)
+      integer :: i
+
+      do i = 1, 2
+         s = tenon_settings(height=180.0_wp, length=250.0_wp, width=60.0_wp, shoulders=i == 2, &
+            amplitudes=[16.0_wp], points=40, side_points=4, displacement_increment=2.0_wp)
+         call run_joint(s, steps)
+         s%bearing_depth = 90.0_wp
+         s%column_depth = 90.0_wp
+         s%extension = 36.0_wp
+         s%shoulder_height = 30.0_wp
+         call run_joint(s, others)
+         if (anyExceptions()) return
+         call assertEqual(others%moment, steps%moment, 0.0_wp, 'moment')
+         call assertEqual(others%stored, steps%stored, 0.0_wp, 'stored')
+         ! 150 mm, half the height of the paper's joint, is another joint
+         s%bearing_depth = 150.0_wp
+         call run_joint(s, others)
+         call assertGreaterThan(maxval(steps%moment), 1.02_wp*maxval(others%moment), 'stiffer')
+      end do
+   end subroutine test_followers
+
    !> Free along its axis and without sides, the tenon walks out: the run stops, names the step and
    !> returns what it has.
    subroutine test_pull_out()
@@ -351,6 +379,93 @@ contains
       allocate (s%amplitudes(0))
       call expect(s, 'amplitudes is empty')
    end subroutine test_refused
+
+   !> Every size of the joint in metres, which the message names with what to write; clearance and
+   !> rotation at their limits; all pass where they are accepted.
+   subroutine test_sizes()
+      character(len=*), parameter :: metres = ' looks like metres, write '
+      integer :: i
+
+      call slip(tenon_settings(length=0.25_wp), 'length = 0.25 mm', '0.25'//metres//'250.0;')
+      call slip(tenon_settings(height=0.18_wp), 'height = 0.18 mm', '0.18'//metres//'180.0;')
+      call slip(tenon_settings(width=0.06_wp), 'width = 0.06 mm', '0.06'//metres//'60.0;')
+      call slip(tenon_settings(arm=0.5_wp), 'arm = 0.5 mm', '0.5'//metres//'500.0;')
+      call slip(tenon_settings(clearance_above=0.001_wp), 'clearance_above = 0.001 mm', &
+         '0.001'//metres//'1.0;')
+      call slip(tenon_settings(clearance_below=200.0_wp), 'clearance_below = 200.0 mm', &
+         '200.0 looks like micrometres, write 0.2;')
+      call slip(tenon_settings(extension=0.06_wp), 'extension = 0.06 mm', '0.06'//metres//'60.0;')
+      call slip(tenon_settings(shoulders=.true., shoulder_height=0.05_wp), &
+         'shoulder_height = 0.05 mm', '0.05'//metres//'50.0;')
+      call slip(tenon_settings(bearing_depth=0.15_wp), 'bearing_depth = 0.15 mm', metres//'150.0;')
+      call slip(tenon_settings(column_depth=1.5e5_wp), 'column_depth = 150000.0 mm', &
+         'looks like micrometres, write 150.0;')
+      call slip(tenon_settings(bearing_modulus=3.51e8_wp), 'bearing_modulus = 3.51E8 MPa', &
+         'looks like Pa, write 351.0;')
+      call slip(tenon_settings(column_modulus=3.727_wp), 'column_modulus = 3.727 MPa', &
+         '3.727 looks like GPa, write 3727.0;')
+      call slip(tenon_settings(bearing_strength=4700.0_wp), 'bearing_strength = 4700.0 MPa', &
+         'looks like kPa, write 4.7;')
+      call slip(tenon_settings(side_pressure=2.0e5_wp), 'side_pressure = 200000.0 MPa', &
+         'looks like Pa, write 0.2;')
+      call slip(tenon_settings(column_load=54.0_wp), 'column_load = 54.0 N', &
+         '54.0 looks like kN, write 54000.0;')
+      call slip(tenon_settings(displacement_increment=8.0e-4_wp), &
+         'displacement_increment = 0.0008 mm', metres//'0.8;')
+      ! a record in metres, one of rotations, one in micrometres, one that goes too far
+      call slip(tenon_settings(displacement=[0.048_wp, -0.048_wp]), 'displacement = 0.048 mm', &
+         '0.048'//metres//'48.0, or like a rotation in rad;')
+      call slip(tenon_settings(displacement=[0.096_wp, -0.05_wp]), 'displacement = 0.096 mm', &
+         'or like a rotation in rad;')
+      call slip(tenon_settings(displacement=[1.0_wp, -4.8e4_wp]), 'displacement = -48000.0 mm', &
+         'looks like micrometres, write -48.0')
+      call slip(tenon_settings(displacement=[400.0_wp]), &
+         'displacement = 400.0 mm is a rotation of 0.8 rad at arm = 500.0 mm, outside', &
+         'check its unit and the arm; accept_sizes')
+      call slip(tenon_settings(amplitudes=[5.0e-4_wp, 0.048_wp]), 'amplitudes = 0.048 mm', &
+         metres//'48.0, ')
+      ! the limits: a tenth of the height, 9 mm, a quarter of a radian
+      call passes(tenon_settings(height=80.0_wp, clearance_above=8.0_wp), .true.)
+      call passes(tenon_settings(height=80.0_wp, clearance_above=8.0000001_wp), .false.)
+      call passes(tenon_settings(clearance_below=9.0_wp), .true.)
+      call passes(tenon_settings(clearance_below=9.0000001_wp), .false.)
+      ! what follows from the height is in range where the height is
+      do i = 1, 2
+         call passes(tenon_settings(height=5.0_wp, shoulders=i == 2), .true.)
+         call passes(tenon_settings(height=4000.0_wp, shoulders=i == 2), .true.)
+      end do
+      call passes(tenon_settings(displacement=[125.0_wp]), .true.)
+      call passes(tenon_settings(displacement=[-125.00001_wp]), .false.)
+      call passes(tenon_settings(displacement=[0.130001_wp]), .true.)
+      call passes(tenon_settings(displacement=[0.129999_wp]), .false.)
+   end subroutine test_sizes
+
+   !> Refused by a message with that start and that part, unless it is accepted.
+   subroutine slip(settings, start, part)
+      type(tenon_settings), intent(in) :: settings
+      character(len=*), intent(in) :: start, part
+      type(tenon_settings) :: accepted
+      type(error_type), allocatable :: error
+
+      call expect(settings, start)
+      call check_tenon_settings(settings, error)
+      if (allocated(error)) call assertTrue(index(error%message, part) > 0, error%message)
+      accepted = settings
+      accepted%accept_sizes = .true.
+      call check_tenon_settings(accepted, error)
+      ! beyond the arm it has no meaning, and steps without number no end
+      if (allocated(error)) call assertTrue(index(error%message, 'must be a number between -') > 0 &
+         .or. index(error%message, 'make it larger') > 0, error%message)
+   end subroutine slip
+
+   subroutine passes(settings, expected)
+      type(tenon_settings), intent(in) :: settings
+      logical, intent(in) :: expected
+      type(error_type), allocatable :: error
+
+      call check_tenon_settings(settings, error)
+      call assertTrue(expected .neqv. allocated(error), 'limit')
+   end subroutine passes
 
    subroutine expect(settings, text)
       type(tenon_settings), intent(in) :: settings

@@ -4,6 +4,7 @@ module deck_choices
    use asperity_error, only: fatal_error
    use asperity_properties, only: check_positive
    use asperity_text, only: to_text
+   use replay_sizes, only: check_size
    implicit none
    private
    public :: deck_choice, check_deck_choice, check_mesh_size, for_calculix, element_kind
@@ -64,9 +65,11 @@ contains
    end function element_kind
 
    !> `error` is set when a number is not allowed.
-   pure subroutine check_deck_choice(choice, error)
+   pure subroutine check_deck_choice(choice, accept_sizes, error)
       !> Choices of the deck
       type(deck_choice), intent(in) :: choice
+      !> Let sizes outside the ranges of `replay_sizes` pass
+      logical, intent(in) :: accept_sizes
       !> Set when one of them is refused
       type(error_type), allocatable, intent(out) :: error
 
@@ -74,6 +77,8 @@ contains
       if (.not. allocated(error)) call check_positive(error, 'penalty', choice%penalty, 'MPa/mm')
       if (.not. allocated(error)) &
          call check_positive(error, 'search_distance', choice%search_distance, 'mm')
+      call check_size(error, 'mesh_size', choice%mesh_size, accept_sizes)
+      call check_size(error, 'search_distance', choice%search_distance, accept_sizes)
       if (allocated(error) .or. .not. allocated(choice%stick_pressure)) return
       call check_positive(error, 'stick_pressure', choice%stick_pressure, 'MPa')
    end subroutine check_deck_choice

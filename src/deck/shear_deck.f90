@@ -10,6 +10,7 @@ module deck_shear_deck
    use deck_hex_mesh, only: hex_mesh
    use deck_interaction, only: interaction_type, new_interaction, overclosure_for
    use deck_wood, only: check_wood, wood_type
+   use replay_sizes, only: check_size
    use replay_shear_settings, only: check_shear_settings, shear_settings
    implicit none
    private
@@ -54,9 +55,10 @@ contains
       deck%choice = choice
       deck%settings = settings
       deck%upper_on_end = upper_on_end
-      call check_deck_choice(choice, error)
+      call check_deck_choice(choice, settings%accept_sizes, error)
       if (.not. allocated(error)) call check_shear_settings(settings, settings%displacement, error)
       if (.not. allocated(error)) call check_positive(error, 'disc_height', disc_height, 'mm')
+      call check_size(error, 'disc_height', disc_height, settings%accept_sizes)
       call check_mesh_size(error, choice, 'disc_height', disc_height)
       call check_mesh_size(error, choice, 'diameter', settings%diameter)
       if (.not. allocated(error)) call check_wood(deck%wood, error)

@@ -43,8 +43,8 @@ module deck_tenon_deck
 
 contains
 
-   !> Prepare the model. `sizes` has column and tail set, and the side interference when it is given
-   !> (above zero). `error` is set when a value is refused.
+   !> Prepare the model. `sizes` is from `default_tenon_sizes` or better, with the side interference
+   !> when it is given (above zero). `error` is set when a value is refused.
    pure subroutine new_tenon_deck(deck, choice, settings, sizes, increments, faces, sides, error)
       !> Result
       type(tenon_deck), intent(out) :: deck
@@ -66,7 +66,7 @@ contains
       deck%sizes = sizes
       deck%increments = increments
       deck%has_sides = settings%side_pressure > 0.0_wp
-      call check_deck_choice(choice, error)
+      call check_deck_choice(choice, settings%accept_sizes, error)
       if (.not. allocated(error)) call check_tenon_settings(settings, error)
       if (.not. allocated(error)) call check_joint(settings, error)
       if (.not. allocated(error)) call check_range(error, 'stroke_increments', &

@@ -9,15 +9,17 @@ module deck_tenon_parts
    use asperity_text, only: to_text
    use deck_choices, only: check_mesh_size, deck_choice
    use deck_hex_mesh, only: add_cut, even_cuts, hex_mesh, joined_cuts, new_grid_mesh
+   use replay_sizes, only: check_size
    use replay_tenon_settings, only: tenon_face_arm, tenon_settings
    implicit none
    private
-   public :: tenon_sizes, check_tenon_sizes, new_column, new_beam, node_near
+   public :: tenon_sizes, default_tenon_sizes, default_mesh_size, check_tenon_sizes, new_column, &
+      new_beam, node_near
 
-   !> Sizes that the plane replay does not have.
+   !> Sizes that the plane replay does not have; chosen ones by `default_tenon_sizes`.
    type :: tenon_sizes
       !> Height of the column, and its width across the beam, mm; chosen
-      real(wp) :: column_height = 1000.0_wp, column_width = 300.0_wp
+      real(wp) :: column_height = 0.0_wp, column_width = 0.0_wp
       !> Length of beam behind the column, mm
       real(wp) :: tail = 0.0_wp
       !> Clearance of the meshes above and below the beam, negative for an interference, mm
@@ -25,13 +27,37 @@ module deck_tenon_parts
       !> Contact of the mortise begins so far from its back, and at the sides from its top and
       !> bottom, mm; chosen. Nodes there are at the edge of the beam and would find and lose it in
       !> turn
-      real(wp) :: edge_relief = 3.0_wp
+      real(wp) :: edge_relief = 0.0_wp
       !> Interference at each side, mm, made from the side pressure when not above zero; and the
       !> part of it by which the meshes overlap, while the beam swells by the rest
       real(wp) :: side_interference = 0.0_wp, side_overlap = 0.0_wp
    end type tenon_sizes
 
+   !> Height of the column, relief and edge of an element over the height of the tenon
+   real(wp), parameter :: column_ratio = 10.0_wp/3.0_wp, relief_ratio = 0.01_wp, &
+      mesh_ratio = 0.1_wp
+
 contains
+
+   !> Sizes of a joint unless one knows better: the column is square, the rest follows from the
+   !> height of the tenon.
+   pure function default_tenon_sizes(settings) result(sizes)
+      !> Settings of the joint
+      type(tenon_settings), intent(in) :: settings
+      type(tenon_sizes) :: sizes
+
+      sizes%column_height = column_ratio*settings%height
+      sizes%column_width = settings%length
+      sizes%edge_relief = relief_ratio*settings%height
+   end function default_tenon_sizes
+
+   !> Length of an edge aimed at, mm: the paper's for a tenon 300 mm high.
+   pure real(wp) function default_mesh_size(settings)
+      !> Settings of the joint
+      type(tenon_settings), intent(in) :: settings
+
+      default_mesh_size = mesh_ratio*settings%height
+   end function default_mesh_size
 
    !> `error` is set when the parts cannot be, or the mesh is too coarse for them.
    pure subroutine check_tenon_sizes(choice, settings, sizes, error)
@@ -49,6 +75,13 @@ contains
          call check_positive(error, 'column_width', sizes%column_width, 'mm')
       if (.not. allocated(error)) &
          call check_range(error, 'tail', sizes%tail, 0.0_wp, 1.0e9_wp, ' mm')
+      associate (accepted => settings%accept_sizes)
+         call check_size(error, 'column_height', sizes%column_height, accepted)
+         call check_size(error, 'column_width', sizes%column_width, accepted)
+         call check_size(error, 'tail', sizes%tail, accepted)
+         call check_size(error, 'edge_relief', sizes%edge_relief, accepted)
+         call check_size(error, 'side_interference', sizes%side_interference, accepted)
+      end associate
       if (.not. allocated(error)) call check_range(error, 'edge_relief', sizes%edge_relief, &
          0.0_wp, 0.25_wp*min(choice%mesh_size, settings%width), ' mm')
       if (.not. allocated(error)) call check_range(error, 'side_interference', &

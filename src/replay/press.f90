@@ -6,6 +6,7 @@ module replay_press
    use asperity_error, only: fatal_error
    use asperity_properties, only: check_positive
    use asperity_text, only: to_text
+   use replay_sizes, only: check_between
    use replay_host, only: accept_increment, host_point, new_host_point, refuse_cut, &
       try_increment
    use uinter_signature, only: uinter_interface
@@ -23,6 +24,8 @@ module replay_press
       integer :: increments = 50
       !> Duration of each ramp, s
       real(wp) :: step_time = 1.0_wp
+      !> Let a peak pass that is most likely in another unit
+      logical :: accept_sizes = .false.
    end type press_settings
 
    !> One increment of the replay.
@@ -43,6 +46,10 @@ module replay_press
 
    integer, parameter :: max_increments = 1000000, max_iterations = 20
    real(wp), parameter :: pressure_tolerance = 1.0e-12_wp
+   !> Smallest peak overclosure, and how far mean planes may pass each other, over sigma
+   real(wp), parameter :: least_closure = 0.013_wp, past_mean = 8.0_wp
+   !> Range of a peak pressure over the hardness, beyond which results are flagged
+   real(wp), parameter :: least_pressure = 5.0e-4_wp, largest_pressure = 10.0_wp
    procedure(uinter_interface) :: uinter
 
 contains
@@ -62,6 +69,8 @@ contains
       integer :: i
 
       call check_settings(settings, error)
+      if (allocated(error)) return
+      call check_peak(settings, properties, error)
       if (allocated(error)) return
       call new_host_point(point, uinter, properties, ndir=2, keep_history=.false.)
       allocate (steps(2*settings%increments + 1))
@@ -131,6 +140,27 @@ contains
       step%plastic_share = normal%plastic_share
       step%validity = normal%validity
    end function step_of
+
+   !> Refuse a peak that is most likely in another unit.
+   pure subroutine check_peak(settings, properties, error)
+      type(press_settings), intent(in) :: settings
+      type(contact_properties), intent(in) :: properties
+      type(error_type), allocatable, intent(out) :: error
+
+      if (settings%control == 'pressure') then
+         associate (hardness => properties%normal%hardness)
+            call check_between(error, 'peak', settings%peak, least_pressure*hardness, &
+               largest_pressure*hardness, 'MPa', settings%accept_sizes)
+         end associate
+      else
+         ! what lies between the datum and mean planes in touch comes before
+         associate (sigma => properties%normal%sigma)
+            call check_between(error, 'peak', settings%peak, least_closure*sigma, &
+               max(properties%initial_separation, 0.0_wp) + past_mean*sigma, 'mm', &
+               settings%accept_sizes)
+         end associate
+      end if
+   end subroutine check_peak
 
    pure subroutine check_settings(settings, error)
       type(press_settings), intent(in) :: settings

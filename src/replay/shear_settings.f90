@@ -4,6 +4,7 @@ module replay_shear_settings
    use asperity_error, only: fatal_error
    use asperity_properties, only: check_positive, check_range
    use asperity_text, only: to_text
+   use replay_sizes, only: check_between, check_size, slip_text
    implicit none
    private
    public :: shear_settings, check_shear_settings, box_path, overlap_area, current_area
@@ -24,10 +25,15 @@ module replay_shear_settings
       logical :: shrinking_overlap = .true.
       !> Shear compliance of the two specimens together, mm/N
       real(wp) :: shear_compliance = 0.0_wp
+      !> Let sizes outside the ranges of `replay_sizes` pass
+      logical :: accept_sizes = .false.
    end type shear_settings
 
    integer, parameter :: max_steps = 1000000
-   real(wp), parameter :: largest_compliance = 1.0e20_wp
+   real(wp), parameter :: largest_compliance = 1.0e20_wp, largest = 1.0e9_wp
+   !> Range of the largest displacement over the diameter: hardly any overlap is left, and hardly
+   !> any motion seen, which can be let pass
+   real(wp), parameter :: longest_way = 0.9_wp, shortest_way = 0.00091_wp
 
 contains
 
@@ -52,18 +58,45 @@ contains
          largest_compliance, ' mm/N')
       do i = 1, size(turns)
          if (.not. allocated(error)) call check_range(error, 'displacement', turns(i), &
-            -0.9_wp*settings%diameter, 0.9_wp*settings%diameter, ' mm')
+            -largest, largest, ' mm')
       end do
       if (allocated(error)) return
       if (size(turns) == 0) then
          call fatal_error(error, 'displacement is empty: give at least one turning point in mm')
-      else if (sum([(real(steps_between(turns, i, settings%displacement_increment), wp), &
+         return
+      end if
+      associate (accepted => settings%accept_sizes)
+         call check_size(error, 'diameter', settings%diameter, accepted)
+         call check_size(error, 'normal_stress', settings%normal_stress, accepted)
+         call check_size(error, 'displacement_increment', settings%displacement_increment, accepted)
+         call check_way(error, turns(maxloc(abs(turns), 1)), settings%diameter, accepted)
+      end associate
+      if (allocated(error)) return
+      if (sum([(real(steps_between(turns, i, settings%displacement_increment), wp), &
             i=1, size(turns))]) > max_steps) then
          call fatal_error(error, 'displacement_increment = '// &
             to_text(settings%displacement_increment)//' mm gives more than '// &
             to_text(max_steps)//' steps; make it larger')
       end if
    end subroutine check_shear_settings
+
+   !> Refuse a largest displacement at which the discs hardly overlap, and one that is most likely
+   !> in another unit.
+   pure subroutine check_way(error, displacement, diameter, accepted)
+      type(error_type), allocatable, intent(inout) :: error
+      real(wp), intent(in) :: displacement, diameter
+      logical, intent(in) :: accepted
+
+      associate (low => shortest_way*diameter, high => longest_way*diameter)
+         if (abs(displacement) <= high) then
+            call check_between(error, 'displacement', displacement, low, high, 'mm', accepted)
+         else if (.not. allocated(error)) then
+            call fatal_error(error, 'displacement = '//to_text(displacement)// &
+               ' mm is not allowed: the discs overlap up to '//to_text(high)//' mm; '// &
+               trim(slip_text(displacement, low, high, 'mm')))
+         end if
+      end associate
+   end subroutine check_way
 
    !> Area in contact at a displacement of the box, mm^2.
    pure real(wp) function current_area(settings, displacement)

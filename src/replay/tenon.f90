@@ -7,18 +7,22 @@ module replay_tenon
    use replay_tenon_balance, only: balance_tenon
    use replay_tenon_contact, only: contact_record
    use replay_tenon_ledger, only: book_increment, tenon_ledger
-   use replay_tenon_model, only: holding_stiffness, new_tenon_model, other_side, side, &
-      tenon_faces => n_faces, tenon_forces, tenon_model, tenon_place
+   use replay_tenon_model, only: holding_stiffness, lower, lower_shoulder, new_tenon_model, &
+      other_side, side, tenon_faces => n_faces, tenon_forces, tenon_model, tenon_place, upper, &
+      upper_shoulder
    use replay_tenon_programme, only: tenon_programme
    use replay_tenon_settings, only: check_tenon_settings, tenon_settings
    implicit none
    private
    public :: tenon_settings, check_tenon_settings, tenon_step, tenon_point, run_tenon, &
-      tenon_progress, tenon_faces, tenon_face_names
+      tenon_progress, tenon_faces, tenon_face_names, bearing_faces
 
    !> Names of the faces
    character(len=14), parameter :: tenon_face_names(tenon_faces) = [character(len=14) :: &
       'upper', 'lower', 'side_1', 'side_2', 'upper_shoulder', 'lower_shoulder']
+
+   !> Faces that bear, which the sides do not
+   integer, parameter :: bearing_faces(4) = [upper, lower, upper_shoulder, lower_shoulder]
 
    !> One step of the replay; step 0 is the joint at rest. Energies are totals since step 0.
    type :: tenon_step

@@ -30,7 +30,7 @@ contains
 
    !> The wood of a joint.
    pure function new_wood_bearing(settings) result(wood)
-      !> Checked settings
+      !> Checked and complete settings
       type(tenon_settings), intent(in) :: settings
       type(wood_bearing) :: wood
       real(wp) :: stiffness

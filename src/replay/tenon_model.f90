@@ -38,7 +38,7 @@ module replay_tenon_model
    use replay_tenon_bearing, only: new_wood_bearing, wood_bearing
    use replay_tenon_contact, only: contact_record, leave_surface, leave_through_uinter, &
       press_hard, press_rough, press_through_uinter, rub, rub_through_uinter, yield_overclosure
-   use replay_tenon_settings, only: tenon_face_arm, tenon_settings
+   use replay_tenon_settings, only: complete_tenon_settings, tenon_face_arm, tenon_settings
    use uinter_signature, only: uinter_interface
    implicit none
    private
@@ -105,9 +105,10 @@ contains
       real(wp) :: separation
 
       model%settings = settings
+      call complete_tenon_settings(model%settings)
       model%faces = faces
       model%sides = sides
-      model%wood = new_wood_bearing(settings)
+      model%wood = new_wood_bearing(model%settings)
       model%hard = settings%contact == 'hard'
       model%fixed = settings%axial_rule == 'fixed'
       model%arm = tenon_face_arm(settings)

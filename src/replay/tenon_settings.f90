@@ -1,15 +1,20 @@
 !> Settings of the tenon joint: sizes, wood, axial rule, resolution and load programme.
 !>
 !> The drawing, symbols and signs are in `replay_tenon_model`. What the paper does not print is
-!> marked as chosen.
+!> marked as chosen. Sizes that follow from others are allocatable: `complete_tenon_settings` sets
+!> those that are not allocated, and a run does it by itself.
 module replay_tenon_settings
    use asperity, only: error_type, wp
    use asperity_error, only: fatal_error
    use asperity_properties, only: check_positive, check_range
    use asperity_text, only: to_text
+   use replay_sizes, only: check_between, check_size, range_of, size_range
+   use replay_tenon_turns, only: check_amplitudes, check_displacement, default_amplitudes, &
+      default_cycles
    implicit none
    private
-   public :: tenon_settings, check_tenon_settings, tenon_amplitudes, tenon_face_arm
+   public :: tenon_settings, complete_tenon_settings, check_tenon_settings, tenon_amplitudes, &
+      tenon_face_arm
 
    !> Sizes, wood, axial rule, resolution and load programme of one joint.
    type :: tenon_settings
@@ -21,8 +26,9 @@ module replay_tenon_settings
       real(wp) :: width = 105.0_wp
       !> Clearance above and below the tenon, mm, as `gap` defines it; chosen
       real(wp) :: clearance_above = 0.5_wp, clearance_below = 0.5_wp
-      !> Length of full material that runs on past the column face, mm; no use with shoulders
-      real(wp) :: extension = 60.0_wp
+      !> Length of full material that runs on past the column face, mm; a fifth of `height` when not
+      !> allocated; no use with shoulders
+      real(wp), allocatable :: extension
       !> Distance of the load point from `arm_datum`, mm
       real(wp) :: arm = 500.0_wp
       !> Where the arm is measured from, and the moment is taken about: `column_face` or
@@ -42,19 +48,25 @@ module replay_tenon_settings
       real(wp) :: axial_force = 0.0_wp
       !> Whether shoulders above and below the tenon bear on the column face
       logical :: shoulders = .false.
-      !> Height of each shoulder and its gap to the column face, mm
-      real(wp) :: shoulder_height = 50.0_wp, shoulder_gap = 0.0_wp
+      !> Height of each shoulder, mm; a sixth of `height` when not allocated
+      real(wp), allocatable :: shoulder_height
+      !> Gap between each shoulder and the column face, mm
+      real(wp) :: shoulder_gap = 0.0_wp
       !> Vertical load of the column, N, for information only
       real(wp) :: column_load = 0.0_wp
       !> Bearing of the tenon perpendicular to grain: modulus, MPa, over depth, mm, is its
-      !> stiffness. The modulus is the paper's, the depth chosen
-      real(wp) :: bearing_modulus = 351.0_wp, bearing_depth = 150.0_wp
+      !> stiffness. The modulus is the paper's; the depth is chosen, half of `height` when not
+      !> allocated
+      real(wp) :: bearing_modulus = 351.0_wp
+      real(wp), allocatable :: bearing_depth
       !> Its yield pressure fc90, MPa
       real(wp) :: bearing_strength = 4.7_wp
       !> Its hardening over its stiffness; zero or more; chosen
       real(wp) :: hardening = 0.02_wp
       !> Bearing of the column parallel to grain: modulus, MPa (zero: rigid), and depth, mm, chosen
-      real(wp) :: column_modulus = 3727.0_wp, column_depth = 150.0_wp
+      !> as that of the tenon
+      real(wp) :: column_modulus = 3727.0_wp
+      real(wp), allocatable :: column_depth
       !> Its yield pressure fc0, MPa, and hardening over its stiffness
       real(wp) :: column_strength = 50.1_wp, column_hardening = 0.02_wp
       !> Contact points along each face over `length`, along each side of a side face, and over each
@@ -72,16 +84,34 @@ module replay_tenon_settings
       integer, allocatable :: cycles(:)
       !> Recorded displacements of the load point, mm, in place of amplitudes
       real(wp), allocatable :: displacement(:)
+      !> Let sizes outside the ranges of `replay_sizes` and rotations outside those of
+      !> `replay_tenon_turns` pass
+      logical :: accept_sizes = .false.
    end type tenon_settings
 
-   !> Most steps of a programme and most points of a face
-   integer, parameter :: max_steps = 1000000, max_points = 100000
-   integer, parameter :: default_cycles(9) = [1, 1, 1, 1, 3, 3, 3, 3, 3]
-   real(wp), parameter :: default_amplitudes(9) = &
-      [0.5_wp, 1.0_wp, 2.0_wp, 4.0_wp, 8.0_wp, 16.0_wp, 24.0_wp, 32.0_wp, 48.0_wp]
+   !> What follows from the height of the tenon, over it
+   real(wp), parameter :: depth_ratio = 0.5_wp, extension_ratio = 0.2_wp, &
+      shoulder_ratio = 1.0_wp/6.0_wp
+   !> Largest clearance over the height: with more, the tenon lies in its mortise at an angle
+   real(wp), parameter :: clearance_ratio = 0.1_wp
+   !> Most points of a face
+   integer, parameter :: max_points = 100000
    real(wp), parameter :: largest = 1.0e9_wp, huge_value = 1.0e20_wp
 
 contains
+
+   !> Give sizes that follow from the height their values unless they have some.
+   pure subroutine complete_tenon_settings(settings)
+      !> Settings
+      type(tenon_settings), intent(inout) :: settings
+
+      associate (s => settings)
+         if (.not. allocated(s%bearing_depth)) s%bearing_depth = depth_ratio*s%height
+         if (.not. allocated(s%column_depth)) s%column_depth = depth_ratio*s%height
+         if (.not. allocated(s%extension)) s%extension = extension_ratio*s%height
+         if (.not. allocated(s%shoulder_height)) s%shoulder_height = shoulder_ratio*s%height
+      end associate
+   end subroutine complete_tenon_settings
 
    !> Distance of the load point from the column face, mm.
    pure real(wp) function tenon_face_arm(settings)
@@ -117,19 +147,34 @@ contains
    end subroutine tenon_amplitudes
 
    !> `error` is set when a setting is not allowed.
-   pure subroutine check_tenon_settings(settings, error)
+   pure subroutine check_tenon_settings(settings, error, joint_only)
       !> Settings
       type(tenon_settings), intent(in) :: settings
       !> Set when a setting is refused
       type(error_type), allocatable, intent(out) :: error
+      !> Leave out amplitudes and displacements, which are not known yet
+      logical, intent(in), optional :: joint_only
+      type(tenon_settings) :: complete
+      real(wp), allocatable :: amplitudes(:)
+      integer, allocatable :: cycles(:)
 
-      call check_sizes(settings, error)
-      call check_wood(settings, error)
-      call check_choices(settings, error)
+      complete = settings
+      call complete_tenon_settings(complete)
+      call check_sizes(complete, error)
+      call check_wood(complete, error)
+      call check_choices(complete, error)
+      call check_ranges(complete, error)
+      if (allocated(error)) return
+      if (present(joint_only)) then
+         if (joint_only) return
+      end if
       if (allocated(settings%displacement)) then
-         call check_displacement(settings, error)
+         call check_displacement(settings%displacement, settings%arm, &
+            settings%displacement_increment, settings%accept_sizes, error)
       else
-         call check_amplitudes(settings, error)
+         call tenon_amplitudes(settings, amplitudes, cycles)
+         call check_amplitudes(amplitudes, cycles, settings%arm, settings%displacement_increment, &
+            settings%accept_sizes, error)
       end if
    end subroutine check_tenon_settings
 
@@ -142,8 +187,8 @@ contains
       call need_positive(error, 'width', s%width, 'mm')
       call need_positive(error, 'arm', s%arm, 'mm')
       call need_positive(error, 'displacement_increment', s%displacement_increment, 'mm')
-      call need_range(error, 'clearance_above', s%clearance_above, 0.0_wp, s%height, ' mm')
-      call need_range(error, 'clearance_below', s%clearance_below, 0.0_wp, s%height, ' mm')
+      call need_range(error, 'clearance_above', s%clearance_above, 0.0_wp, largest, ' mm')
+      call need_range(error, 'clearance_below', s%clearance_below, 0.0_wp, largest, ' mm')
       call need_range(error, 'extension', s%extension, 0.0_wp, largest, ' mm')
       call need_range(error, 'shoulder_gap', s%shoulder_gap, 0.0_wp, largest, ' mm')
       if (s%shoulders) call need_positive(error, 'shoulder_height', s%shoulder_height, 'mm')
@@ -172,6 +217,34 @@ contains
       call need_range(error, 'side_pressure', s%side_pressure, 0.0_wp, 1.0e6_wp, ' MPa')
       call need_range(error, 'column_load', s%column_load, -huge_value, huge_value, ' N')
    end subroutine check_wood
+
+   !> Refuse sizes that are most likely in another unit.
+   pure subroutine check_ranges(s, error)
+      type(tenon_settings), intent(in) :: s
+      type(error_type), allocatable, intent(inout) :: error
+      type(size_range) :: clearance
+      character(len=22), parameter :: names(*) = [character(len=22) :: 'length', 'height', &
+         'width', 'arm', 'displacement_increment', 'bearing_depth', 'bearing_modulus', &
+         'bearing_strength', 'column_depth', 'column_modulus', 'column_strength', &
+         'side_pressure', 'column_load', 'extension', 'shoulder_height', 'shoulder_gap']
+      real(wp) :: values(size(names))
+      integer :: i
+
+      values = [s%length, s%height, s%width, s%arm, s%displacement_increment, s%bearing_depth, &
+         s%bearing_modulus, s%bearing_strength, s%column_depth, s%column_modulus, &
+         s%column_strength, s%side_pressure, s%column_load, &
+         merge(0.0_wp, s%extension, s%shoulders), &
+         merge([s%shoulder_height, s%shoulder_gap], 0.0_wp, s%shoulders)]
+      do i = 1, size(names)
+         call check_size(error, trim(names(i)), values(i), s%accept_sizes)
+      end do
+      clearance = range_of('clearance_above')
+      clearance%highest = min(clearance%highest, clearance_ratio*s%height)
+      call check_between(error, 'clearance_above', s%clearance_above, clearance%lowest, &
+         clearance%highest, 'mm', s%accept_sizes)
+      call check_between(error, 'clearance_below', s%clearance_below, clearance%lowest, &
+         clearance%highest, 'mm', s%accept_sizes)
+   end subroutine check_ranges
 
    !> As `check_positive` and `check_range`, unless `error` is set.
    pure subroutine need_positive(error, name, value, unit)
@@ -223,69 +296,5 @@ contains
       end do
       call fatal_error(error, name//" = '"//trim(value)//"' is unknown: it must be one of "//list)
    end subroutine check_choice
-
-   !> Amplitudes rise and are above zero, with one count each, and within reach of the arm.
-   pure subroutine check_amplitudes(s, error)
-      type(tenon_settings), intent(in) :: s
-      type(error_type), allocatable, intent(inout) :: error
-      real(wp), allocatable :: amplitudes(:)
-      integer, allocatable :: cycles(:)
-      integer :: i
-
-      if (allocated(error)) return
-      call tenon_amplitudes(s, amplitudes, cycles)
-      if (size(amplitudes) == 0) then
-         call fatal_error(error, 'amplitudes is empty: give at least one in mm')
-      else if (size(cycles) /= size(amplitudes)) then
-         call fatal_error(error, 'cycles has '//to_text(size(cycles))//' entries, but there are '&
-            //to_text(size(amplitudes))//' amplitudes: give one count an amplitude')
-      end if
-      do i = 1, size(amplitudes)
-         if (allocated(error)) return
-         call need_positive(error, 'amplitudes', amplitudes(i), 'mm')
-         call need_range(error, 'amplitudes', amplitudes(i), 0.0_wp, s%arm, ' mm')
-         if (allocated(error)) return
-         if (cycles(i) < 1 .or. cycles(i) > max_steps) then
-            call fatal_error(error, 'cycles = '//to_text(cycles(i))// &
-               ' is not allowed: it must be 1 or more')
-         else if (i > 1) then
-            if (amplitudes(i) < amplitudes(i - 1)) call fatal_error(error, 'amplitudes = '// &
-               to_text(amplitudes(i))//' mm after '//to_text(amplitudes(i - 1))// &
-               ' mm is out of order: they must not fall; give a history instead')
-         end if
-      end do
-      if (allocated(error)) return
-      call check_steps(error, s, sum(4.0_wp*cycles*amplitudes), 4.0_wp*sum(real(cycles, wp)))
-   end subroutine check_amplitudes
-
-   !> A recorded history is not empty and within reach of the arm.
-   pure subroutine check_displacement(s, error)
-      type(tenon_settings), intent(in) :: s
-      type(error_type), allocatable, intent(inout) :: error
-      integer :: i, n
-
-      if (allocated(error)) return
-      n = size(s%displacement)
-      if (n == 0) then
-         call fatal_error(error, 'displacement is empty: give at least one in mm')
-         return
-      end if
-      do i = 1, n
-         call check_range(error, 'displacement', s%displacement(i), -s%arm, s%arm, ' mm')
-         if (allocated(error)) return
-      end do
-      call check_steps(error, s, abs(s%displacement(1)) + sum(abs(s%displacement(2:) &
-         - s%displacement(:n - 1))), real(n, wp))
-   end subroutine check_displacement
-
-   pure subroutine check_steps(error, s, travel, turns)
-      type(error_type), allocatable, intent(inout) :: error
-      type(tenon_settings), intent(in) :: s
-      real(wp), intent(in) :: travel, turns
-
-      if (travel/s%displacement_increment + turns > max_steps) call fatal_error(error, &
-         'displacement_increment = '//to_text(s%displacement_increment)// &
-         ' mm gives more than '//to_text(max_steps)//' steps; make it larger')
-   end subroutine check_steps
 
 end module replay_tenon_settings

@@ -90,6 +90,11 @@ check 'deck: modulus of the case' has tenon.hard.abaqus.inp '3727.0, 400.0, 400.
 check 'deck: a step for each stroke' sh -c \
    'test "$(grep -c "^TIP, 3, 3, [-0-9]" tenon.hard.calculix.inp)" -eq 8 \
       && grep "^TIP, 3, 3," tenon.hard.calculix.inp | cut -d, -f4 | tr -d "\n" | grep -q "^ 0.0 2.0 -2.0 5.0 -5.0 5.0 -5.0 0.0$"'
+run deck tenon case.nml --height 180 --length 250 --inp follows.inp
+check 'deck tenon: sizes follow from the joint' sh -c '
+   grep -q "^  mesh_size  *18.0 mm  *a tenth of height$" out && grep -q "^  column_height  *600.0 mm  *10/3 of height$" out \
+      && grep -q "^  column_width  *250.0 mm  *as length$" out && grep -q "^  edge_relief  *1.8 mm  *a hundredth of height$" out'
+check 'deck tenon: the column of that joint' has follows.inp '- Column 600.0 mm high and 250.0 mm wide'
 run deck tenon case.nml "${joint[@]}" --inp -
 check 'deck: --inp - is the deck' sh -c 'sed "/^\*\*    asperity/d" out >a; sed "/^\*\*    asperity/d" tenon.uinter.calculix.inp | cmp - a'
 run deck tenon case.nml "${joint[@]}" --plasticity plastic --field all --contact hard --inp plastic.calculix.inp
@@ -136,10 +141,32 @@ refuses 'deck: pressure above the hardness' 2 \
    deck shear --contact table --largest-pressure 25 --inp never.inp
 refuses 'deck: a side pressure that the law cannot reach' 2 \
    '--side-pressure: side_pressure = 13.0 MPa is above the hardness, 12.14 MPa' \
-   deck tenon --side-pressure 13 --inp never.inp
+   deck tenon --side-pressure 13 --accept-sizes --inp never.inp
+refuses 'deck: a mesh in metres' 2 \
+   '--mesh-size: mesh_size = 0.03 mm is outside 0.5 to 490.0 mm: 0.03 looks like metres, write 30.0' \
+   deck tenon --mesh-size 0.03 --inp never.inp
+refuses 'deck: a mesh in micrometres' 2 \
+   '--mesh-size: mesh_size = 2500.0 mm .* looks like micrometres, write 2.5' \
+   deck shear --mesh-size 2500 --inp never.inp
+refuses 'deck: a disc in metres' 2 '--disc-height: disc_height = 0.01 mm .* metres, write 10.0' \
+   deck shear --disc-height 0.01 --inp never.inp
+refuses 'deck: a column in metres' 2 '--column-height: column_height = 1.0 mm .* metres, write 1000.0' \
+   deck tenon --column-height 1 --inp never.inp
+refuses 'deck: a column width in micrometres' 2 '--column-width: .* micrometres, write 300.0' \
+   deck tenon --column-width 3e5 --inp never.inp
+refuses 'deck: a tail in metres' 2 '--tail: tail = 0.04 mm .* metres, write 40.0' \
+   deck tenon --tail 0.04 --inp never.inp
+refuses 'deck: a relief in metres' 2 '--edge-relief: edge_relief = 0.003 mm .* metres, write 3.0' \
+   deck tenon --edge-relief 0.003 --inp never.inp
+refuses 'deck: an interference in metres' 2 '--side-interference: .* metres, write 0.3' \
+   deck tenon --side-interference 0.0003 --inp never.inp
+refuses 'deck: a search distance in micrometres' 2 '--search-distance: .* micrometres, write 3.0' \
+   deck tenon --search-distance 3000 --inp never.inp
+refuses 'deck: a load in kN' 2 '--column-load: column_load = 54.0 N .* kN, write 54000.0' \
+   deck tenon --column-load 54 --inp never.inp
 refuses 'deck: a normal stress that the law cannot reach' 2 \
    '--normal-stress: normal_stress = 25.0 MPa is above the hardness, 24.53 MPa' \
-   deck shear --normal-stress 25 --inp never.inp
+   deck shear --normal-stress 25 --accept-sizes --inp never.inp
 refuses 'deck: too many rows' 2 '--rows: rows = 30 is too few' \
    deck shear --contact table --rows 30 --inp never.inp
 refuses 'deck: too many rows for CalculiX' 2 '--rows: rows = 900 lets the table have' \

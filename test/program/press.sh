@@ -51,5 +51,13 @@ refuses 'increments past the integers' 2 '--increments: .* not a whole number wi
    press --increments 99999999999
 refuses 'increments with a fraction' 2 '--increments: .* not a whole number' \
    press --increments 1.5
+refuses 'a peak in Pa' 2 '--peak: peak = 4700000.0 MPa is outside 0.01227 to 245.3 MPa: .* looks like Pa, write 4.7' \
+   press --peak 4.7e6
+refuses 'a closure in micrometres' 2 '--peak: peak = 140.0 mm .* micrometres, write 0.14' \
+   press --control overclosure --peak 140
+refuses 'a closure in metres' 2 '--peak: peak = 0.00014 mm .* metres, write 0.14' \
+   press --control overclosure --peak 1.4e-4
+run press --control overclosure --peak 1.4e-4 --accept-sizes
+check 'press: a peak that is accepted' is_quiet
 refuses 'negative peak' 2 '--peak: peak = -1.0 is not allowed' press --peak -1
 refuses 'no step time' 2 '--step-time: step_time = 0.0 is not allowed' press --step-time 0

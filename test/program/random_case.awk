@@ -4,7 +4,7 @@ function number() { return pick("0.05~5.0d-2~5e-2~+.05~0.05~0.050000000000000001
 function list(   n, s, i) { n = 1 + int(rand()*4); s = number(); for (i = 2; i <= n; i++) s = s pick(",~ ~ , ~,\n~ ! a\n~\n~,,~ ! b\n,~, ! c\n~\n! d\n,~,\n! e\n") number(); return s }
 function value(key) {
    if (key ~ /^(separation|normal_stress|displacement)$/) return list()
-   if (key ~ /^(accept_unphysical|shrinking_overlap)$/) return pick(".true.~.false.~T~F~.T.~.f.~TRUE~false~.True.~.tr.")
+   if (key ~ /^(accept_unphysical|accept_sizes|shrinking_overlap)$/) return pick(".true.~.false.~T~F~.T.~.f.~TRUE~false~.True.~.tr.")
    if (key == "pair") return pick("'transverse-tangential'~\"tangential-tangential\"~'tangential-tangential '~'tangential-tangential")
    if (key == "surface") return pick("'mesh-400-cross'~\"unpolished-radial\"")
    if (key == "friction_rule") return pick("'abaqus'~'dissipative'~\"abaqus\"~abaqus")
@@ -20,7 +20,7 @@ function value(key) {
 }
 BEGIN {
    srand(seed)
-   n = split("pair surface eta modulus radius hardness yield_factor sigma friction_coefficient critical_slip initial_separation friction_rule slip_integration accept_unphysical separation control peak increments step_time diameter normal_stress rate displacement displacement_increment shrinking_overlap shear_compliance largest_pressure smallest_pressure tolerance rows stick_pressure solver contact mesh_size penalty search_distance disc_height column_height column_width tail edge_relief side_interference stroke_increments", keys, " ")
+   n = split("pair surface eta modulus radius hardness yield_factor sigma friction_coefficient critical_slip initial_separation friction_rule slip_integration accept_unphysical accept_sizes separation control peak increments step_time diameter normal_stress rate displacement displacement_increment shrinking_overlap shear_compliance largest_pressure smallest_pressure tolerance rows stick_pressure solver contact mesh_size penalty search_distance disc_height column_height column_width tail edge_relief side_interference stroke_increments", keys, " ")
    s = pick("~! head\n~\n\n~ ") pick("&asperity~&ASPERITY~&Asperity") pick(" ~\n~\n ! c\n~ ! c\n")
    m = int(rand()*7)
    split("", used)

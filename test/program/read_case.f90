@@ -13,7 +13,7 @@ program read_case
    real(wp) :: displacement_increment, shear_compliance
    real(wp), dimension(longest_list) :: separation, normal_stress, displacement
    integer :: increments
-   logical :: accept_unphysical, shrinking_overlap
+   logical :: accept_unphysical, accept_sizes, shrinking_overlap
    character(len=80) :: pair, surface, friction_rule, slip_integration, control
    ! Keys of the tenon joint
    real(wp) :: side_friction, side_critical_slip, length, height, width, clearance, clearance_above
@@ -38,7 +38,8 @@ program read_case
    character(len=80) :: solver, contact, element, plasticity, field, upper_grain
    namelist /asperity/ pair, surface, eta, modulus, radius, hardness, yield_factor, sigma, &
       friction_coefficient, critical_slip, initial_separation, friction_rule, &
-      slip_integration, accept_unphysical, separation, control, peak, increments, step_time, &
+      slip_integration, accept_unphysical, accept_sizes, separation, control, peak, increments, &
+      step_time, &
       diameter, normal_stress, rate, displacement, displacement_increment, shrinking_overlap, &
       shear_compliance, &
       side_pair, side_friction, side_critical_slip, length, height, width, clearance, &
@@ -61,6 +62,7 @@ program read_case
    do pass = 1, 2
       call unset_all()
       accept_unphysical = pass == 1
+      accept_sizes = pass == 1
       shrinking_overlap = pass == 1
       shoulders = pass == 1
       open (newunit=unit, file=trim(path), status='old', action='read')
@@ -72,6 +74,7 @@ program read_case
       end if
       if (pass == 1) call print_all()
       call print_logical('accept_unphysical', accept_unphysical, pass)
+      call print_logical('accept_sizes', accept_sizes, pass)
       call print_logical('shrinking_overlap', shrinking_overlap, pass)
       call print_logical('shoulders', shoulders, pass)
    end do

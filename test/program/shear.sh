@@ -70,10 +70,29 @@ refuses 'negative normal stress' 2 '--normal-stress: normal_stress = -0.1 is not
 refuses 'no rate' 2 '--rate: rate = 0.0 is not allowed' shear --rate 0
 refuses 'displacement past the disc' 2 '--displacement: displacement = 70.0 mm is not' \
    shear --displacement 70
+refuses 'a displacement in micrometres' 2 \
+   '--displacement: displacement = 3000.0 mm is not allowed: the discs overlap up to 55.62 mm; 3000.0 looks like micrometres, write 3.0' \
+   shear --displacement 3000
+refuses 'a displacement in metres' 2 \
+   '--displacement: displacement = 0.003 mm is outside .*: 0.003 looks like metres, write 3.0; accept_sizes lets it pass' \
+   shear --displacement 0.003,-0.003
+refuses 'a diameter in metres' 2 '--diameter: diameter = 0.0618 mm is outside .* metres, write 61.8' \
+   shear --diameter 0.0618 --displacement 0.003
+refuses 'a stress in kPa' 2 '--normal-stress: normal_stress = 50.0 MPa is outside .* kPa, write 0.05' \
+   shear --normal-stress 50,100
+refuses 'a stress in Pa' 2 '--normal-stress: normal_stress = 200000.0 MPa .* looks like Pa, write 0.2' \
+   shear --normal-stress 0.1,200000
+refuses 'elastic slip in micrometres' 2 \
+   '--critical-slip: critical_slip = 310.0 mm is above 10.0 mm, .* critical_slip looks like um' \
+   shear --critical-slip 310
+refuses 'steps in micrometres' 2 '--displacement-increment: .* = 20.0 mm .* micrometres, write 0.02' \
+   shear --displacement-increment 20
+run shear --displacement 0.003 --accept-sizes --csv tiny.csv
+check 'a size that is accepted' is_quiet
 refuses 'no increment' 2 '--displacement-increment: displacement_increment = 0.0 is not' \
    shear --displacement-increment 0
 refuses 'too many increments' 2 '--displacement-increment: .* gives more than' \
-   shear --displacement-increment 1e-12
+   shear --displacement-increment 1e-12 --accept-sizes
 refuses 'negative diameter' 2 '--diameter: diameter = -1.0 is not allowed' shear --diameter -1
 refuses 'negative compliance' 2 '--shear-compliance: shear_compliance = -1.0 mm/N is not' \
    shear --shear-compliance -1
@@ -83,7 +102,7 @@ refuses 'unknown friction rule' 2 "--friction-rule: .* is unknown; known: abaqus
    shear --friction-rule x
 
 # What UINTER warns of is said once, of the rows of this case, not of a node of the host
-run shear --normal-stress 22 --displacement 0.1 --csv -
+run shear --normal-stress 22 --accept-sizes --displacement 0.1 --csv -
 check 'shear: limits are told by rows' test "$(cat err)" = "asperity: warning: real area above nominal area: \
 asperities overlap, pressure is too high (6 of 6 rows, the first is row 1)"
 run press --peak 25 --csv -

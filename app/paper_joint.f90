@@ -1,0 +1,58 @@
+!> The paper's joint: what it is, and what the paper says of it.
+module app_paper_joint
+   use asperity, only: error_type, wp
+   use app_cli, only: command_line_type
+   use app_effective, only: settled
+   use app_keys, only: command_tenon, find_key
+   use app_settings, only: default_settings, settings_type
+   implicit none
+   private
+   public :: is_paper_joint, usual_settings
+
+   !> Table 5 of the paper, negative loading: yield and ultimate moment, kN m, stiffness, kN m/rad
+   character(len=*), parameter, public :: published_methods(3) = [character(len=32) :: &
+      'test, paper', 'hard contact, paper (OC-FEM)', 'rough law, paper (VC-FEM)']
+   real(wp), parameter, public :: published(3, 3) = reshape([ &
+      -19.56_wp, -22.14_wp, 181.06_wp, &
+      -16.02_wp, -17.91_wp, 154.39_wp, &
+      -18.03_wp, -19.84_wp, 163.82_wp], [3, 3])
+
+   !> What makes a joint the paper's: sizes and programme at their defaults, which are those of
+   !> examples/tenon_joint/base.nml. Faces, wood and how it is held may differ, to compare them
+   character(len=*), parameter :: sizes(*) = [character(len=16) :: 'length', 'height', 'width', &
+      'clearance_above', 'clearance_below', 'arm', 'amplitudes', 'cycles']
+
+contains
+
+   !> Whether a joint is that of the paper.
+   pure logical function is_paper_joint(settings)
+      !> Settings in effect
+      type(settings_type), intent(in) :: settings
+      type(settings_type) :: usual
+      integer :: i
+
+      usual = usual_settings()
+      is_paper_joint = settings%text_of('history') == '' &
+         .and. .not. settings%switch_of('shoulders') &
+         .and. settings%text_of('arm_datum') == usual%text_of('arm_datum')
+      do i = 1, size(sizes)
+         if (.not. is_paper_joint) return
+         associate (own => settings%of(find_key(trim(sizes(i)))), &
+               its => usual%of(find_key(trim(sizes(i)))))
+            is_paper_joint = size(own%values) == size(its%values)
+            if (is_paper_joint) is_paper_joint = .not. any(abs(own%values - its%values) > 0.0_wp)
+         end associate
+      end do
+   end function is_paper_joint
+
+   !> Settings of a run without any input.
+   pure function usual_settings() result(settings)
+      type(settings_type) :: settings
+      type(command_line_type) :: line
+      type(error_type), allocatable :: error
+
+      line%command = command_tenon
+      call settled(default_settings(), line, settings, error)
+   end function usual_settings
+
+end module app_paper_joint
