@@ -8,13 +8,13 @@ module map_file_fields
    use surface_height_map, only: missing_height
    implicit none
    private
-   public :: choose_separator, field_error, read_field
+   public :: choose_separator, field_error, read_field, skip_field
 
    !> What a field holds: a number, nothing or a word for it, or one of the faults
    integer, parameter, public :: field_number = 0, field_missing = 1, field_text = 2, &
       field_decimal_comma = 3, field_infinite = 4, field_too_large = 5
 
-   character(len=*), parameter :: tab = achar(9)
+   character(len=1), parameter :: tab = achar(9), quote = '"'
    !> Words that stand for a height that is missing, in lower case
    character(len=*), parameter :: missing_words(15) = [character(len=10) :: 'nan', 'bad', &
       'nodata', &
@@ -42,12 +42,15 @@ contains
       !> Whether the line has no further field
       logical, intent(out) :: is_last
       integer :: start, status
+      logical :: is_quoted
 
       value = missing_height
       kind = field_missing
       is_last = .true.
       call skip_blanks(text, at, last, separator)
       if (at > last) return
+      is_quoted = text(at) == quote .and. at < last
+      if (is_quoted) at = at + 1
       if (text(at) == separator) then
          at = at + 1
          is_last = .false.
@@ -74,6 +77,9 @@ contains
          at = start
          return
       end if
+      if (is_quoted .and. at <= last) then
+         if (text(at) == quote) at = at + 1
+      end if
       call skip_blanks(text, at, last, separator)
       is_last = at > last
       if (is_last) return
@@ -86,6 +92,29 @@ contains
          end if
       end if
    end subroutine read_field
+
+   !> Go past a field whatever it holds.
+   pure subroutine skip_field(text, at, last, separator, is_last)
+      !> Last character of the line
+      integer, intent(in) :: last
+      !> The block that the line is in
+      character(len=1), intent(in) :: text(last)
+      !> A place in the field, then where the next begins
+      integer, intent(inout) :: at
+      !> What separates fields; a blank for blanks and tabs
+      character(len=1), intent(in) :: separator
+      !> Whether the line has no further field
+      logical, intent(out) :: is_last
+
+      do while (at <= last)
+         if (text(at) == separator .or. (text(at) == tab .and. separator == ' ')) exit
+         at = at + 1
+      end do
+      is_last = at > last
+      if (separator /= ' ') at = at + 1
+      call skip_blanks(text, at, last, separator)
+      if (separator == ' ') is_last = at > last
+   end subroutine skip_field
 
    pure subroutine skip_blanks(text, at, last, separator)
       integer, intent(in) :: last
@@ -102,7 +131,7 @@ contains
    pure logical function ends_field(c, separator)
       character(len=1), intent(in) :: c, separator
 
-      ends_field = c == ' ' .or. c == separator .or. c == tab
+      ends_field = c == ' ' .or. c == separator .or. c == tab .or. c == quote
    end function ends_field
 
    !> Whether a whole number begins with a 0 that no number needs, as what follows a decimal comma.
@@ -132,8 +161,14 @@ contains
          word(i:i) = lower(text(start + i - 1))
          ! the word may be followed by a separator, which is none of it
          if (word(i:i) == separator .and. separator /= ' ') word(i:i) = ' '
-         if (word(i:i) == tab) word(i:i) = ' '
+         if (word(i:i) == tab .or. word(i:i) == quote) word(i:i) = ' '
       end do
+      if (text(start) == quote) then
+         ! nothing between quotes
+         kind = field_missing
+         at = start
+         return
+      end if
       do i = 1, size(missing_words)
          n = len_trim(missing_words(i))
          if (word(:n) /= missing_words(i)(:n) .or. word(n + 1:n + 1) /= ' ') cycle

@@ -1,10 +1,15 @@
-!> Height maps as the bytes of a file: SDF with every bit, or text with 17 figures.
+!> Height maps as the bytes of a file: SDF, or text with 17 figures.
+!>
+!> SDF has every bit in doubles. Where points are missing it has integers of 32 bits, whose code of a
+!> missing point every reader knows, which that of doubles is not: heights are then rounded to
+!> 1/(2^31 - 1) of the largest of either sign.
 module map_file_write
    use, intrinsic :: iso_fortran_env, only: int16, int32, int64
    use asperity_error, only: error_type, fatal_error
    use asperity_kinds, only: wp
    use asperity_text, only: to_text
-   use surface_height_map, only: check_height_map, height_map, missing_height
+   use map_file_heights, only: bytes_of, float64, sint32
+   use surface_height_map, only: check_height_map, height_map, missing_height, missing_points
    implicit none
    private
    public :: height_map_bytes
@@ -12,6 +17,9 @@ module map_file_write
    !> mm of a metre, and the scale that makes numbers of it mm
    real(wp), parameter :: metre = 1.0e3_wp, millimetre = 1.0e-3_wp
    character(len=*), parameter :: line_end = achar(10)
+   !> Largest integer, the code of a missing point, and the least height that heights may have
+   real(wp), parameter :: largest_whole = real(huge(1_int32), wp), tiny_height = 1.0e-12_wp
+   integer(int32), parameter :: hole = -huge(1_int32) - 1_int32
    integer(int64), parameter :: number_width = 24_int64
 
 contains
@@ -48,11 +56,15 @@ contains
       type(height_map), intent(in) :: map
       character(len=:), allocatable, intent(inout) :: bytes
       character(len=:), allocatable :: head
-      character(len=8) :: piece
-      integer(int64) :: at
+      integer(int64) :: at, width
       integer :: i, j
-      logical :: is_small
+      logical :: has_holes, is_small
+      real(wp) :: scale
 
+      has_holes = missing_points(map) > 0
+      scale = millimetre
+      if (has_holes) scale = millimetre*max(maxval(abs(map%heights), &
+         mask=map%heights < missing_height), tiny_height)/largest_whole
       associate (nx => size(map%heights, 1), ny => size(map%heights, 2))
          is_small = max(nx, ny) < 65536
          head = 'bISO-1.0asperity  '//repeat('0', 24)
@@ -63,20 +75,26 @@ contains
             head = head//transfer(int(nx, int32), '1234')//transfer(int(ny, int32), '1234')
          end if
       end associate
-      ! neither compressed nor checked, doubles
+      ! neither compressed nor checked
       head = head//double(scale_of(map%step_x))//double(scale_of(map%step_y))// &
-         double(millimetre)// &
-         double(-1.0_wp)//achar(0)//achar(7)//achar(0)
+         double(scale)// &
+         double(-1.0_wp)//achar(0)//achar(merge(sint32, float64, has_holes))//achar(0)
+      width = bytes_of(merge(sint32, float64, has_holes))
       deallocate (bytes)
-      allocate (character(len=len(head) + 8_int64*size(map%heights, kind=int64)) :: bytes)
+      allocate (character(len=len(head) + width*size(map%heights, kind=int64)) :: bytes)
       bytes(:len(head)) = head
       at = len(head)
       do j = 1, size(map%heights, 2)
          do i = 1, size(map%heights, 1)
-            piece = double(map%heights(i, j))
-            if (map%heights(i, j) >= missing_height) piece = double(-huge(1.0_wp))
-            bytes(at + 1:at + 8) = piece
-            at = at + 8_int64
+            if (.not. has_holes) then
+               bytes(at + 1:at + width) = double(map%heights(i, j))
+            else if (map%heights(i, j) >= missing_height) then
+               bytes(at + 1:at + width) = transfer(hole, '1234')
+            else
+               bytes(at + 1:at + width) = transfer(nint(map%heights(i, j)/(scale*metre), int32), &
+                  '1234')
+            end if
+            at = at + width
          end do
       end do
    end subroutine write_sdf
