@@ -34,29 +34,29 @@ contains
 
    contains
 
-      subroutine tell(end, which, where)
-         integer, intent(in) :: end
+      subroutine tell(side, which, where)
+         integer, intent(in) :: side
          character(len=*), intent(in) :: which, where
          character(len=:), allocatable :: value, remedy
          real(wp) :: gap, level
 
-         gap = abs(extreme(end) - next(end))
-         if (points(end) < many) return
+         gap = abs(extreme(side) - next(side))
+         if (points(side) < many) return
          if (gap <= far*(next(2) - next(1))) then
-            if (abs(extreme(end)) > 0.0_wp .or. gap <= near_zero*(next(2) - next(1))) return
+            if (abs(extreme(side)) > 0.0_wp .or. gap <= near_zero*(next(2) - next(1))) return
             ! the levels of a coarse map are as far from each other
-            if (end == 1) level = minval(map%heights, mask=map%heights > next(1))
-            if (end == 2) level = maxval(map%heights, mask=map%heights < next(2))
-            if (gap <= levels*abs(level - next(end))) return
+            if (side == 1) level = minval(map%heights, mask=map%heights > next(1))
+            if (side == 2) level = maxval(map%heights, mask=map%heights < next(2))
+            if (gap <= levels*abs(level - next(side))) return
          end if
          if (factor > 0.0_wp) then
-            value = to_text(extreme(end)/factor, figures)
+            value = to_text(extreme(side)/factor, figures)
             remedy = '--missing-value '//value//' says so'
          else
-            value = to_text(extreme(end), figures)//' mm'
+            value = to_text(extreme(side), figures)//' mm'
             remedy = 'mark them as missing in the file'
          end if
-         call add_note(map, to_text(points(end))//' points have the same '//which// &
+         call add_note(map, to_text(points(side))//' points have the same '//which// &
             ' height, '//value//', '//to_text(gap, 4)//' mm '//where// &
             ' all others: if this number marks missing points, '//remedy//'.')
       end subroutine tell

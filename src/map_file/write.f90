@@ -10,6 +10,7 @@ module map_file_write
    use asperity_text, only: to_text
    use map_file_heights, only: bytes_of, float64, sint32
    use surface_height_map, only: check_height_map, height_map, missing_height, missing_points
+   use surface_memory, only: check_memory, check_room
    implicit none
    private
    public :: height_map_bytes
@@ -40,11 +41,11 @@ contains
       if (allocated(error)) return
       select case (ending)
       case ('sdf')
-         call write_sdf(map, bytes)
+         call write_sdf(map, bytes, error)
       case ('xyz')
-         call write_xyz(map, bytes)
+         call write_xyz(map, bytes, error)
       case ('csv')
-         call write_csv(map, bytes)
+         call write_csv(map, bytes, error)
       case default
          call fatal_error(error, &
             'height maps are not written as '//ending//': allowed are sdf, '// &
@@ -52,12 +53,13 @@ contains
       end select
    end subroutine height_map_bytes
 
-   subroutine write_sdf(map, bytes)
+   subroutine write_sdf(map, bytes, error)
       type(height_map), intent(in) :: map
       character(len=:), allocatable, intent(inout) :: bytes
+      type(error_type), allocatable, intent(inout) :: error
       character(len=:), allocatable :: head
-      integer(int64) :: at, width
-      integer :: i, j
+      integer(int64) :: at, length, width
+      integer :: i, j, status
       logical :: has_holes, is_small
       real(wp) :: scale
 
@@ -81,7 +83,12 @@ contains
          double(-1.0_wp)//achar(0)//achar(merge(sint32, float64, has_holes))//achar(0)
       width = bytes_of(merge(sint32, float64, has_holes))
       deallocate (bytes)
-      allocate (character(len=len(head) + width*size(map%heights, kind=int64)) :: bytes)
+      length = len(head) + width*size(map%heights, kind=int64)
+      allocate (character(len=length) :: bytes, stat=status)
+      call check_memory(status, map%source, length, error)
+      ! for what is written beside it
+      call check_room(map%source, 0_int64, error)
+      if (allocated(error)) return
       bytes(:len(head)) = head
       at = len(head)
       do j = 1, size(map%heights, 2)
@@ -126,9 +133,10 @@ contains
       end do
    end function scale_of
 
-   subroutine write_xyz(map, bytes)
+   subroutine write_xyz(map, bytes, error)
       type(height_map), intent(in) :: map
       character(len=:), allocatable, intent(inout) :: bytes
+      type(error_type), allocatable, intent(inout) :: error
       character(len=40), allocatable :: x(:)
       character(len=:), allocatable :: y
       integer(int64) :: used
@@ -139,69 +147,103 @@ contains
          x(i) = to_text((i - 1)*map%step_x)
       end do
       used = 0_int64
-      call add(bytes, used, '# x [mm] y [mm] z [mm]'//line_end)
+      call add(map, bytes, used, error, '# x [mm] y [mm] z [mm]'//line_end)
       do j = 1, size(map%heights, 2)
          y = ' '//to_text((j - 1)*map%step_y)//' '
          do i = 1, size(map%heights, 1)
-            call add(bytes, used, trim(x(i)))
-            call add(bytes, used, y)
-            call add_height(bytes, used, map%heights(i, j))
-            call add(bytes, used, line_end)
+            call add(map, bytes, used, error, trim(x(i)))
+            call add(map, bytes, used, error, y)
+            call add_height(map, bytes, used, error, map%heights(i, j))
+            if (allocated(error)) return
+            call add(map, bytes, used, error, line_end)
          end do
       end do
-      bytes = bytes(:used)
+      call finish(map, bytes, used, error)
    end subroutine write_xyz
 
-   subroutine write_csv(map, bytes)
+   subroutine write_csv(map, bytes, error)
       type(height_map), intent(in) :: map
       character(len=:), allocatable, intent(inout) :: bytes
+      type(error_type), allocatable, intent(inout) :: error
       integer(int64) :: used
       integer :: i, j
 
       used = 0_int64
-      call add(bytes, used, '# Heights, a line for each y, the first at y = 0'//line_end// &
+      call add(map, bytes, used, error, '# Heights, a line for each y, the first at y = 0'//line_end// &
          '# step_x: '//to_text(map%step_x)//' mm'//line_end// &
          '# step_y: '//to_text(map%step_y)//' mm'//line_end// &
          '# height unit: mm'//line_end)
       do j = 1, size(map%heights, 2)
          do i = 1, size(map%heights, 1)
-            if (i > 1) call add(bytes, used, ',')
-            call add_height(bytes, used, map%heights(i, j))
+            if (i > 1) call add(map, bytes, used, error, ',')
+            call add_height(map, bytes, used, error, map%heights(i, j))
+            if (allocated(error)) return
          end do
-         call add(bytes, used, line_end)
+         call add(map, bytes, used, error, line_end)
       end do
-      bytes = bytes(:used)
+      call finish(map, bytes, used, error)
    end subroutine write_csv
 
    !> Append a height with 17 figures.
-   subroutine add_height(bytes, used, height)
+   subroutine add_height(map, bytes, used, error, height)
+      type(height_map), intent(in) :: map
       character(len=:), allocatable, intent(inout) :: bytes
       integer(int64), intent(inout) :: used
+      type(error_type), allocatable, intent(inout) :: error
       real(wp), intent(in) :: height
       character(len=number_width) :: text
 
       if (height >= missing_height) then
-         call add(bytes, used, 'NaN')
+         call add(map, bytes, used, error, 'NaN')
       else
          write (text, '(es24.16e3)') height
-         call add(bytes, used, trim(adjustl(text)))
+         call add(map, bytes, used, error, trim(adjustl(text)))
       end if
    end subroutine add_height
 
    !> Append text, whose room doubles when it is used up.
-   subroutine add(bytes, used, text)
+   subroutine add(map, bytes, used, error, text)
+      type(height_map), intent(in) :: map
       character(len=:), allocatable, intent(inout) :: bytes
       integer(int64), intent(inout) :: used
+      type(error_type), allocatable, intent(inout) :: error
       character(len=*), intent(in) :: text
-      character(len=:), allocatable :: larger
 
-      if (used + len(text) > len(bytes, kind=int64)) then
-         allocate (character(len=max(4096_int64, 2_int64*(used + len(text)))) :: larger)
-         larger(:used) = bytes(:used)
-         call move_alloc(larger, bytes)
-      end if
+      if (used + len(text) > len(bytes, kind=int64)) &
+         call resize(map, bytes, used, max(4096_int64, 2_int64*(used + len(text))), error)
+      if (allocated(error)) return
       bytes(used + 1:used + len(text)) = text
       used = used + len(text)
    end subroutine add
+
+   !> Give back the room that is not used.
+   subroutine finish(map, bytes, used, error)
+      type(height_map), intent(in) :: map
+      character(len=:), allocatable, intent(inout) :: bytes
+      integer(int64), intent(in) :: used
+      type(error_type), allocatable, intent(inout) :: error
+
+      if (.not. allocated(error)) call resize(map, bytes, used, used, error)
+      ! for what is written beside it
+      call check_room(map%source, 0_int64, error)
+   end subroutine finish
+
+   !> Move the used part to another room.
+   subroutine resize(map, bytes, used, length, error)
+      type(height_map), intent(in) :: map
+      character(len=:), allocatable, intent(inout) :: bytes
+      integer(int64), intent(in) :: used, length
+      type(error_type), allocatable, intent(inout) :: error
+      character(len=:), allocatable :: other
+      integer :: status
+
+      allocate (character(len=length) :: other, stat=status)
+      if (status == 0) then
+         other(:used) = bytes(:used)
+         call move_alloc(other, bytes)
+      else
+         call check_memory(status, map%source, length, error)
+      end if
+   end subroutine resize
 
 end module map_file_write

@@ -20,6 +20,7 @@ module map_file_xyz
    use map_file_text_header, only: marks_missing, text_header
    use map_file_units, only: map_hints, settle_step, settle_unit
    use surface_height_map, only: height_map, missing_height
+   use surface_memory, only: check_room
    implicit none
    private
    public :: read_xyz
@@ -52,6 +53,9 @@ contains
 
       call settle_unit(source%name, 'coordinates', '--lateral-unit', header%lateral_unit, &
          hints%lateral_unit, unit, error)
+      if (allocated(error)) return
+      ! the coordinates, at most 65536 along either axis, and how they are found again
+      call check_room(source%name, 8_int64*2_int64**20, error)
       if (allocated(error)) return
       call read_points(source, header, factor, axes, store, points, error)
       if (allocated(error)) return
