@@ -94,9 +94,9 @@ contains
 
    end subroutine test_others
 
-   !> Every bit comes back: SDF has them all, and 17 figures, read with right rounding, as well. With
-   !> holes SDF has whole numbers of 32 bits: half of one is allowed, 1/(2^31 - 1) of the largest
-   !> height, and what the scale's rounding takes.
+   !> Every bit comes back: SDF has them all, and 17 figures, read with right rounding, as well.
+   !> With holes SDF has whole numbers of 32 bits: half of one is allowed, 1/(2^31 - 1) of the
+   !> largest height, and what the scale's rounding takes.
    subroutine test_round_trip()
       character(len=*), parameter :: endings(3) = ['sdf', 'xyz', 'csv']
       type(height_map) :: map, back

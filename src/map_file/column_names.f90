@@ -76,7 +76,7 @@ contains
       integer, intent(inout) :: first
       !> Where it ends
       integer, intent(out) :: last
-      character(len=*), intent(out) :: name, unit
+      character(len=longest), intent(out) :: name, unit
       character(len=:), allocatable :: field
       integer :: at
 

@@ -1,10 +1,11 @@
 !> Tells whether the first line and the first column of a matrix are heights, or the numbers or the
 !> axes of its columns and rows, as pandas, R and spreadsheets write them.
 !>
-!> An axis goes in equal steps, other than 0, where its neighbour, heights, does not: on a plane both
-!> do. With an empty corner, or a word in it, that is enough of both together. With a number or NaN in
-!> the corner they must stand off the heights behind them as well, as heights do not; and one of
-!> them alone must count from 0 or 1. What looks like an axis and is not taken for one is in doubt.
+!> An axis goes in equal steps, other than 0, where its neighbour, heights, does not: on a plane
+!> both do. With an empty corner, or a word in it, that is enough of both together. With a number or
+!> NaN in the corner they must stand off the heights behind them as well, as heights do not; and one
+!> of them alone must count from 0 or 1. What looks like an axis and is not taken for one is in
+!> doubt.
 module map_file_frame
    use, intrinsic :: iso_fortran_env, only: int64
    use asperity_error, only: error_type
@@ -69,7 +70,10 @@ contains
       integer :: status
 
       status = 0
-      if (.not. allocated(self%x)) allocate (self%x(columns, 3), self%y(64, 3), stat=status)
+      if (.not. allocated(self%x)) then
+         allocate (self%x(columns, 3), stat=status)
+         if (status == 0) allocate (self%y(64, 3), stat=status)
+      end if
       if (status == 0 .and. row > size(self%y, 1)) then
          allocate (longer(2*size(self%y, 1), 3), stat=status)
          if (status == 0) then

@@ -10,8 +10,8 @@ module map_file_marker
 
    !> Points of the same height that are many
    integer, parameter :: many = 2
-   !> Distance to the other heights, over their range; of a height of 0, which marks more often, if it
-   !> is as much larger than that of the next ones
+   !> Distance to the other heights, over their range; of a height of 0, which marks more often, if
+   !> it is as much larger than that of the next ones
    real(wp), parameter :: far = 0.5_wp, near_zero = 0.2_wp, levels = 3.0_wp
    !> Figures that a number of a file has at most
    integer, parameter :: figures = 15

@@ -73,7 +73,8 @@ contains
       points = [matrix%columns, matrix%store%count/matrix%columns]
       if (matrix%is_narrower) points(1) = points(1) - 1_int64
       if (.not. header%is_esri) call find_frame(matrix%border, int(points(1)), int(points(2)), &
-         matrix%is_open, header%names%first_is_empty .or. header%names%fields == points(1) - 1, frame)
+         matrix%is_open, header%names%first_is_empty .or. &
+         header%names%fields == points(1) - 1, frame)
       call check_border(matrix, header, frame, error)
       if (allocated(error)) return
       where (frame%is_axis([2, 1])) points = points - 1_int64

@@ -112,8 +112,8 @@ contains
          map%step_y, error)
    end subroutine settle_steps
 
-   !> Steps of axes, where the header says none. Without a unit it is the one in which they agree with
-   !> the steps of the user. Numbers of columns and rows say no steps.
+   !> Steps of axes, where the header says none. Without a unit it is the one in which they agree
+   !> with the steps of the user. Numbers of columns and rows say no steps.
    subroutine take_axes(source, header, hints, frame, step, map, error)
       type(byte_source), intent(in) :: source
       type(text_header), intent(in) :: header

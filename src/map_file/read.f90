@@ -206,9 +206,9 @@ contains
          if (header%fields == 2_int64 .or. (header%fields == 3_int64 .and. fits .and. &
             names%places(3) > 0 .and. count(names%places(:2) > 0) == 1)) then
             call map_error(error, source, 'has '//count_text(header%fields)//' columns, '// &
-               'but not x, y and z: this is a profile, and profiles are not read; surface takes '// &
-               'maps, such as parallel profiles, a line each, with the steps along and across '// &
-               'them in --step')
+               'but not x, y and z: this is a profile, and profiles are not read; surface '// &
+               'takes maps, such as parallel profiles, a line each, with the steps both ways '// &
+               'in --step')
             return
          end if
          has_points = header%fields == 3_int64 .and. all(header%sizes == 0_int64)

@@ -25,7 +25,7 @@ module map_file_sur_header
    public :: check_sur_header, read_sur_header, sur_header
 
    integer(int64), parameter :: header_length = 512_int64
-   !> Kinds of objects that are surfaces: as Gwyddion numbers them, as others do, with an image behind
+   !> Kinds of objects that are surfaces: of Gwyddion, of others, with an image behind
    integer, parameter :: surfaces(3) = [1, 2, 11]
 
    !> What the header says.

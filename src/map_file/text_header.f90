@@ -188,7 +188,7 @@ contains
             'this line is unknown: allowed are m, cm, mm, um and nm')
       end subroutine read_unit
 
-      !> A factor from numbers to heights; the unit of those behind an arrow in its name, or behind it.
+      !> A factor from numbers to heights; the unit of those behind an arrow or behind it
       subroutine read_factor()
          character(len=8) :: unit
 

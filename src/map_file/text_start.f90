@@ -84,8 +84,8 @@ contains
          if (allocated(error)) return
       end if
       if (header%fields == 1_int64) then
-         call map_error(error, source, 'has one column of numbers, which is a profile, or a map '// &
-            'without its lines: surface reads columns x, y, z, and matrices with a line for each y')
+         call map_error(error, source, 'has one column of numbers, which is a profile, or a '// &
+            'map without its lines: surface reads columns x, y, z, and matrices')
       else
          call note_unknown(header, line)
       end if

@@ -24,8 +24,8 @@ module map_file_units
    real(wp), parameter :: lengths(5) = [1.0e3_wp, 10.0_wp, 1.0_wp, 1.0e-3_wp, 1.0e-6_wp]
    !> What instruments export beside heights
    character(len=*), parameter :: others(*) = [character(len=9) :: '%', 'a.u.', 'arb.', 'au', &
-      'counts', 'count', 'deg', char(194)//char(176), 'rad', 'mrad', 'waves', 'v', 'mv', 'uv', 'a', &
-      'ma', 'na', 'pa', 'k', 'n', 'mn', 'nn', 'px', 'pixel', 'pixels', 's', 'ms', 'intensity']
+      'counts', 'count', 'deg', char(194)//char(176), 'rad', 'mrad', 'waves', 'v', 'mv', 'uv', &
+      'a', 'ma', 'na', 'pa', 'k', 'n', 'mn', 'nn', 'px', 'pixel', 'pixels', 's', 'ms', 'intensity']
    !> Steps that differ by less are the same, as people round them
    real(wp), parameter :: rounding = 1.0e-3_wp
    !> Steps of real maps, mm

@@ -1,7 +1,7 @@
 !> Height maps as the bytes of a file: SDF, or text with 17 figures.
 !>
-!> SDF has every bit in doubles. Where points are missing it has integers of 32 bits, whose code of a
-!> missing point every reader knows, which that of doubles is not: heights are then rounded to
+!> SDF has every bit in doubles. Where points are missing it has integers of 32 bits, as all readers
+!> know their code of a missing point, and not that of doubles: heights are then rounded to
 !> 1/(2^31 - 1) of the largest of either sign.
 module map_file_write
    use, intrinsic :: iso_fortran_env, only: int16, int32, int64
@@ -169,7 +169,8 @@ contains
       integer :: i, j
 
       used = 0_int64
-      call add(map, bytes, used, error, '# Heights, a line for each y, the first at y = 0'//line_end// &
+      call add(map, bytes, used, error, &
+         '# Heights, a line for each y, the first at y = 0'//line_end// &
          '# step_x: '//to_text(map%step_x)//' mm'//line_end// &
          '# step_y: '//to_text(map%step_y)//' mm'//line_end// &
          '# height unit: mm'//line_end)

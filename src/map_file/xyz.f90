@@ -72,7 +72,8 @@ contains
       integer(int64), intent(out) :: points
       type(error_type), allocatable, intent(out) :: error
       real(wp) :: value, values(3)
-      integer :: at, axes_of(header%fields), before, fields(3), i, kind, kinds(3), n, numbers(2), bad
+      integer :: at, axes_of(header%fields), bad, before, fields(3), i, kind, kinds(3), n, &
+         numbers(2)
       logical :: found, is_last
       character(len=:), allocatable :: message
 

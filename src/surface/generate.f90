@@ -90,8 +90,8 @@ contains
       size = ''
       if (present(bytes)) size = ', '//to_text(real(bytes, wp)/2.0_wp**20, 4)//' MiB'
       call fatal_error(error, 'there is no memory for '//to_text(settings%points_x)//' x '// &
-         to_text(settings%points_y)//' points and the waves beyond them'//size//': give fewer points or '// &
-         'shorter correlation lengths', computation_error)
+         to_text(settings%points_y)//' points and the waves beyond them'//size// &
+         ': give fewer points or shorter correlation lengths', computation_error)
    end subroutine refuse_size
 
    !> Turn the variances of the waves into random amplitudes, those of a real map.

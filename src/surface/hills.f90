@@ -103,8 +103,10 @@ contains
             end if
          end do
       end do
-      allocate (tops(n_tops), saddles(n_saddles), stat=status)
-      call check_memory(status, name, 4_int64*n_tops + storage_size(saddles)/8_int64*n_saddles, error)
+      allocate (tops(n_tops), stat=status)
+      if (status == 0) allocate (saddles(n_saddles), stat=status)
+      call check_memory(status, name, &
+         4_int64*n_tops + storage_size(saddles)/8_int64*n_saddles, error)
       if (.not. allocated(error)) call follow(hill, size(hill), tops)
    end subroutine climb
 

@@ -27,12 +27,12 @@ contains
 
       if (status == 0 .or. allocated(error)) return
       call fatal_error(error, what//': there is not enough memory, '// &
-         to_text(real(bytes, wp)/mebibyte, 4)//' MiB more were asked for: cut the map, or raise '// &
-         'the limit of memory (ulimit -v)', computation_error)
+         to_text(real(bytes, wp)/mebibyte, 4)//' MiB more were asked for: cut the map, or '// &
+         'raise the limit of memory (ulimit -v)', computation_error)
    end subroutine check_memory
 
-   !> Set `error` unless so many bytes, and some for what is small, can be had now. What is taken and
-   !> freed within them needs no check of its own.
+   !> Set `error` unless so many bytes, and some for what is small, can be had now. What is taken
+   !> and freed within them needs no check of its own.
    pure subroutine check_room(what, bytes, error)
       !> What the memory is for, such as the name of a map
       character(len=*), intent(in) :: what
