@@ -32,6 +32,7 @@ contains
       call suite%addTest(TestMethod('markers of missing points', test_markers))
       call suite%addTest(TestMethod('lines not understood', test_unknown))
       call suite%addTest(TestMethod('comments behind the numbers', test_comments))
+      call suite%addTest(TestMethod('quotes', test_quotes))
       call suite%addTest(TestMethod('profiles', test_profiles))
    end function suite_map_headers
 
@@ -231,6 +232,19 @@ contains
          '# step_x: 1 mm'//nl//'# step_y: 1 mm'//nl//'# height unit: mm'//nl//text, no_hints, map)
       call assertFalse(allocated(map%notes), 'our own')
    end subroutine test_unknown
+
+   !> A quote alone is no number, and two without anything between are a hole.
+   subroutine test_quotes()
+      type(height_map) :: map
+      integer :: i
+
+      call read_text('"1","2","3","","5"'//nl//repeat('"1","2","3","NaN","5"'//nl, 4), &
+         with_steps, map)
+      call assert_map(map, 5, [(1.0_wp, 2.0_wp, 3.0_wp, &
+         9.0_wp, 5.0_wp, i=1, 5)], 1.0e-15_wp)
+      call refused('1 2 3 4 5'//nl//'1 2 3 4 "'//nl, 'file:2:9: ', 'is no number', with_steps)
+      call refused('x "'//nl//'"'//nl//'1,2,"'//nl, 'file:3:5: ', 'is no number', with_steps)
+   end subroutine test_quotes
 
    subroutine test_comments()
       character(len=:), allocatable :: text

@@ -22,6 +22,8 @@ module map_file_fields
       '***', &
       '1.#qnan']
    integer, parameter :: longest_word = 12
+   !> Beside what `read_number` finds
+   integer, parameter :: number_empty = -1
 
 contains
 
@@ -57,7 +59,12 @@ contains
          return
       end if
       start = at
-      call read_number(text, at, last, value, status)
+      if (is_quoted .and. text(at) == quote) then
+         ! nothing between quotes
+         status = number_empty
+      else
+         call read_number(text, at, last, value, status)
+      end if
       if (status == number_found .and. at <= last) then
          ! a number such as 1.#QNAN, 12abc or 1,5
          if (.not. ends_field(text(at), separator)) status = number_absent
@@ -69,7 +76,7 @@ contains
          end if
       else if (status == number_too_large) then
          kind = field_too_large
-      else
+      else if (status /= number_empty) then
          call read_word(text, start, last, separator, at, kind)
          value = missing_height
       end if
@@ -163,12 +170,6 @@ contains
          if (word(i:i) == separator .and. separator /= ' ') word(i:i) = ' '
          if (word(i:i) == tab .or. word(i:i) == quote) word(i:i) = ' '
       end do
-      if (text(start) == quote) then
-         ! nothing between quotes
-         kind = field_missing
-         at = start
-         return
-      end if
       do i = 1, size(missing_words)
          n = len_trim(missing_words(i))
          if (word(:n) /= missing_words(i)(:n) .or. word(n + 1:n + 1) /= ' ') cycle

@@ -11,6 +11,9 @@ module map_file_new_map
    private
    public :: allocate_heights
 
+   !> Points of a map from which there may be too little memory for what is small beside it
+   integer(int64), parameter :: worth_a_look = 2_int64**17
+
 contains
 
    !> Allocate the heights of a map of nx x ny points, whose product is a default integer.
@@ -32,8 +35,8 @@ contains
       end if
       allocate (map%heights(nx, ny), stat=status)
       call check_memory(status, source%name, 8_int64*nx*ny, error)
-      ! a line of bytes is read at a time
-      call check_room(source%name, 8_int64*nx, error)
+      ! a line of bytes is read at a time; small maps are not worth the look
+      if (nx*ny > worth_a_look) call check_room(source%name, 8_int64*nx, error)
    end subroutine allocate_heights
 
 end module map_file_new_map

@@ -27,6 +27,8 @@ module map_file_xyz
 
    !> Grid points for a point of the file: fewer would take more memory than the map deserves
    integer(int64), parameter :: most_sparse = 4_int64
+   !> Bytes of both axes at most; a smaller file has smaller ones
+   integer(int64), parameter :: room_for_axes = 8_int64*2_int64**20
    !> Largest coordinate of either sign, in the units of the file
    real(wp), parameter :: largest_coordinate = 1.0e15_wp
 
@@ -55,7 +57,7 @@ contains
          hints%lateral_unit, unit, error)
       if (allocated(error)) return
       ! the coordinates, at most 65536 along either axis, and how they are found again
-      call check_room(source%name, 8_int64*2_int64**20, error)
+      if (source%size > room_for_axes) call check_room(source%name, room_for_axes, error)
       if (allocated(error)) return
       call read_points(source, header, factor, axes, store, points, error)
       if (allocated(error)) return

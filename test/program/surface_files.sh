@@ -65,7 +65,7 @@ run surface --generate --map-points 1024 --map large.sdf --csv -
 run surface large.sdf --map large.csv --csv -
 if (ulimit -v 200000) 2>/dev/null && (ulimit -v 200000; "$program" version) >/dev/null 2>&1; then
    given=0 refused=0 wrong=
-   for limit in $(seq 30000 5000 130000); do
+   for limit in $(seq 34000 8000 130000); do
       (ulimit -v "$limit"; OPENBLAS_NUM_THREADS=1 "$program" version) >/dev/null 2>&1 || continue
       for command in '--generate --map-points 1024 --map out.sdf' 'large.sdf --plot out.svg' \
          'large.csv --map out.csv' 'large.sdf --short-cutoff 0.03 --long-cutoff 2' \
