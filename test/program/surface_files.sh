@@ -67,7 +67,7 @@ if (ulimit -v 200000) 2>/dev/null && (ulimit -v 200000; "$program" version) >/de
    given=0 refused=0 wrong=
    for limit in $(seq 34000 8000 130000); do
       (ulimit -v "$limit"; OPENBLAS_NUM_THREADS=1 "$program" version) >/dev/null 2>&1 || continue
-      for command in '--generate --map-points 1024 --map out.sdf' 'large.sdf --plot out.svg' \
+      for command in '--generate --map-points 1024 --map out.sdf' 'large.sdf --verify' \
          'large.csv --map out.csv' 'large.sdf --short-cutoff 0.03 --long-cutoff 2' \
          'large.sdf large.sdf --pair'; do
          # shellcheck disable=SC2086  # several words are meant
