@@ -113,11 +113,11 @@ contains
    subroutine deliver(delivery, report, error)
       !> Outputs asked for
       type(delivery_type), intent(inout) :: delivery
-      !> What to write
-      type(report_type), intent(in) :: report
+      !> What to write; texts that can be large are moved out of it
+      type(report_type), intent(inout) :: report
       !> Set on failure
       type(error_type), allocatable, intent(out) :: error
-      character(len=:), allocatable :: picture, reason
+      character(len=:), allocatable :: picture, reason, text
       integer :: i
 
       do i = 1, size(delivery%files)
@@ -128,7 +128,7 @@ contains
             else if (file%option == '--report') then
                call draw_page(file, report, error)
             else
-               file%text = text_for(file%option, report)
+               call take_text(file%option, report, file%text)
             end if
          end associate
          if (allocated(error)) return
@@ -138,7 +138,8 @@ contains
       if (delivery%standard == '') then
          call write_standard_output(utf8_text(terminal_text(report)), error)
       else
-         call write_standard_output(text_for(delivery%standard, report), error)
+         call take_text(delivery%standard, report, text)
+         call write_standard_output(text, error)
          call write_text(standard_error, utf8_text(warning_text(report)), reason)
       end if
    end subroutine deliver
@@ -168,17 +169,17 @@ contains
    end function is_drawn
 
    !> The report in the form of an option.
-   pure function text_for(option, report) result(text)
+   pure subroutine take_text(option, report, text)
       character(len=*), intent(in) :: option
-      type(report_type), intent(in) :: report
-      character(len=:), allocatable :: text
+      type(report_type), intent(inout) :: report
+      character(len=:), allocatable, intent(out) :: text
       integer :: i
 
       if (allocated(report%decks)) then
          i = findloc([('--'//trim(report%decks(i)%option) == option, i=1, size(report%decks))], &
             .true., 1)
          if (i > 0) then
-            text = report%decks(i)%text
+            call move_alloc(report%decks(i)%text, text)
             return
          end if
       end if
@@ -189,6 +190,6 @@ contains
       else
          text = utf8_text(json_text(report))
       end if
-   end function text_for
+   end subroutine take_text
 
 end module app_delivery

@@ -5,7 +5,7 @@ module app_surface
    use map_file_write, only: height_map_bytes
    use surface_analysis, only: analyse_surface, analysis_settings, most_tiles, &
       surface_analysis_type
-   use surface_height_map, only: height_map, missing_height
+   use surface_height_map, only: height_map, missing_height, note_end
    use surface_holes, only: missing_share
    use surface_remarks, only: find_remarks, map_facts, remark_type
    use app_keys, only: command_surface, find_key
@@ -37,6 +37,7 @@ contains
       type(surface_analysis_type) :: analysis
       type(analysis_settings) :: how
       type(named_table), allocatable :: more(:)
+      type(string_type), allocatable :: notes(:)
       real(wp) :: filled
       logical :: has_map
 
@@ -66,6 +67,8 @@ contains
       if (allocated(error)) return
 
       if (has_map) call add_remarks(report, map, analysis, filled, how%tiles)
+      call map_notes(map, notes)
+      report%remarks = [notes, report%remarks]
       report%summary = law_parameters_table(analysis)
       report%table = parameter_table(analysis)
       call report%table%check_finite(error)
@@ -175,6 +178,25 @@ contains
       end do
       report%remarks = [lines, report%remarks]
    end subroutine add_remarks
+
+   !> What the readers had to say of the map.
+   pure subroutine map_notes(map, notes)
+      type(height_map), intent(in) :: map
+      type(string_type), allocatable, intent(out) :: notes(:)
+      integer :: finish, i, start
+
+      if (.not. allocated(map%notes)) then
+         allocate (notes(0))
+         return
+      end if
+      allocate (notes(count([(map%notes(i:i) == note_end, i=1, len(map%notes))])))
+      start = 1
+      do i = 1, size(notes)
+         finish = start - 1 + index(map%notes(start:), note_end)
+         notes(i)%text = map%notes(start:finish - 1)
+         start = finish + 1
+      end do
+   end subroutine map_notes
 
    !> Coordinates of a point.
    pure function map_place(map, point) result(place)

@@ -25,6 +25,8 @@ module app_surface_keys
       'unit of heights in a file that does not tell it'), &
       key_type('step', kind_list, 'mm', command_surface, no, '', '', &
       'distance of neighbours, or that in x and that in y; of a file that does not tell it'), &
+      key_type('missing_value', kind_real, '', command_surface, no, '', '', &
+      'number that marks missing points in a text, as it stands there'), &
       key_type('missing', kind_choice, '', command_surface, no, 'mask', 'mask fill', &
       'points without height: leave out, or fill in smoothly'), &
       key_type('most_missing', kind_real, '', command_surface, no, '0.05', '', &

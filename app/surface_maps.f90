@@ -21,7 +21,7 @@ module app_surface_maps
       'correlation_length', 'length_direction', 'spectrum', 'hurst', 'longest_wave', &
       'shortest_wave', 'ssk', 'sku', 'seed']
    character(len=*), parameter :: read_in(*) = [character(len=20) :: 'lateral_unit', &
-      'height_unit']
+      'height_unit', 'missing_value']
    character(len=*), parameter :: of_correlation(*) = [character(len=20) :: &
       'correlation_length', 'length_direction']
    character(len=*), parameter :: of_waves(*) = [character(len=20) :: 'hurst', 'longest_wave', &
@@ -117,6 +117,8 @@ contains
       end if
       hints%lateral_unit = settings%text_of('lateral_unit')
       hints%height_unit = settings%text_of('height_unit')
+      hints%has_missing_value = settings%given('missing_value')
+      if (hints%has_missing_value) hints%missing_value = settings%real_of('missing_value')
       if (settings%given('step')) then
          call take_two(settings, 'step', step, error)
          if (allocated(error)) return
@@ -126,7 +128,9 @@ contains
       call show_stage('reading')
       if (settings%given('second_map')) then
          ! of two files one may tell what the other needs to be told
-         call read_height_map(settings%text_of(name), map_hints(), map, error, show_share)
+         call read_height_map(settings%text_of(name), map_hints( &
+            has_missing_value=hints%has_missing_value, missing_value=hints%missing_value), map, &
+            error, show_share)
          if (.not. allocated(error)) return
       end if
       call read_height_map(settings%text_of(name), hints, map, error, show_share)

@@ -58,6 +58,10 @@ contains
       aligned = .false.
       call get_map(settings, 'second_map', second, error)
       if (.not. allocated(error)) call prepare_map(settings, second, error)
+      if (allocated(second%notes)) then
+         if (allocated(map%notes)) second%notes = map%notes//second%notes
+         call move_alloc(second%notes, map%notes)
+      end if
       if (.not. allocated(error)) call analyse_surface(map, how, faces(1), error, show_stage)
       if (.not. allocated(error)) call analyse_surface(second, how, faces(2), error, show_stage)
       if (allocated(error)) return

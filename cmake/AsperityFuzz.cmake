@@ -1,7 +1,8 @@
 # Fuzzing of the readers of height maps: all from sources, checked by the compiler at run time.
 # test/fuzz/run.sh builds it in a folder of its own and runs it.
 
-file(GLOB fuzz_sources CONFIGURE_DEPENDS src/map_file/*.f90 src/surface/height_map*.f90)
+file(GLOB fuzz_sources CONFIGURE_DEPENDS src/map_file/*.f90 src/surface/height_map*.f90
+   src/surface/memory*.f90)
 foreach(name kinds finite text error double_double)
    list(APPEND fuzz_sources src/asperity/${name}.f90)
 endforeach()

@@ -28,6 +28,8 @@ program test_main
    use test_law_table, only: suite_law_table
    use test_map_faults, only: suite_map_faults
    use test_map_files, only: suite_map_files
+   use test_map_headers, only: suite_map_headers
+   use test_map_layouts, only: suite_map_layouts
    use test_map_x3p, only: suite_map_x3p
    use test_map_numbers, only: suite_map_numbers
    use test_normal_inverse, only: suite_normal_inverse
@@ -102,6 +104,8 @@ program test_main
    call all_suites%addTest(suite_deck_models())
    call all_suites%addTest(suite_map_numbers())
    call all_suites%addTest(suite_map_files())
+   call all_suites%addTest(suite_map_layouts())
+   call all_suites%addTest(suite_map_headers())
    call all_suites%addTest(suite_map_faults())
    call all_suites%addTest(suite_map_x3p())
    call all_suites%addTest(suite_hysteresis())

@@ -77,6 +77,7 @@ contains
       type(error_type), allocatable :: error
 
       call formula_map(map, 7, 6)
+      where (map%heights >= missing_height) map%heights = 0.5_wp
       call height_map_bytes(map, 'sdf', bytes, error)
       call assertEqual(sdf_header + 8*42, len(bytes))
    end subroutine sdf_file
@@ -209,10 +210,9 @@ contains
       call refused(bytes(:511), 'file: byte 511: ', 'ends within its header', no_hints)
       call refused(bytes(:595), 'file: byte 108: ', '7 x 6 points, the file has room for 41', &
          no_hints)
-      call refused(bytes//bytes(513:526), 'file: byte 596: ', 'points follow', no_hints)
+      call refused(bytes//bytes(513:596), 'file: byte 596: ', 'or more, follow them', no_hints)
       call refused(bytes, 'file: ', 'contradicts the file', map_hints(lateral_unit='mm'))
       call check(12, achar(1), 'file: byte 12: ', 'format 1')
-      call check(14, achar(3), 'file: byte 14: ', '3 objects')
       call check(18, achar(4), 'file: byte 18: ', 'kind 4')
       call check(98, achar(8), 'file: byte 98: ', '8 bits')
       call check(290, achar(1), 'file: byte 290: ', 'inverted')
@@ -225,7 +225,9 @@ contains
       call check(120, repeat(achar(0), 4), 'file: byte 120: ', 'spacing 0.0 in x')
       call check(124, transfer(-1.0_real32, '1234'), 'file: byte 124: ', 'spacing -1.0 in y')
       call check(128, transfer(-1, '1234'), 'file: byte 128: ', 'in z')
-      call check(180, 'fm', 'file: ', 'does not say in which unit its lengths are')
+      call check(180, '  ', 'file: ', 'does not say in which unit its lengths are')
+      call check(180, 'fm', 'file: byte 180: ', 'the unit of x is fm, which is no length')
+      call check(212, 'a.u.', 'file: byte 212: ', 'the unit of z is a.u., which is no length')
       call check(0, 'DSCOMPRESSED', 'file: byte 512: ', 'compressed streams')
 
    contains
@@ -263,8 +265,8 @@ contains
       call check(repeat(row, 4)//'1 2 1.70141e38 4 5'//nl, 'file:5:5: ', 'beyond 1 km')
       call check(repeat('nan nan nan nan nan'//nl, 5), 'file: ', 'every point is missing')
       call check(row, 'file: ', '5 x 1 points are no map: at least 5')
-      call check(repeat('1 2'//nl, 50), 'file: ', '2 x 50 points are no map')
-      call check('7', 'file: ', '1 x 1 points are no map')
+      call check(repeat('1 2 3 4'//nl, 50), 'file: ', '4 x 50 points are no map')
+      call check('7', 'file: ', 'has one column of numbers')
 
    contains
 
@@ -294,7 +296,10 @@ contains
       call refused('ncols 5'//nl//'nrows 5'//nl//'cellsize -1'//nl//row, 'file:3:10: ', 'above 0')
       call refused('# step_x: 1 furlong'//nl//row, 'file:1:11: ', 'unit of this line is unknown')
       call refused('# step_x: 1e-20 mm'//nl//repeat(row, 5), 'file: step', 'from 1e-9 to 1e6 mm')
-      call refused('# height unit: K'//nl//row, 'file:1:16: ', 'unit of this line is unknown')
+      call refused('# height unit: K'//nl//row, 'file:1:16: ', &
+         'the unit of this line, K, is unknown as one of heights')
+      call refused('ncols 6'//nl//'nrows 5'//nl//head//repeat(row//row, 3), 'file:9:', &
+         'there are 5 columns, the header promises 6')
       call refused('# nodata: x'//nl//row, 'file:1:11: ', 'marks missing points')
    end subroutine test_headers
 
@@ -334,8 +339,8 @@ contains
       character(len=:), allocatable :: text
 
       call points_file(text)
-      call refused(text//'4 4'//nl, 'file:25:3: ', 'not three fields')
-      call refused(text//'4 4 5 6'//nl, 'file:25:', 'not three fields')
+      call refused(text//'4 4'//nl, 'file:25:3: ', 'not the 3 fields')
+      call refused(text//'4 4 5 6'//nl, 'file:25:7: ', 'not the 3 fields')
       call refused(text//'4 y 5'//nl, 'file:25:3: ', '''y'' is no number')
       call refused(text//'4 nan 5'//nl, 'file:25:3: ', 'a coordinate is missing')
       call refused(text//'4 4 inf'//nl, 'file:25:5: ', 'finite')
@@ -391,9 +396,9 @@ contains
       call refused(repeat(row, 5), 'step -2.0 mm', 'from 1e-9 to 1e6', &
          map_hints('mm', 'mm', -2.0_wp, -2.0_wp))
       call points_file(text)
-      call refused(text, 'file: ', 'its coordinates are: say it with --lateral-unit', no_hints)
-      call refused(text, 'file: ', 'its heights are: say it with --height-unit', &
-         map_hints(lateral_unit='mm'))
+      call refused(text, 'file: ', 'its heights are: say it with --height-unit', no_hints)
+      call refused(text, 'file: ', 'its coordinates are: say it with --lateral-unit', &
+         map_hints(height_unit='mm'))
       call refused('x [um] y [mm] z [um]'//nl//text, 'file:1:1: ', 'x is in um, y in mm', no_hints)
       call refused(text, 'file: ', '--step 3.0 mm contradicts', map_hints('mm', 'mm', 3.0_wp, &
          0.0_wp))

@@ -8,6 +8,7 @@ module map_file_byte_source
    use asperity_kinds, only: wp
    use map_file_c_files, only: c_fclose, c_fopen, c_fread, c_fseek, c_ftell, c_memchr, c_memmove, &
       from_end, from_start
+   use surface_memory, only: check_memory
    implicit none
    private
    public :: byte_source, close_source, memory_of, next_line, open_source, progress_report, &
@@ -179,13 +180,17 @@ contains
       integer(int64), intent(in) :: offset
       !> Set when the source cannot be read
       type(error_type), allocatable, intent(out) :: error
-      integer :: cut
+      integer :: cut, status
 
       source%start = offset
       source%filled = 0
       source%next = 1
       source%line = 0_int64
-      if (.not. allocated(source%block)) allocate (source%block(source%block_length))
+      status = 0
+      if (.not. allocated(source%block)) &
+         allocate (source%block(source%block_length), stat=status)
+      call check_memory(status, source%name, int(source%block_length, int64), error)
+      if (allocated(error)) return
       call refill(source, error)
       if (allocated(error)) return
       source%line_end = line_feed
@@ -249,7 +254,7 @@ contains
       type(error_type), allocatable, intent(out) :: error
       character(len=1), allocatable, target :: larger(:)
       type(c_ptr) :: unused
-      integer :: kept, added
+      integer :: kept, added, status
 
       kept = source%filled - source%next + 1
       if (2*kept > size(source%block)) then
@@ -258,7 +263,9 @@ contains
                'table of heights', file_error)
             return
          end if
-         allocate (larger(2*size(source%block)))
+         allocate (larger(2*size(source%block)), stat=status)
+         call check_memory(status, source%name, 2_int64*size(source%block), error)
+         if (allocated(error)) return
          unused = c_memmove(c_loc(larger), c_loc(source%block(source%next)), int(kept, c_size_t))
          call move_alloc(larger, source%block)
       else if (kept > 0 .and. source%next > 1) then

@@ -8,13 +8,13 @@ module map_file_fields
    use surface_height_map, only: missing_height
    implicit none
    private
-   public :: choose_separator, field_error, read_field
+   public :: choose_separator, field_error, read_field, skip_field
 
    !> What a field holds: a number, nothing or a word for it, or one of the faults
    integer, parameter, public :: field_number = 0, field_missing = 1, field_text = 2, &
       field_decimal_comma = 3, field_infinite = 4, field_too_large = 5
 
-   character(len=*), parameter :: tab = achar(9)
+   character(len=1), parameter :: tab = achar(9), quote = '"'
    !> Words that stand for a height that is missing, in lower case
    character(len=*), parameter :: missing_words(15) = [character(len=10) :: 'nan', 'bad', &
       'nodata', &
@@ -22,6 +22,8 @@ module map_file_fields
       '***', &
       '1.#qnan']
    integer, parameter :: longest_word = 12
+   !> Beside what `read_number` finds
+   integer, parameter :: number_empty = -1
 
 contains
 
@@ -42,19 +44,27 @@ contains
       !> Whether the line has no further field
       logical, intent(out) :: is_last
       integer :: start, status
+      logical :: is_quoted
 
       value = missing_height
       kind = field_missing
       is_last = .true.
       call skip_blanks(text, at, last, separator)
       if (at > last) return
+      is_quoted = text(at) == quote .and. at < last
+      if (is_quoted) at = at + 1
       if (text(at) == separator) then
          at = at + 1
          is_last = .false.
          return
       end if
       start = at
-      call read_number(text, at, last, value, status)
+      if (is_quoted .and. text(at) == quote) then
+         ! nothing between quotes
+         status = number_empty
+      else
+         call read_number(text, at, last, value, status)
+      end if
       if (status == number_found .and. at <= last) then
          ! a number such as 1.#QNAN, 12abc or 1,5
          if (.not. ends_field(text(at), separator)) status = number_absent
@@ -66,13 +76,16 @@ contains
          end if
       else if (status == number_too_large) then
          kind = field_too_large
-      else
+      else if (status /= number_empty) then
          call read_word(text, start, last, separator, at, kind)
          value = missing_height
       end if
       if (kind > field_missing) then
          at = start
          return
+      end if
+      if (is_quoted .and. at <= last) then
+         if (text(at) == quote) at = at + 1
       end if
       call skip_blanks(text, at, last, separator)
       is_last = at > last
@@ -86,6 +99,29 @@ contains
          end if
       end if
    end subroutine read_field
+
+   !> Go past a field whatever it holds.
+   pure subroutine skip_field(text, at, last, separator, is_last)
+      !> Last character of the line
+      integer, intent(in) :: last
+      !> The block that the line is in
+      character(len=1), intent(in) :: text(last)
+      !> A place in the field, then where the next begins
+      integer, intent(inout) :: at
+      !> What separates fields; a blank for blanks and tabs
+      character(len=1), intent(in) :: separator
+      !> Whether the line has no further field
+      logical, intent(out) :: is_last
+
+      do while (at <= last)
+         if (text(at) == separator .or. (text(at) == tab .and. separator == ' ')) exit
+         at = at + 1
+      end do
+      is_last = at > last
+      if (separator /= ' ') at = at + 1
+      call skip_blanks(text, at, last, separator)
+      if (separator == ' ') is_last = at > last
+   end subroutine skip_field
 
    pure subroutine skip_blanks(text, at, last, separator)
       integer, intent(in) :: last
@@ -102,7 +138,7 @@ contains
    pure logical function ends_field(c, separator)
       character(len=1), intent(in) :: c, separator
 
-      ends_field = c == ' ' .or. c == separator .or. c == tab
+      ends_field = c == ' ' .or. c == separator .or. c == tab .or. c == quote
    end function ends_field
 
    !> Whether a whole number begins with a 0 that no number needs, as what follows a decimal comma.
@@ -132,7 +168,7 @@ contains
          word(i:i) = lower(text(start + i - 1))
          ! the word may be followed by a separator, which is none of it
          if (word(i:i) == separator .and. separator /= ' ') word(i:i) = ' '
-         if (word(i:i) == tab) word(i:i) = ' '
+         if (word(i:i) == tab .or. word(i:i) == quote) word(i:i) = ' '
       end do
       do i = 1, size(missing_words)
          n = len_trim(missing_words(i))

@@ -1,231 +1,260 @@
 !> Reads a matrix of heights from text: a line for each row of x, the first at y = 0; in Esri's
-!> grid the last.
+!> grid, and below an axis of falling y, the last. Numbers and axes around the heights are left out.
 module map_file_matrix
    use, intrinsic :: iso_fortran_env, only: int64
    use asperity_error, only: error_type
    use asperity_kinds, only: wp
    use map_file_byte_source, only: byte_source, next_line
-   use map_file_fields, only: field_error, field_missing, field_number, read_field
+   use map_file_fields, only: field_error, field_missing, field_number, read_field, skip_field
+   use map_file_frame, only: border_type, find_frame, frame_type
    use map_file_heights, only: height_message, scale_heights
+   use map_file_matrix_steps, only: check_size, check_units, settle_steps
    use map_file_new_map, only: allocate_heights
    use map_file_number_store, only: number_store
    use map_file_places, only: count_text, fits_memory, line_error
-   use map_file_text_header, only: text_header
-   use map_file_units, only: map_hints, settle_step, settle_unit
+   use map_file_text_end, only: check_text_end, line_type, line_blank, line_comment
+   use map_file_text_header, only: marks_missing, text_header
+   use map_file_units, only: map_hints
    use surface_height_map, only: height_map, missing_height
    implicit none
    private
    public :: read_matrix
 
+   !> What is gathered while the rows are read.
+   type :: matrix_type
+      !> Heights, mm, row by row
+      type(number_store) :: store
+      !> The first lines and columns as they stand
+      type(border_type) :: border
+      !> Faults in the first line and in the first column, which may be none of heights
+      type(error_type), allocatable :: in_line, in_column
+      !> Whether the corner is empty or a word
+      logical :: is_open = .false.
+      !> Fields of a row
+      integer(int64) :: columns = 0_int64
+      !> Whether every row ends with a separator, so that its last field is none
+      logical :: is_narrower = .false.
+   end type matrix_type
+
 contains
 
    !> Read the rows, from the current line on.
-   subroutine read_matrix(source, header, hints, map, error)
+   subroutine read_matrix(source, header, factor, hints, map, error)
       !> The file
       type(byte_source), intent(inout), target :: source
       !> What its header says
       type(text_header), intent(in) :: header
+      !> mm of a number
+      real(wp), intent(in) :: factor
       !> What the user says
       type(map_hints), intent(in) :: hints
       !> The map
       type(height_map), intent(inout) :: map
       !> Set when it cannot be read
       type(error_type), allocatable, intent(out) :: error
-      type(number_store) :: store
-      integer(int64) :: columns, nx, ny
-      real(wp) :: factor
-      logical :: is_narrower
+      type(matrix_type) :: matrix
+      type(frame_type) :: frame
+      integer(int64) :: points(2)
+      integer :: axis
 
-      columns = header%fields
-      call settle_unit(source%name, 'heights', '--height-unit', header%height_unit, &
-         hints%height_unit, factor, error)
-      if (allocated(error)) return
+      matrix%columns = header%fields
       if (any(header%sizes > 0_int64)) then
          ! each point takes a character at least
          call fits_memory(source, max(header%sizes(1), 1_int64), max(header%sizes(2), 1_int64), &
             source%size, 0_int64, error)
          if (allocated(error)) return
       end if
-      call check_steps(source, header, hints, columns, 1_int64, map, error)
+      ! rows of Esri's grid may be broken into lines anywhere
+      if (header%is_esri .and. all(header%sizes > 0_int64)) matrix%columns = header%sizes(1)
+      call check_units(source, header, hints, error)
       if (allocated(error)) return
-      call read_rows(source, header, factor, columns, store, is_narrower, error)
+      call read_rows(source, header, factor, matrix, error)
       if (allocated(error)) return
-      nx = columns
-      if (is_narrower) nx = nx - 1_int64
-      ny = store%count/columns
-      call check_size(source, header, 1, nx, error)
+      points = [matrix%columns, matrix%store%count/matrix%columns]
+      if (matrix%is_narrower) points(1) = points(1) - 1_int64
+      if (.not. header%is_esri) call find_frame(matrix%border, int(points(1)), int(points(2)), &
+         matrix%is_open, header%names%first_is_empty .or. &
+         header%names%fields == points(1) - 1, frame)
+      call check_border(matrix, header, frame, error)
       if (allocated(error)) return
-      call check_size(source, header, 2, ny, error)
+      where (frame%is_axis([2, 1])) points = points - 1_int64
+      do axis = 1, 2
+         call check_size(source, header, axis, points(axis), error)
+         if (allocated(error)) return
+      end do
+      call settle_steps(source, header, hints, frame, points, map, error)
       if (allocated(error)) return
-      call check_steps(source, header, hints, nx, ny, map, error)
+      call allocate_heights(source, points(1), points(2), map, error)
       if (allocated(error)) return
-      call allocate_heights(source, nx, ny, map, error)
-      if (allocated(error)) return
-      call unload(store, columns, header%is_esri, map)
+      call unload(matrix, header%is_esri, frame, map)
    end subroutine read_matrix
 
-   !> Check the number of columns or rows against the header.
-   subroutine check_size(source, header, axis, found, error)
-      type(byte_source), intent(in) :: source
+   !> Faults in the first line and column count where those hold heights.
+   subroutine check_border(matrix, header, frame, error)
+      type(matrix_type), intent(inout) :: matrix
       type(text_header), intent(in) :: header
-      integer, intent(in) :: axis
-      integer(int64), intent(in) :: found
+      type(frame_type), intent(in) :: frame
       type(error_type), allocatable, intent(out) :: error
-      character(len=*), parameter :: names(2) = ['columns', 'rows   ']
 
-      if (header%sizes(axis) == 0_int64 .or. header%sizes(axis) == found) return
-      call line_error(error, source, source%first, 'there are '//count_text(found)//' '// &
-         trim(names(axis))//', the header promises '//count_text(header%sizes(axis))// &
-         ': the file '// &
-         'was cut off, or the header is wrong')
-   end subroutine check_size
+      if (.not. frame%is_axis(1) .or. (header%has_corner_word .and. .not. all(frame%is_axis))) then
+         if (allocated(matrix%in_line)) call move_alloc(matrix%in_line, error)
+      end if
+      if (.not. (frame%is_axis(2) .or. allocated(error))) then
+         if (allocated(matrix%in_column)) call move_alloc(matrix%in_column, error)
+      end if
+   end subroutine check_border
 
-   !> Set the steps: those of the header, or the lengths of the whole map that it gives, or hints.
-   subroutine check_steps(source, header, hints, nx, ny, map, error)
-      type(byte_source), intent(in) :: source
-      type(text_header), intent(in) :: header
-      type(map_hints), intent(in) :: hints
-      integer(int64), intent(in) :: nx, ny
-      type(height_map), intent(inout) :: map
-      type(error_type), allocatable, intent(out) :: error
-      real(wp) :: step(2), unit
-      integer :: i
-
-      step = 0.0_wp
-      do i = 1, 2
-         if (header%steps(i) > 0.0_wp) then
-            call find_unit(header%step_units(i))
-            if (allocated(error)) return
-            step(i) = header%steps(i)*unit
-         else if (header%lengths(i) > 0.0_wp) then
-            call find_unit(header%length_units(i))
-            if (allocated(error)) return
-            ! n points are n steps wide
-            step(i) = header%lengths(i)*unit/real(merge(nx, ny, i == 1), wp)
-         end if
-      end do
-      call settle_step(source%name, 'x', step(1), hints%step_x, map%step_x, error)
-      if (.not. allocated(error)) call settle_step(source%name, 'y', step(2), hints%step_y, &
-         map%step_y, error)
-
-   contains
-
-      subroutine find_unit(in_line)
-         character(len=*), intent(in) :: in_line
-         character(len=8) :: in_file
-
-         in_file = in_line
-         if (in_file == '') in_file = header%lateral_unit
-         call settle_unit(source%name, 'lengths', '--lateral-unit', in_file, hints%lateral_unit, &
-            unit, error)
-      end subroutine find_unit
-
-   end subroutine check_steps
-
-   !> Read all rows into a store, in mm.
-   subroutine read_rows(source, header, factor, columns, store, is_narrower, error)
+   !> Read all rows, in mm.
+   subroutine read_rows(source, header, factor, matrix, error)
       type(byte_source), intent(inout), target :: source
       type(text_header), intent(in) :: header
       real(wp), intent(in) :: factor
-      integer(int64), intent(in) :: columns
-      type(number_store), intent(inout) :: store
-      !> Whether every row ends with a separator, so that its last field is none
-      logical, intent(out) :: is_narrower
+      type(matrix_type), intent(inout) :: matrix
       type(error_type), allocatable, intent(out) :: error
       real(wp) :: value(1)
-      integer(int64) :: n
+      integer(int64) :: in_line, n, row, shape_of(2)
       integer :: at, before, kind
-      logical :: found, is_last
+      logical :: found, is_broken, is_last
 
-      is_narrower = header%separator /= ' '
+      is_broken = matrix%columns /= header%fields
+      matrix%is_narrower = header%separator /= ' '
       found = .true.
+      row = 1_int64
+      n = 0_int64
+      ! fields of every line, and lines, of a grid whose lines may be broken
+      shape_of = [header%fields, 0_int64]
       do while (found)
-         n = 0_int64
          at = source%first
-         is_last = is_blank(source)
+         in_line = 0_int64
+         is_last = .false.
+         select case (line_type(source))
+         case (line_blank)
+            is_last = .true.
+         case (line_comment)
+            call check_text_end(source, error)
+            exit
+         case default
+            continue
+         end select
          do while (.not. is_last)
             before = at
+            in_line = in_line + 1_int64
             call read_field(source%block, at, source%last, header%separator, value(1), kind, &
                is_last)
             if (kind > field_missing) then
                call field_error(error, source, at, kind)
-               return
+               if (.not. (header%has_corner_word .and. row == 1_int64 .and. n == 0_int64)) return
+               call move_alloc(error, matrix%in_line)
+               call skip_field(source%block, at, source%last, header%separator, is_last)
+               kind = field_missing
+            end if
+            n = n + 1_int64
+            if (row == 1_int64 .and. n == 1_int64) matrix%is_open = header%has_corner_word .or. &
+               (kind == field_missing .and. header%separator /= ' ' .and. &
+               scan(source%block(before), header%separator//'"') > 0)
+            if (row <= 3_int64 .or. n <= 3_int64) then
+               call matrix%border%keep(source, n, row, matrix%columns, value(1), error)
+               if (allocated(error)) return
             end if
             if (kind == field_number) call convert(before)
             if (allocated(error)) return
-            call store%add(value(1))
-            n = n + 1_int64
+            call matrix%store%add(value(1), source%name, error)
+            if (allocated(error)) return
+            if (is_broken .and. n == matrix%columns) call next_row()
          end do
-         if (n > 0_int64) then
-            is_narrower = is_narrower .and. value(1) >= missing_height .and. at > source%last
-            if (is_narrower) is_narrower = source%block(max(source%last, 1)) == header%separator
-            if (n /= columns .or. store%count > huge(1)) then
+         if (in_line > 0_int64) shape_of(2) = shape_of(2) + 1_int64
+         if (in_line > 0_int64 .and. in_line /= header%fields) shape_of(1) = 0_int64
+         if (n > 0_int64 .and. .not. is_broken) then
+            matrix%is_narrower = matrix%is_narrower .and. value(1) >= missing_height .and. &
+               at > source%last
+            if (matrix%is_narrower) &
+               matrix%is_narrower = source%block(max(source%last, 1)) == header%separator
+            if (n /= matrix%columns .or. matrix%store%count > huge(1)) then
                call line_error(error, source, source%first, &
                   'row of '//count_text(n)//' fields, '// &
-                  'the first one has '//count_text(columns)// &
+                  'the first one has '//count_text(matrix%columns)// &
                   ': all rows must have the same, at '// &
                   'most 2147483647 in all; write NaN where a height is missing')
                return
             end if
+            call next_row()
          end if
          call next_line(source, found, error)
          if (allocated(error)) return
       end do
+      if (allocated(error) .or. .not. is_broken) return
+      if (all(shape_of == [header%fields, header%sizes(2)]) .or. &
+         all(shape_of == [header%sizes(2), header%sizes(1)])) then
+         ! whole rows, of another length than promised
+         call check_size(source, header, 1, header%fields, error)
+      else if (n > 0_int64) then
+         call line_error(error, source, source%first, 'the last row has '//count_text(n)// &
+            ' heights, the header promises '//count_text(matrix%columns)// &
+            ' columns: the file was cut off, or the header is wrong')
+      end if
 
    contains
 
+      subroutine next_row()
+         n = 0_int64
+         row = row + 1_int64
+      end subroutine next_row
+
       subroutine convert(place)
          integer, intent(in) :: place
+         type(error_type), allocatable :: fault
          character(len=:), allocatable :: message
          integer :: bad
 
-         if (header%has_marker) then
-            if (value(1) >= header%marker .and. value(1) <= header%marker) then
-               value(1) = missing_height
-               return
-            end if
+         if (marks_missing(header, value(1))) then
+            value(1) = missing_height
+            return
          end if
          call scale_heights(value, factor, 0.0_wp, bad)
          if (bad == 0) return
          call height_message(value(1), factor, message)
-         call line_error(error, source, place, message)
+         call line_error(fault, source, place, message)
+         if (row > 1_int64 .and. n > 1_int64) then
+            call move_alloc(fault, error)
+         else if (row == 1_int64) then
+            if (.not. allocated(matrix%in_line)) call move_alloc(fault, matrix%in_line)
+         else if (.not. allocated(matrix%in_column)) then
+            call move_alloc(fault, matrix%in_column)
+         end if
+         value(1) = missing_height
       end subroutine convert
 
    end subroutine read_rows
 
-   pure logical function is_blank(source)
-      type(byte_source), intent(in) :: source
-      integer :: i
-
-      is_blank = .true.
-      do i = source%first, source%last
-         is_blank = source%block(i) == ' ' .or. source%block(i) == achar(9)
-         if (.not. is_blank) return
-      end do
-   end function is_blank
-
-   !> Move the numbers into the map.
-   subroutine unload(store, columns, is_reversed, map)
-      type(number_store), intent(inout) :: store
-      integer(int64), intent(in) :: columns
-      logical, intent(in) :: is_reversed
+   !> Move the numbers into the map, those around it left out.
+   subroutine unload(matrix, is_esri, frame, map)
+      type(matrix_type), intent(inout) :: matrix
+      logical, intent(in) :: is_esri
+      type(frame_type), intent(in) :: frame
       type(height_map), intent(inout) :: map
       real(wp), allocatable :: values(:)
-      integer :: chunk, i, j, k, length, ny
+      logical :: is_reversed(2)
+      integer :: chunk, i, j, k, left(2), length, nx, ny
 
+      nx = size(map%heights, 1)
       ny = size(map%heights, 2)
-      i = 0
-      j = 1
-      do chunk = 1, store%chunks
-         call store%take(chunk, values, length)
+      is_reversed = frame%is_axis .and. frame%step < 0.0_wp
+      is_reversed(2) = is_reversed(2) .or. is_esri
+      ! the first column holds y
+      left = merge(1, 0, frame%is_axis([2, 1]))
+      i = -left(1)
+      j = 1 - left(2)
+      do chunk = 1, matrix%store%chunks
+         call matrix%store%take(chunk, values, length)
          do k = 1, length
             i = i + 1
-            if (i > columns) then
-               i = 1
+            if (i > matrix%columns - left(1)) then
+               i = 1 - left(1)
                j = j + 1
             end if
-            if (i <= size(map%heights, 1)) map%heights(i, merge(ny + 1 - j, j, is_reversed)) = &
-               values(k)
+            if (i < 1 .or. i > nx .or. j < 1) cycle
+            map%heights(merge(nx + 1 - i, i, is_reversed(1)), &
+               merge(ny + 1 - j, j, is_reversed(2))) = values(k)
          end do
       end do
    end subroutine unload

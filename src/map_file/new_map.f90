@@ -1,14 +1,18 @@
 !> Memory for a map.
 module map_file_new_map
    use, intrinsic :: iso_fortran_env, only: int64
-   use asperity_error, only: computation_error, error_type, fatal_error
+   use asperity_error, only: error_type, fatal_error
    use asperity_text, only: to_text
    use map_file_byte_source, only: byte_source
    use map_file_places, only: count_text
    use surface_height_map, only: fewest_points, height_map
+   use surface_memory, only: check_memory, check_room
    implicit none
    private
    public :: allocate_heights
+
+   !> Points of a map from which there may be too little memory for what is small beside it
+   integer(int64), parameter :: worth_a_look = 2_int64**17
 
 contains
 
@@ -30,9 +34,9 @@ contains
          return
       end if
       allocate (map%heights(nx, ny), stat=status)
-      if (status /= 0) call fatal_error(error, source%name//': there is not enough memory for '// &
-         count_text(nx)//' x '//count_text(ny)//' points, '//count_text(8_int64*nx*ny)// &
-         ' bytes: cut the map', computation_error)
+      call check_memory(status, source%name, 8_int64*nx*ny, error)
+      ! a line of bytes is read at a time; small maps are not worth the look
+      if (nx*ny > worth_a_look) call check_room(source%name, 8_int64*nx, error)
    end subroutine allocate_heights
 
 end module map_file_new_map

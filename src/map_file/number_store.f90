@@ -3,7 +3,9 @@
 !> there as a whole.
 module map_file_number_store
    use, intrinsic :: iso_fortran_env, only: int32, int64
+   use asperity_error, only: error_type
    use asperity_kinds, only: wp
+   use surface_memory, only: check_memory
    implicit none
    private
    public :: number_store
@@ -36,54 +38,74 @@ module map_file_number_store
 contains
 
    !> Append a number.
-   subroutine add(self, value)
+   subroutine add(self, value, name, error)
       !> The store
       class(number_store), intent(inout) :: self
       !> The number
       real(wp), intent(in) :: value
+      !> Name of the file
+      character(len=*), intent(in) :: name
+      !> Set when there is not enough memory
+      type(error_type), allocatable, intent(inout) :: error
 
-      if (self%used == self%room) call new_chunk(self, with_places=.false.)
+      if (self%used == self%room) call new_chunk(self, .false., name, error)
+      if (allocated(error)) return
       self%used = self%used + 1
       self%count = self%count + 1_int64
       self%chunk(self%chunks)%values(self%used) = value
    end subroutine add
 
    !> Append a number with its place.
-   subroutine add_placed(self, value, place)
+   subroutine add_placed(self, value, place, name, error)
       !> The store
       class(number_store), intent(inout) :: self
       !> The number
       real(wp), intent(in) :: value
       !> Its place, as the caller counts
       integer(int32), intent(in) :: place
+      !> Name of the file
+      character(len=*), intent(in) :: name
+      !> Set when there is not enough memory
+      type(error_type), allocatable, intent(inout) :: error
 
-      if (self%used == self%room) call new_chunk(self, with_places=.true.)
+      if (self%used == self%room) call new_chunk(self, .true., name, error)
+      if (allocated(error)) return
       self%used = self%used + 1
       self%count = self%count + 1_int64
       self%chunk(self%chunks)%values(self%used) = value
       self%chunk(self%chunks)%places(self%used) = place
    end subroutine add_placed
 
-   subroutine new_chunk(self, with_places)
+   subroutine new_chunk(self, with_places, name, error)
       type(number_store), intent(inout) :: self
       logical, intent(in) :: with_places
+      character(len=*), intent(in) :: name
+      type(error_type), allocatable, intent(inout) :: error
       type(chunk_type), allocatable :: longer(:)
-      integer :: i
+      integer :: i, room, status
 
-      if (.not. allocated(self%chunk)) allocate (self%chunk(16))
-      if (self%chunks == size(self%chunk)) then
-         allocate (longer(2*size(self%chunk)))
-         do i = 1, self%chunks
-            call move_alloc(self%chunk(i)%values, longer(i)%values)
-            call move_alloc(self%chunk(i)%places, longer(i)%places)
-         end do
-         call move_alloc(longer, self%chunk)
+      status = 0
+      room = min(largest_chunk, max(smallest_chunk, 2*self%room))
+      if (.not. allocated(self%chunk)) allocate (self%chunk(16), stat=status)
+      if (status == 0 .and. self%chunks == size(self%chunk)) then
+         allocate (longer(2*size(self%chunk)), stat=status)
+         if (status == 0) then
+            do i = 1, self%chunks
+               call move_alloc(self%chunk(i)%values, longer(i)%values)
+               call move_alloc(self%chunk(i)%places, longer(i)%places)
+            end do
+            call move_alloc(longer, self%chunk)
+         end if
       end if
-      self%room = min(largest_chunk, max(smallest_chunk, 2*self%room))
+      if (status == 0) allocate (self%chunk(self%chunks + 1)%values(room), stat=status)
+      if (status == 0 .and. with_places) &
+         allocate (self%chunk(self%chunks + 1)%places(room), stat=status)
+      call check_memory(status, name, 8_int64*room + merge(4_int64*room, 0_int64, with_places), &
+         error)
+      if (allocated(error)) return
+      self%room = room
       self%chunks = self%chunks + 1
       self%used = 0
-      allocate (self%chunk(self%chunks)%values(self%room))
-      if (with_places) allocate (self%chunk(self%chunks)%places(self%room))
    end subroutine new_chunk
 
    !> Take the numbers of a chunk out, so that their memory is given back with `values`.

@@ -5,7 +5,8 @@ module map_file_places
    use map_file_byte_source, only: byte_source
    implicit none
    private
-   public :: byte_error, count_text, excerpt, fits_memory, line_error, line_text, map_error
+   public :: byte_error, count_text, excerpt, fits_memory, line_error, line_text, map_error, &
+      plain_excerpt
 
    !> Characters of a file that a message shows
    integer, parameter :: shown = 40
@@ -109,6 +110,31 @@ contains
       end do
       text = ''''//text//''''
    end subroutine excerpt
+
+   !> The beginning of a text in ASCII: any other character becomes a question mark.
+   pure function plain_excerpt(text, longest) result(plain)
+      !> The text
+      character(len=*), intent(in) :: text
+      !> Most characters
+      integer, intent(in) :: longest
+      character(len=:), allocatable :: plain
+      character(len=1) :: c
+      integer :: i
+
+      plain = ''
+      do i = 1, len_trim(text)
+         c = text(i:i)
+         ! what follows the first byte of a character in UTF-8 is none of its own
+         if (ichar(c) >= 128 .and. ichar(c) < 192) cycle
+         if (len(plain) == longest) then
+            plain = plain//'...'
+            return
+         end if
+         if (c == achar(9)) c = ' '
+         if (ichar(c) < 32 .or. ichar(c) > 126) c = '?'
+         plain = plain//c
+      end do
+   end function plain_excerpt
 
    !> Set `error` unless a map of so many points has a size that can be: at most 2^31 - 1 points,
    !> and no more than the bytes that hold them.

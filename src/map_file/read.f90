@@ -3,17 +3,21 @@ module map_file_read
    use, intrinsic :: iso_c_binding, only: c_loc
    use, intrinsic :: iso_fortran_env, only: int64
    use asperity_error, only: error_type
+   use asperity_kinds, only: wp
    use map_file_byte_source, only: byte_source, close_source, open_source, progress_report, &
       read_at, start_lines, use_bytes
+   use map_file_marker, only: note_marker
    use map_file_matrix, only: read_matrix
-   use map_file_places, only: map_error
+   use map_file_places, only: count_text, map_error
    use map_file_sdf, only: read_binary_sdf, read_text_sdf
    use map_file_sur, only: read_sur
-   use map_file_text_header, only: read_text_header, text_header
+   use map_file_text_header, only: text_header
+   use map_file_text_settle, only: settle_heights
+   use map_file_text_start, only: read_text_start
    use map_file_units, only: map_hints
    use map_file_x3p, only: read_x3p
    use map_file_xyz, only: read_xyz
-   use surface_height_map, only: check_height_map, height_map
+   use surface_height_map, only: add_note, check_height_map, height_map
    implicit none
    private
    public :: map_hints, progress_report, read_height_map, read_height_map_bytes
@@ -74,7 +78,9 @@ contains
       character(len=1), target :: bytes(looked_at)
       character(len=looked_at) :: head
       integer :: i, n
+      logical :: is_text
 
+      is_text = .false.
       map%source = source%name
       map%format = ''
       if (source%size == 0_int64) then
@@ -98,6 +104,12 @@ contains
          call read_sdf(source, head(:8), hints, map, error)
       else
          call read_text(source, head(:n), hints, map, error)
+         is_text = .true.
+      end if
+      if (.not. (is_text .or. allocated(error))) then
+         call note_marker(map, 0.0_wp)
+         if (hints%has_missing_value) call add_note(map, '--missing-value is for text, and not '// &
+            'used: this format marks missing points itself.')
       end if
       if (.not. allocated(error)) call check_height_map(map, error)
       if (allocated(error) .and. allocated(map%heights)) deallocate (map%heights)
@@ -133,7 +145,9 @@ contains
       type(error_type), allocatable, intent(out) :: error
       type(text_header) :: header
       integer(int64) :: mark
+      real(wp) :: factor
       integer :: i
+      logical :: has_points
 
       if (index(head, char(255)//char(254)) == 1 .or. index(head, char(254)//char(255)) == 1) then
          call map_error(error, source, 'is text in UTF-16: save it as UTF-8 or ASCII')
@@ -152,15 +166,54 @@ contains
       if (index(head, char(239)//char(187)//char(191)) == 1) mark = 3_int64
       call start_lines(source, mark, error)
       if (allocated(error)) return
-      call read_text_header(source, header, error)
+      call read_text_start(source, header, error)
       if (allocated(error)) return
-      if (header%fields == 3_int64 .and. all(header%sizes == 0_int64)) then
+      call check_columns(source, header, has_points, error)
+      if (allocated(error)) return
+      call settle_heights(source, header, hints, map, factor, error)
+      if (allocated(error)) return
+      if (has_points) then
          map%format = 'text of x, y, z'
-         call read_xyz(source, header, hints, map, error)
+         call read_xyz(source, header, factor, hints, map, error)
       else
          map%format = 'text of a matrix'
-         call read_matrix(source, header, hints, map, error)
+         call read_matrix(source, header, factor, hints, map, error)
       end if
+      if (.not. allocated(error)) call note_marker(map, factor)
    end subroutine read_text
+
+   !> Whether the columns are coordinates and a height: three of them, or names say so. Profiles are
+   !> refused.
+   subroutine check_columns(source, header, has_points, error)
+      type(byte_source), intent(in) :: source
+      type(text_header), intent(inout) :: header
+      logical, intent(out) :: has_points
+      type(error_type), allocatable, intent(out) :: error
+      logical :: fits
+
+      associate (names => header%names)
+         fits = header%fields == names%fields
+         if (header%fields == names%fields + 1) then
+            ! a separator at the end of each line, or numbers of rows that have no name
+            fits = .true.
+            if (header%separator == ' ' .or. &
+               source%block(max(source%last, 1)) /= header%separator) then
+               where (names%places > 0) names%places = names%places + 1
+            end if
+         end if
+         has_points = all(header%sizes == 0_int64) .and. fits .and. all(names%places > 0)
+         if (has_points) return
+         if (header%fields == 2_int64 .or. (header%fields == 3_int64 .and. fits .and. &
+            names%places(3) > 0 .and. count(names%places(:2) > 0) == 1)) then
+            call map_error(error, source, 'has '//count_text(header%fields)//' columns, '// &
+               'but not x, y and z: this is a profile, and profiles are not read; surface '// &
+               'takes maps, such as parallel profiles, a line each, with the steps both ways '// &
+               'in --step')
+            return
+         end if
+         has_points = header%fields == 3_int64 .and. all(header%sizes == 0_int64)
+         if (has_points) names%places = [1, 2, 3]
+      end associate
+   end subroutine check_columns
 
 end module map_file_read

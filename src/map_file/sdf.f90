@@ -6,14 +6,15 @@ module map_file_sdf
    use asperity_error, only: error_type
    use asperity_kinds, only: wp
    use map_file_byte_source, only: byte_source, next_line, read_at, start_lines
-   use map_file_fields, only: field_error, field_missing, read_field
-   use map_file_heights, only: byte_buffer, bytes_of, decode, height_message, scale_heights
+   use map_file_fields, only: field_error, field_missing, field_too_large, read_field, skip_field
+   use map_file_heights, only: byte_buffer, bytes_of, decode, float64, height_message, &
+      scale_heights
    use map_file_new_map, only: allocate_heights
    use map_file_places, only: byte_error, count_text, fits_memory, line_error
    use map_file_sdf_header, only: check_sdf_header, drop_markers, read_binary_header, sdf_header
    use map_file_sdf_text_header, only: read_text_header
    use map_file_units, only: map_hints
-   use surface_height_map, only: height_map
+   use surface_height_map, only: height_map, missing_height
    implicit none
    private
    public :: read_binary_sdf, read_text_sdf
@@ -170,10 +171,15 @@ contains
             if (source%block(at) == '*') exit lines
             before = at
             call read_field(source%block, at, source%last, ' ', value(1), kind, is_last)
-            if (kind > field_missing) then
+            if (kind == field_too_large .and. header%kind == float64) then
+               ! the largest double, printed
+               call skip_field(source%block, at, source%last, ' ', is_last)
+               value(1) = missing_height
+            else if (kind > field_missing) then
                call field_error(error, source, at, kind)
                return
-            else if (j > size(map%heights, 2)) then
+            end if
+            if (j > size(map%heights, 2)) then
                call line_error(error, source, before, 'more numbers than the '// &
                   count_text(header%nx)//' x '//count_text(header%ny)//' that the header promises')
                return

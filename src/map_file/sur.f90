@@ -16,7 +16,7 @@ module map_file_sur
    use map_file_places, only: byte_error, count_text, fits_memory
    use map_file_sur_header, only: check_sur_header, read_sur_header, sur_header
    use map_file_units, only: map_hints
-   use surface_height_map, only: height_map, missing_height
+   use surface_height_map, only: add_note, height_map, missing_height
    implicit none
    private
    public :: read_sur
@@ -52,18 +52,22 @@ contains
       width = bytes_of(kind)
       room = (source%size - header%data_offset)/width
       if (is_compressed) room = room*largest_ratio
+      if (header%objects > 1) call add_note(map, 'the file holds '//to_text(header%objects)// &
+         ' objects: the first is read.')
       call fits_memory(source, header%nx, header%ny, room, 108_int64, error)
       if (allocated(error)) return
       call allocate_heights(source, header%nx, header%ny, map, error)
       if (allocated(error)) return
       if (is_compressed) then
          call read_compressed(source, header, kind, factor, zero, map, error)
-      else if (room - header%points >= header%nx) then
+      else if (header%objects < 2 .and. room >= 2_int64*header%points) then
          call byte_error(error, source, header%data_offset + header%points*width, &
-            'points follow '// &
-            'the '//count_text(header%nx)//' x '//count_text(header%ny)// &
-            ' that the header promises')
+            'as many points as the '//count_text(header%nx)//' x '//count_text(header%ny)// &
+            ' that the header promises, or more, follow them: the header is wrong')
       else
+         if (header%objects < 2 .and. room > header%points) call add_note(map, &
+            count_text(source%size - header%data_offset - header%points*width)// &
+            ' bytes follow the points and are left out.')
          call read_plain(source, header, kind, factor, zero, map, error)
       end if
    end subroutine read_sur

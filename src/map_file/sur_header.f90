@@ -17,7 +17,7 @@ module map_file_sur_header
    use map_file_byte_source, only: byte_source, read_at
    use map_file_heights, only: byte_buffer, decode, float32, is_allowed_scale, sint16, sint32, &
       uint16, uint32
-   use map_file_places, only: byte_error, count_text
+   use map_file_places, only: byte_error, count_text, plain_excerpt
    use map_file_units, only: map_hints, plain_unit, settle_step, settle_unit
    use surface_height_map, only: height_map
    implicit none
@@ -25,6 +25,8 @@ module map_file_sur_header
    public :: check_sur_header, read_sur_header, sur_header
 
    integer(int64), parameter :: header_length = 512_int64
+   !> Kinds of objects that are surfaces: of Gwyddion, of others, with an image behind
+   integer, parameter :: surfaces(3) = [1, 2, 11]
 
    !> What the header says.
    type :: sur_header
@@ -38,8 +40,9 @@ module map_file_sur_header
       real(wp) :: marker = 0.0_wp
       !> Spacings and offset of z, in their units
       real(wp) :: spacing(3) = 0.0_wp, offset = 0.0_wp
-      !> Units of x, y and z, as used here
+      !> Units of x, y and z, as used here, and as they stand in the file
       character(len=8) :: units(3) = ''
+      character(len=16) :: units_said(3) = ''
       !> Bytes before the data, and of compressed data
       integer(int64) :: data_offset = 0_int64, compressed = 0_int64
    end type sur_header
@@ -87,6 +90,9 @@ contains
             text(k:k) = char(modulo(int(buffer%bytes(164 + 16*i + k)), 256))
          end do
          header%units(i) = plain_unit(text)
+         k = index(text, achar(0))
+         if (k > 0) text(k:) = ''
+         header%units_said(i) = text
       end do
 
    contains
@@ -126,12 +132,9 @@ contains
       if (header%format /= 0) then
          call byte_error(error, source, 12_int64, 'format '//to_text(header%format)//' is not '// &
             'read, only 0, numbers with their little end first: save it as SDF or X3P')
-      else if (header%objects > 1) then
-         call byte_error(error, source, 14_int64, 'the file holds '//to_text(header%objects)// &
-            ' objects: save the surface alone')
-      else if (header%object /= 1 .and. header%object /= 2) then
+      else if (all(header%object /= surfaces)) then
          call byte_error(error, source, 18_int64, 'the object is of kind '// &
-            to_text(header%object)//': only surfaces, kind 2, are read')
+            to_text(header%object)//': only surfaces, kinds 1, 2 and 11, are read')
       else if (header%bits /= 16 .and. header%bits /= 32) then
          call byte_error(error, source, 98_int64, to_text(header%bits)//' bits of a point: '// &
             'allowed are 16 and 32')
@@ -173,6 +176,13 @@ contains
       do i = 1, 3
          hint = hints%lateral_unit
          if (i == 3) hint = hints%height_unit
+         if (header%units(i) == '' .and. header%units_said(i) /= '') then
+            call byte_error(error, source, 164_int64 + 16_int64*i, 'the unit of '//axes(i:i)// &
+               ' is '//plain_excerpt(trim(header%units_said(i)), 16)// &
+               ', which is no length that is known (m, cm, mm, um and nm are): '// &
+               'export heights, with all lengths in one of them')
+            return
+         end if
          if (i == 3) then
             call settle_unit(source%name, 'heights', '--height-unit', header%units(i), hint, &
                unit(i), error)

@@ -1,202 +1,141 @@
-!> What the lines before the numbers of a text file say: sizes, steps, units, the number that marks
-!> missing points. Known are Esri's ASCII grid, Gwyddion's text export, column names with units in
-!> brackets, and the lines that `map_file_write` writes.
+!> What a line before the numbers of a text file says: sizes, steps, units, a factor of heights, the
+!> number that marks missing points, names of columns. Known are Esri's ASCII grid, Gwyddion's text
+!> export, pixel sizes and factors as holography exports have them, and the lines that
+!> `map_file_write` writes. What was not understood is kept, to be told.
 module map_file_text_header
    use, intrinsic :: iso_fortran_env, only: int64
    use asperity_error, only: error_type
    use asperity_kinds, only: wp
-   use map_file_byte_source, only: byte_source, next_line
-   use map_file_fields, only: choose_separator, field_error, field_missing, field_number, &
-      field_text, read_field
-   use map_file_places, only: line_error, line_text, map_error
-   use map_file_units, only: plain_unit
-   use map_file_words, only: number_in, split_at
+   use asperity_text, only: to_text
+   use map_file_byte_source, only: byte_source
+   use map_file_column_names, only: column_names, read_column_names
+   use map_file_heights, only: is_allowed_scale
+   use map_file_places, only: line_error, plain_excerpt
+   use map_file_units, only: plain_unit, unit_length
+   use map_file_words, only: next_pair, number_in, split_at
    implicit none
    private
-   public :: read_text_header, text_header
+   public :: header_remark, marks_missing, note_unknown, read_header_line, text_header
 
-   integer, parameter :: looked_at = 4096, most_lines = 1000
    character(len=*), parameter :: tab = achar(9)
+   !> Lines that were not understood are shown up to this many, and so many characters of each
+   integer, parameter :: most_shown = 5, longest_shown = 60
+
+   !> Share of a number that its printing may change
+   real(wp), parameter :: same = 1.0e-12_wp
 
    !> What the header says.
    type :: text_header
       !> Points along x and y, 0 if it does not say
       integer(int64) :: sizes(2) = 0_int64
-      !> Steps, or lengths of the whole map, along x and y, and their units
+      !> Steps, or lengths of the whole map, along x and y, and their units. A length without a unit
+      !> may be a number of points
       real(wp) :: steps(2) = 0.0_wp, lengths(2) = 0.0_wp
       character(len=8) :: step_units(2) = '', length_units(2) = ''
       !> Units of coordinates and of heights, empty if it does not say
       character(len=8) :: lateral_unit = '', height_unit = ''
+      !> mm of a number, by a factor with a unit of its own; 0 without
+      real(wp) :: factor = 0.0_wp
+      !> Set where heights have a unit that is no length; only a factor helps
+      type(error_type), allocatable :: no_length
       !> The number that marks missing points
       logical :: has_marker = .false.
       real(wp) :: marker = 0.0_wp
       !> Whether it is Esri's grid, whose first line is the one of the largest y
       logical :: is_esri = .false.
+      !> Names of the columns
+      type(column_names) :: names
+      !> Lines that were not understood, the first of them in quotes
+      integer :: unknown = 0
+      character(len=:), allocatable :: unknown_lines
       !> What separates the fields, and how many there are in the first line of numbers
       character(len=1) :: separator = ' '
       integer(int64) :: fields = 0_int64
+      !> Whether the first field of that line is a word, and all others are numbers
+      logical :: has_corner_word = .false.
    end type text_header
 
 contains
 
-   !> Read the header. Then the current line is the first of numbers.
-   subroutine read_text_header(source, header, error)
-      !> The file, its lines started
-      type(byte_source), intent(inout), target :: source
-      !> What it says
-      type(text_header), intent(out) :: header
-      !> Set when it is faulty, or there are no numbers
-      type(error_type), allocatable, intent(out) :: error
-      character(len=:), allocatable :: line
-      real(wp) :: value
-      integer :: at, kind
-      logical :: found, is_last
-
-      do
-         call next_line(source, found, error)
-         if (allocated(error)) return
-         if (.not. found) then
-            call map_error(error, source, &
-               'has no line of numbers: heights are read from SDF, X3P, '// &
-               'SUR, and from text with three columns x, y, z or with a matrix')
-            return
-         else if (source%line > most_lines) then
-            call line_error(error, source, source%first, &
-               'no line of numbers among the first 1000: take comments out if this is a '// &
-               'file of heights')
-            return
-         end if
-         call line_text(source, looked_at, line)
-         if (verify(line, ' '//tab) == 0) cycle
-         at = verify(line, ' '//tab)
-         if (scan(line(at:at), '#%!"') > 0 .or. index(line(at:), '//') == 1) then
-            call read_header_line(source, line, header, error)
-         else
-            header%separator = choose_separator(line)
-            at = source%first
-            call read_field(source%block, at, source%last, header%separator, value, kind, is_last)
-            if (kind <= field_missing) exit
-            if (kind == field_text) then
-               call read_names(source, line, header, error)
-            else
-               call field_error(error, source, at, kind)
-            end if
-         end if
-         if (allocated(error)) return
-      end do
-      call count_fields(source, header, error)
-   end subroutine read_text_header
-
-   !> Count the fields of the first line of numbers.
-   subroutine count_fields(source, header, error)
+   !> A line of the header: keys with values, or names of columns.
+   recursive subroutine read_header_line(source, line, header, error, after)
+      !> The file
       type(byte_source), intent(in) :: source
-      type(text_header), intent(inout) :: header
-      type(error_type), allocatable, intent(out) :: error
-      real(wp) :: value
-      integer :: at, kind
-      logical :: is_last
-
-      at = source%first
-      is_last = .false.
-      do while (.not. is_last)
-         call read_field(source%block, at, source%last, header%separator, value, kind, is_last)
-         header%fields = header%fields + 1_int64
-         if (kind <= field_missing) cycle
-         call field_error(error, source, at, kind)
-         return
-      end do
-   end subroutine count_fields
-
-   !> A line that begins with a word: a key with a value, or names of columns; a number among words
-   !> that are no key is a line of numbers with a fault.
-   subroutine read_names(source, line, header, error)
-      type(byte_source), intent(in) :: source
+      !> The line, or what is left of it
       character(len=*), intent(in) :: line
+      !> What is known; what the line says is added
       type(text_header), intent(inout) :: header
+      !> Set when the line is faulty
       type(error_type), allocatable, intent(out) :: error
-      real(wp) :: value
-      integer :: at, kind, numbers, fields
-      logical :: is_last
-
-      if (scan(line, ':=') > 0) then
-         call read_header_line(source, line, header, error)
-         return
-      end if
-      at = source%first
-      is_last = .false.
-      numbers = 0
-      fields = 0
-      do while (.not. is_last .and. at <= source%last)
-         call read_field(source%block, at, source%last, header%separator, value, kind, is_last)
-         if (kind == field_number) numbers = numbers + 1
-         fields = fields + 1
-         if (kind <= field_missing) cycle
-         ! past the word
-         do while (at <= source%last)
-            if (source%block(at) == header%separator .or. source%block(at) == tab) exit
-            at = at + 1
-         end do
-         if (header%separator /= ' ' .and. at <= source%last) at = at + 1
-         do while (at <= source%last)
-            if (source%block(at) /= ' ' .and. source%block(at) /= tab) exit
-            at = at + 1
-         end do
-         is_last = at > source%last
-      end do
-      if (numbers == 0 .or. (numbers == 1 .and. fields == 2)) then
-         call read_header_line(source, line, header, error)
-      else
-         call field_error(error, source, source%first, field_text)
-      end if
-   end subroutine read_names
-
-   !> A line of the header: a key with a value, or names of columns.
-   subroutine read_header_line(source, line, header, error)
-      type(byte_source), intent(in) :: source
-      character(len=*), intent(in) :: line
-      type(text_header), intent(inout) :: header
-      type(error_type), allocatable, intent(out) :: error
+      !> Characters of the line before it
+      integer, intent(in), optional :: after
       character(len=:), allocatable :: key, value, rest
       real(wp) :: number
       logical :: is_number
-      integer :: place
+      integer :: before, next, place
 
+      before = 0
+      if (present(after)) before = after
       if (scan(line, ':=') > 0) then
          call split_at(line, ':=', key, value, place)
+         next = next_pair(value)
+         if (next > 1) then
+            ! several pairs, such as h=18 w=24
+            call read_header_line(source, line(:place + next - 2), header, error, before)
+            if (.not. allocated(error)) call read_header_line(source, line(place + next - 1:), &
+               header, error, before + place + next - 2)
+            return
+         end if
       else
-         place = verify(line, ' '//tab)
+         place = verify(line//'x', ' '//tab)
+         before = before + place - 1
          call split_at(line(place:), ' '//tab, key, value, place)
       end if
+      place = place + before
       call number_in(value, number, is_number, rest)
       select case (key)
       case ('ncols', 'columns')
          header%is_esri = header%is_esri .or. key == 'ncols'
-         call read_size(1)
+         if (key == 'columns' .and. .not. is_number) then
+            call read_names(value)
+         else
+            call read_size(1)
+         end if
       case ('nrows', 'rows')
          call read_size(2)
-      case ('cellsize', 'step')
+      case ('cellsize', 'step', 'stepsize', 'pixelsize', 'pixelspacing')
          call read_length(header%steps(1), header%step_units(1))
          header%steps(2) = header%steps(1)
          header%step_units(2) = header%step_units(1)
-      case ('dx', 'stepx')
+      case ('dx', 'stepx', 'xstep', 'pixelsizex', 'xpixelsize', 'pixelwidth')
          call read_length(header%steps(1), header%step_units(1))
-      case ('dy', 'stepy')
+      case ('dy', 'stepy', 'ystep', 'pixelsizey', 'ypixelsize', 'pixelheight')
          call read_length(header%steps(2), header%step_units(2))
-      case ('width')
-         if (is_number) call read_length(header%lengths(1), header%length_units(1))
-      case ('height')
-         if (is_number) call read_length(header%lengths(2), header%length_units(2))
-      case ('heightunit', 'valueunits', 'zunit')
-         call read_unit(value, header%height_unit)
-      case ('lateralunit', 'xyunit')
+      case ('width', 'w')
+         call read_extent(1)
+      case ('height', 'h')
+         call read_extent(2)
+      case ('heightunit', 'heightunits', 'valueunits', 'valueunit', 'zunit', 'zunits', 'dataunit', &
+         'exportedimageunits')
+         header%height_unit = plain_unit(value)
+         if (header%height_unit == '') call no_length(value)
+      case ('lateralunit', 'lateralunits', 'xyunit', 'xyunits')
          call read_unit(value, header%lateral_unit)
       case ('nodatavalue', 'nodata')
          header%has_marker = is_number .and. rest == ''
          header%marker = number
-         if (.not. header%has_marker) call line_error(error, source, source%first + place - 1, &
-            'the number that marks missing points must be a number with a decimal point')
+         if (.not. (header%has_marker .or. value == 'nan' .or. value == 'NaN')) &
+            call line_error(error, source, source%first + place - 1, &
+            'the number that marks missing points must be a number with a decimal point, or NaN')
+      case ('xllcorner', 'yllcorner', 'xllcenter', 'yllcenter', 'channel', &
+         'heights,alineforeachy,thefirstaty')
+         continue
       case default
-         call read_columns(source, line, header, error)
+         if (index(key, 'heightconversionfactor') == 1 .or. index(key, 'heightfactor') == 1) then
+            call read_factor()
+         else
+            call read_names(line)
+         end if
       end select
 
    contains
@@ -212,6 +151,17 @@ contains
                'be a whole number above 0')
          end if
       end subroutine read_size
+
+      !> A length of the whole map, or a number of points.
+      subroutine read_extent(axis)
+         integer, intent(in) :: axis
+
+         if (is_number) then
+            call read_length(header%lengths(axis), header%length_units(axis))
+         else
+            call read_names(line)
+         end if
+      end subroutine read_extent
 
       subroutine read_length(length, unit)
          real(wp), intent(out) :: length
@@ -238,39 +188,104 @@ contains
             'this line is unknown: allowed are m, cm, mm, um and nm')
       end subroutine read_unit
 
+      !> A factor from numbers to heights; the unit of those behind an arrow or behind it
+      subroutine read_factor()
+         character(len=8) :: unit
+
+         unit = plain_unit(rest)
+         if (index(key, '->') > 0) unit = plain_unit(key(index(key, '->') + 2:))
+         if (is_number) is_number = number > 0.0_wp .and. is_allowed_scale(number)
+         if (is_number .and. unit /= '') then
+            header%factor = number*unit_length(unit)
+         else
+            call line_error(error, source, source%first + place - 1, 'the factor of heights '// &
+               'must be a number above 0 with a decimal point, and say to which unit it leads, '// &
+               'm, cm, mm, um or nm')
+         end if
+      end subroutine read_factor
+
+      subroutine read_names(text)
+         character(len=*), intent(in) :: text
+         type(column_names) :: names
+
+         call read_column_names(text, names)
+         if (all(names%places == 0)) then
+            if (header%names%fields == 0) header%names = names
+            call note_unknown(header, text)
+            return
+         end if
+         header%names = names
+         if (names%no_length /= '') call no_length(names%no_length)
+         if (all(names%places > 0) .and. names%units(1) /= names%units(2)) then
+            call line_error(error, source, source%first, 'x is in '//unit_name(1)//', y in '// &
+               unit_name(2)//': both must be in the same unit')
+            return
+         end if
+         if (names%units(1) /= '') header%lateral_unit = names%units(1)
+         if (names%units(3) /= '') header%height_unit = names%units(3)
+      end subroutine read_names
+
+      function unit_name(axis) result(name)
+         integer, intent(in) :: axis
+         character(len=:), allocatable :: name
+
+         name = trim(header%names%units(axis))
+         if (name == '') name = 'no unit'
+      end function unit_name
+
+      subroutine no_length(unit)
+         character(len=*), intent(in) :: unit
+
+         call line_error(header%no_length, source, source%first + place - 1, &
+            'the unit of this line, '//plain_excerpt(trim(unit), longest_shown)// &
+            ', is unknown as one of heights: allowed are m, cm, mm, um and nm; export the '// &
+            'heights themselves, or add the factor as a line such as '// &
+            'height conversion factor (-> m) = 1e-7')
+      end subroutine no_length
+
    end subroutine read_header_line
 
-   !> Names of three columns with units in brackets, such as x [um], y [um], z [nm].
-   subroutine read_columns(source, line, header, error)
-      type(byte_source), intent(in) :: source
-      character(len=*), intent(in) :: line
-      type(text_header), intent(inout) :: header
-      type(error_type), allocatable, intent(out) :: error
-      character(len=8) :: units(3), unit
-      integer :: first, last, n
+   !> Whether a number marks a missing point.
+   pure logical function marks_missing(header, value)
+      !> The header
+      type(text_header), intent(in) :: header
+      !> The number as it stands
+      real(wp), intent(in) :: value
 
-      n = 0
-      first = 1
-      do
-         last = scan(line(first:), '[(')
-         if (last == 0) exit
-         first = first + last
-         last = scan(line(first:), '])')
-         if (last == 0) exit
-         unit = plain_unit(line(first:first + last - 2))
-         n = n + 1
-         if (unit == '' .or. n > 3) return
-         units(n) = unit
-         first = first + last
-      end do
-      if (n < 3) return
-      if (units(1) /= units(2)) then
-         call line_error(error, source, source%first, 'x is in '//trim(units(1))//', y in '// &
-            trim(units(2))//': both must be in the same unit')
-         return
-      end if
-      header%lateral_unit = units(1)
-      header%height_unit = units(3)
-   end subroutine read_columns
+      marks_missing = header%has_marker
+      if (marks_missing) marks_missing = abs(value - header%marker) <= same*abs(header%marker)
+   end function marks_missing
+
+   !> Keep a line that was not understood.
+   pure subroutine note_unknown(header, line)
+      !> The header
+      type(text_header), intent(inout) :: header
+      !> The line; one without letter or digit says nothing
+      character(len=*), intent(in) :: line
+      character(len=*), parameter :: telling = 'abcdefghijklmnopqrstuvwxyz'// &
+         'ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789'
+
+      if (scan(line, telling) == 0) return
+      header%unknown = header%unknown + 1
+      if (.not. allocated(header%unknown_lines)) header%unknown_lines = ''
+      if (header%unknown > most_shown) return
+      if (header%unknown > 1) header%unknown_lines = header%unknown_lines//', '
+      header%unknown_lines = header%unknown_lines//''''//plain_excerpt(line, longest_shown)//''''
+   end subroutine note_unknown
+
+   !> What was not understood, in a sentence; empty if all was.
+   pure subroutine header_remark(header, text)
+      !> The header
+      type(text_header), intent(in) :: header
+      !> The sentence
+      character(len=:), allocatable, intent(out) :: text
+
+      text = ''
+      if (header%unknown == 0) return
+      text = 'not understood in its header, and not used: '//header%unknown_lines
+      if (header%unknown > most_shown) text = text//' and '// &
+         to_text(header%unknown - most_shown)//' lines more'
+      text = text//'.'
+   end subroutine header_remark
 
 end module map_file_text_header

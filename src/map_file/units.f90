@@ -5,7 +5,8 @@ module map_file_units
    use asperity_text, only: to_text
    implicit none
    private
-   public :: map_hints, plain_unit, settle_step, settle_unit, unit_length
+   public :: is_other_unit, map_hints, plain_unit, settle_step, settle_unit, unit_length, &
+      unit_of_length
 
    !> What the user says of a file that does not say it itself.
    type :: map_hints
@@ -13,11 +14,18 @@ module map_file_units
       character(len=8) :: lateral_unit = '', height_unit = ''
       !> Distance of neighbours, mm; 0 when the file must say
       real(wp) :: step_x = 0.0_wp, step_y = 0.0_wp
+      !> Whether a number of a text marks missing points, and which, as it stands there
+      logical :: has_missing_value = .false.
+      real(wp) :: missing_value = 0.0_wp
    end type map_hints
 
    !> Names of units, and their lengths in mm
    character(len=*), parameter :: names(5) = [character(len=2) :: 'm', 'cm', 'mm', 'um', 'nm']
    real(wp), parameter :: lengths(5) = [1.0e3_wp, 10.0_wp, 1.0_wp, 1.0e-3_wp, 1.0e-6_wp]
+   !> What instruments export beside heights
+   character(len=*), parameter :: others(*) = [character(len=9) :: '%', 'a.u.', 'arb.', 'au', &
+      'counts', 'count', 'deg', char(194)//char(176), 'rad', 'mrad', 'waves', 'v', 'mv', 'uv', &
+      'a', 'ma', 'na', 'pa', 'k', 'n', 'mn', 'nn', 'px', 'pixel', 'pixels', 's', 'ms', 'intensity']
    !> Steps that differ by less are the same, as people round them
    real(wp), parameter :: rounding = 1.0e-3_wp
    !> Steps of real maps, mm
@@ -62,6 +70,20 @@ contains
       end select
    end function plain_unit
 
+   !> Whether a text is a known unit of something that is no length.
+   pure logical function is_other_unit(text)
+      !> As it stands in a file
+      character(len=*), intent(in) :: text
+      character(len=len(text)) :: lower
+      integer :: i
+
+      do i = 1, len(text)
+         lower(i:i) = text(i:i)
+         if (text(i:i) >= 'A' .and. text(i:i) <= 'Z') lower(i:i) = achar(iachar(text(i:i)) + 32)
+      end do
+      is_other_unit = any(others == adjustl(lower))
+   end function is_other_unit
+
    !> Length of a unit in mm, 0 if it is none.
    pure elemental real(wp) function unit_length(unit)
       !> Name, such as `um`
@@ -73,6 +95,22 @@ contains
          if (unit == names(i)) unit_length = lengths(i)
       end do
    end function unit_length
+
+   !> The unit whose length all of some numbers are, within rounding; empty if there is none.
+   pure function unit_of_length(values, mask) result(unit)
+      !> Lengths, mm
+      real(wp), intent(in) :: values(:)
+      !> Which of them
+      logical, intent(in) :: mask(:)
+      character(len=8) :: unit
+      integer :: i
+
+      unit = ''
+      do i = 1, size(names)
+         if (any(mask) .and. all(abs(values - lengths(i)) <= rounding*lengths(i) .or. .not. mask)) &
+            unit = names(i)
+      end do
+   end function unit_of_length
 
    !> Length in mm of the unit of a file: what the file says, or else the user.
    pure subroutine settle_unit(name, what, option, in_file, hint, length, error)

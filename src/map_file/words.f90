@@ -4,7 +4,7 @@ module map_file_words
    use map_file_numbers, only: number_found, read_number
    implicit none
    private
-   public :: number_in, plain_key, split_at
+   public :: next_pair, number_in, plain_key, split_at
 
 contains
 
@@ -43,11 +43,23 @@ contains
       key = ''
       do i = 1, len(text)
          c = text(i:i)
-         if (scan(c, ' _#%"!'''//achar(9)) > 0) cycle
+         if (scan(c, ' _#%"!\'''//achar(9)) > 0) cycle
          if (c >= 'A' .and. c <= 'Z') c = achar(iachar(c) + 32)
          key = key//c
       end do
    end subroutine plain_key
+
+   !> Where in a value another key begins, as in `18 w=24`; 0 if none does.
+   pure integer function next_pair(value)
+      !> What stands after a key
+      character(len=*), intent(in) :: value
+
+      next_pair = index(value, '=')
+      if (next_pair == 0) return
+      next_pair = len_trim(value(:next_pair - 1))
+      next_pair = scan(value(:next_pair), ' ,;'//achar(9), back=.true.)
+      if (next_pair > 0) next_pair = next_pair + 1
+   end function next_pair
 
    !> Split a line into a key and a value at the first of some marks; the key is empty without one.
    pure subroutine split_at(text, marks, key, value, place)

@@ -174,7 +174,7 @@ contains
             return
          end if
       end if
-      call header%list%add(value)
+      call header%list%add(value, source%name, error)
    end subroutine read_datum
 
    subroutine element_error(source, reader, message, error)

@@ -10,32 +10,38 @@ module map_file_xyz
    use asperity_text, only: to_text
    use map_file_axis, only: axis_type, most_coordinates, number_of_coordinate
    use map_file_byte_source, only: byte_source, next_line
-   use map_file_fields, only: field_error, field_missing, field_number, read_field
+   use map_file_fields, only: field_error, field_missing, field_number, read_field, skip_field
    use map_file_grid, only: find_grid
    use map_file_heights, only: height_message, scale_heights
    use map_file_new_map, only: allocate_heights
    use map_file_number_store, only: number_store
    use map_file_places, only: count_text, line_error, map_error
-   use map_file_text_header, only: text_header
+   use map_file_text_end, only: check_text_end, line_blank, line_comment, line_type
+   use map_file_text_header, only: marks_missing, text_header
    use map_file_units, only: map_hints, settle_step, settle_unit
    use surface_height_map, only: height_map, missing_height
+   use surface_memory, only: check_room
    implicit none
    private
    public :: read_xyz
 
    !> Grid points for a point of the file: fewer would take more memory than the map deserves
    integer(int64), parameter :: most_sparse = 4_int64
+   !> Bytes of both axes at most; a smaller file has smaller ones
+   integer(int64), parameter :: room_for_axes = 8_int64*2_int64**20
    !> Largest coordinate of either sign, in the units of the file
    real(wp), parameter :: largest_coordinate = 1.0e15_wp
 
 contains
 
    !> Read the points, from the current line on.
-   subroutine read_xyz(source, header, hints, map, error)
+   subroutine read_xyz(source, header, factor, hints, map, error)
       !> The file
       type(byte_source), intent(inout), target :: source
-      !> What its header says
+      !> What its header says, and which columns are x, y and z
       type(text_header), intent(in) :: header
+      !> mm of a height
+      real(wp), intent(in) :: factor
       !> What the user says
       type(map_hints), intent(in) :: hints
       !> The map
@@ -45,13 +51,13 @@ contains
       type(axis_type) :: axes(2)
       type(number_store) :: store
       integer(int64) :: points
-      real(wp) :: unit, factor
+      real(wp) :: unit
 
       call settle_unit(source%name, 'coordinates', '--lateral-unit', header%lateral_unit, &
          hints%lateral_unit, unit, error)
       if (allocated(error)) return
-      call settle_unit(source%name, 'heights', '--height-unit', header%height_unit, &
-         hints%height_unit, factor, error)
+      ! the coordinates, at most 65536 along either axis, and how they are found again
+      if (source%size > room_for_axes) call check_room(source%name, room_for_axes, error)
       if (allocated(error)) return
       call read_points(source, header, factor, axes, store, points, error)
       if (allocated(error)) return
@@ -67,45 +73,57 @@ contains
       type(number_store), intent(inout) :: store
       integer(int64), intent(out) :: points
       type(error_type), allocatable, intent(out) :: error
-      real(wp) :: values(3)
-      integer :: at, fields(4), i, kinds(3), numbers(2), bad
+      real(wp) :: value, values(3)
+      integer :: at, axes_of(header%fields), bad, before, fields(3), i, kind, kinds(3), n, &
+         numbers(2)
       logical :: found, is_last
       character(len=:), allocatable :: message
 
+      n = int(header%fields)
+      axes_of = 0
+      axes_of(header%names%places) = [1, 2, 3]
       points = 0_int64
       found = .true.
       lines: do while (found)
-         at = source%first
+         select case (line_type(source))
+         case (line_comment)
+            call check_text_end(source, error)
+            return
+         case (line_blank)
+            call next_line(source, found, error)
+            if (allocated(error)) return
+            cycle lines
+         case default
+            at = source%first
+         end select
          is_last = .false.
-         do i = 1, 3
-            fields(i) = at
-            if (.not. is_last) then
-               call read_field(source%block, at, source%last, header%separator, values(i), &
-                  kinds(i), &
-                  is_last)
-               if (kinds(i) > field_missing) then
-                  call field_error(error, source, at, kinds(i))
+         do i = 1, n
+            if (is_last) exit
+            before = at
+            call read_field(source%block, at, source%last, header%separator, value, kind, is_last)
+            associate (axis => axes_of(i))
+               if (kind > field_missing .and. axis == 0) then
+                  call skip_field(source%block, at, source%last, header%separator, is_last)
+               else if (kind > field_missing) then
+                  call field_error(error, source, at, kind)
                   return
-               end if
-               if (i < 3 .and. kinds(i) == field_missing) then
-                  ! an empty line has one field, without a number
-                  if (i == 1 .and. is_last .and. at > source%last) then
-                     call next_line(source, found, error)
-                     if (allocated(error)) return
-                     cycle lines
+               else if (axis == 1 .or. axis == 2) then
+                  if (kind == field_missing) then
+                     call line_error(error, source, before, 'a coordinate is missing: leave '// &
+                        'the line out, or write NaN for its height')
+                     return
                   end if
-                  call line_error(error, source, fields(i), &
-                     'a coordinate is missing: leave the '// &
-                     'line out, or write NaN for its height')
-                  return
                end if
-            end if
-            if (is_last .neqv. i == 3) exit
+               if (axis > 0) then
+                  values(axis) = value
+                  kinds(axis) = kind
+                  fields(axis) = before
+               end if
+            end associate
          end do
-         if (i <= 3) then
-            call line_error(error, source, fields(min(i, 3)), &
-               'this line has not three fields, x, '// &
-               'y and z, as the first one has')
+         if (i <= n .or. .not. is_last) then
+            call line_error(error, source, merge(before, at, is_last), &
+               'this line has not the '//to_text(n)//' fields that the first one has')
             return
          end if
          do i = 1, 2
@@ -127,10 +145,7 @@ contains
                'the map')
             return
          end if
-         if (header%has_marker) then
-            if (values(3) >= header%marker .and. values(3) <= header%marker) &
-               kinds(3) = field_missing
-         end if
+         if (marks_missing(header, values(3))) kinds(3) = field_missing
          if (kinds(3) == field_number) then
             call scale_heights(values(3:3), factor, 0.0_wp, bad)
             if (bad > 0) then
@@ -139,7 +154,8 @@ contains
                return
             end if
             call store%add_placed(values(3), ior(ishft(int(numbers(2) - 1, int32), 16), &
-               int(numbers(1) - 1, int32)))
+               int(numbers(1) - 1, int32)), source%name, error)
+            if (allocated(error)) return
          end if
          call next_line(source, found, error)
          if (allocated(error)) return

@@ -1,5 +1,6 @@
 !> What is done with a height map: prepared once, then everything is found from it.
 module surface_analysis
+   use, intrinsic :: iso_fortran_env, only: int64
    use asperity_error, only: error_type, fatal_error
    use asperity_kinds, only: wp
    use asperity_text, only: to_text
@@ -9,6 +10,7 @@ module surface_analysis
       missing_points
    use surface_holes, only: fill_missing, missing_share
    use surface_level, only: level_plane, remove_form
+   use surface_memory, only: check_room
    use surface_parameters, only: n_parameters
    use surface_sum_map, only: sum_map
    use surface_summits, only: find_summits, summit_set
@@ -94,7 +96,10 @@ contains
       call level_plane(map)
       if (settings%fills .and. missing_points(map) > 0) then
          call say('filling missing points')
-         call fill_missing(map, error)
+         ! coarser maps take a third of the map and are marked, each hole has a load and a place
+         call check_room(map%source, 8_int64*size(map%heights, kind=int64) + &
+            32_int64*int(missing_points(map), int64), error)
+         if (.not. allocated(error)) call fill_missing(map, error)
          if (allocated(error)) return
       end if
       if (settings%short_cutoff > 0.0_wp) then
@@ -195,6 +200,8 @@ contains
       do k = 2, size(steps)
          if (minval(shape(map%heights)) < steps(k)*fewest_points) exit
          if (present(tell)) call tell('every point in '//to_text(steps(k)))
+         call check_room(map%source, 8_int64*size(map%heights, kind=int64)/steps(k), error)
+         if (allocated(error)) return
          call thinned(map, steps(k), thinned_map)
          call find_summits(thinned_map, settings%pruning, other_summits, error)
          if (allocated(error)) return

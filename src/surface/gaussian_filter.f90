@@ -11,19 +11,22 @@
 !> passes a wave of the cutoff's length by half to within 0.002; at three steps 0.56 of it, and at
 !> two, where no wave is shorter, 0.89.
 module surface_gaussian_filter
-   use, intrinsic :: iso_fortran_env, only: int8, real32
+   use, intrinsic :: iso_fortran_env, only: int64, int8, real32
    use asperity_error, only: error_type, fatal_error
    use asperity_finite, only: is_finite
    use asperity_kinds, only: wp
    use asperity_text, only: to_text
-   use surface_height_map, only: height_map, missing_height
+   use surface_height_map, only: height_map, missing_height, missing_points
    use surface_line_filter, only: delete_line_filter, filter_lines, line_filter, new_line_filter
+   use surface_memory, only: check_memory, check_room
    implicit none
    private
    public :: filter_long, filter_short
 
    !> Lines filtered at a time, and their points unless one line has more
    integer, parameter :: most_lines = 16, most_points = 2**20
+   !> Arrays of that size that are there at once
+   integer(int64), parameter :: most_copies = 12_int64
    !> Shortest cutoff, in steps: the shortest wave that a map has
    real(wp), parameter :: shortest_cutoff = 2.0_wp
 
@@ -39,6 +42,7 @@ contains
       type(error_type), allocatable, intent(out) :: error
 
       call check_cutoff(map, 'short_cutoff', cutoff, error)
+      call check_room(map%source, bytes_of(map), error)
       if (allocated(error)) return
       call smooth(map%heights, cutoff/map%step_x, cutoff/map%step_y)
    end subroutine filter_short
@@ -52,11 +56,15 @@ contains
       !> Set when the cutoff is not allowed
       type(error_type), allocatable, intent(out) :: error
       real(wp), allocatable :: long(:, :)
-      integer :: i, j
+      integer :: i, j, status
 
       call check_cutoff(map, 'long_cutoff', cutoff, error)
       if (allocated(error)) return
-      allocate (long, source=map%heights)
+      allocate (long(size(map%heights, 1), size(map%heights, 2)), stat=status)
+      call check_memory(status, map%source, 8_int64*size(map%heights, kind=int64), error)
+      call check_room(map%source, bytes_of(map), error)
+      if (allocated(error)) return
+      long = map%heights
       call smooth(long, cutoff/map%step_x, cutoff/map%step_y)
       do j = 1, size(long, 2)
          do i = 1, size(long, 1)
@@ -92,6 +100,16 @@ contains
             'than the map''s shorter side, '//to_text(longest)//' mm')
       end if
    end subroutine check_cutoff
+
+   !> What `smooth` takes: weights of points where some are missing, and blocks of lines with their
+   !> spectra.
+   pure integer(int64) function bytes_of(map)
+      type(height_map), intent(in) :: map
+
+      bytes_of = 5_int64*size(map%heights, kind=int64)
+      if (missing_points(map) == 0) bytes_of = 0_int64
+      bytes_of = bytes_of + most_copies*8_int64*max(most_points, maxval(shape(map%heights)))
+   end function bytes_of
 
    !> Smooth measured heights; missing ones stay missing. Beside the map, missing points take 5
    !> bytes a point: the sum of weights need not be known better than to seven figures.

@@ -6,6 +6,7 @@
 !> chosen such that theirs is the one asked for; where no Gaussian surface has it, negative power is
 !> left out of its spectrum.
 module surface_generate
+   use, intrinsic :: iso_fortran_env, only: int64
    use asperity_error, only: computation_error, error_type, fatal_error
    use asperity_kinds, only: wp
    use asperity_text, only: to_text
@@ -14,6 +15,7 @@ module surface_generate
    use surface_generate_settings, only: check_surface_settings, surface_settings
    use surface_generate_spectrum, only: correlation_reach, distort_spectrum, fill_spectrum
    use surface_height_map, only: height_map
+   use surface_memory, only: check_room
    use surface_random, only: fill_normal, new_random, random_type
    implicit none
    private
@@ -36,6 +38,7 @@ contains
       complex(wp), allocatable :: spectrum(:, :)
       real(wp), allocatable :: field(:, :)
       real(wp) :: reach(2)
+      type(error_type), allocatable :: no_room
       integer :: nx, ny, status, j
 
       call check_surface_settings(settings, error)
@@ -50,8 +53,10 @@ contains
       ny = easy_length(settings%points_y + ceiling(reach(2)))
       allocate (spectrum(nx/2 + 1, ny), stat=status)
       if (status == 0) allocate (field(nx, ny), stat=status)
-      if (status /= 0) then
-         call refuse_size(error, settings)
+      ! what FFTW works in, and lines
+      if (status == 0) call check_room('', 16_int64*(nx + ny), no_room)
+      if (status /= 0 .or. allocated(no_room)) then
+         call refuse_size(error, settings, 16_int64*(nx/2 + 1)*ny + 8_int64*nx*ny)
          return
       end if
       call fill_spectrum(settings, spectrum, field)
@@ -61,7 +66,8 @@ contains
       deallocate (spectrum)
       allocate (map%heights(settings%points_x, settings%points_y), stat=status)
       if (status /= 0) then
-         call refuse_size(error, settings)
+         call refuse_size(error, settings, 8_int64*nx*ny + &
+            8_int64*settings%points_x*settings%points_y)
          return
       end if
       do j = 1, settings%points_y
@@ -74,13 +80,18 @@ contains
    end subroutine generate_surface
 
    !> Refuse what the memory does not hold.
-   pure subroutine refuse_size(error, settings)
+   pure subroutine refuse_size(error, settings, bytes)
       type(error_type), allocatable, intent(out) :: error
       type(surface_settings), intent(in) :: settings
+      !> What they would take, where that is known
+      integer(int64), intent(in), optional :: bytes
+      character(len=:), allocatable :: size
 
+      size = ''
+      if (present(bytes)) size = ', '//to_text(real(bytes, wp)/2.0_wp**20, 4)//' MiB'
       call fatal_error(error, 'there is no memory for '//to_text(settings%points_x)//' x '// &
-         to_text(settings%points_y)//' points and the waves beyond them: give fewer points or '// &
-         'shorter correlation lengths', computation_error)
+         to_text(settings%points_y)//' points and the waves beyond them'//size// &
+         ': give fewer points or shorter correlation lengths', computation_error)
    end subroutine refuse_size
 
    !> Turn the variances of the waves into random amplitudes, those of a real map.

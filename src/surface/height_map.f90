@@ -6,12 +6,15 @@ module surface_height_map
    use asperity_text, only: to_text
    implicit none
    private
-   public :: height_map, check_height_map, missing_points
+   public :: add_note, check_height_map, height_map, missing_points
 
    !> Stands for a height that was not measured: a number, as comparing NaN may trap
    real(wp), parameter, public :: missing_height = huge(1.0_wp)
    !> Fewest points along either side of a map
    integer, parameter, public :: fewest_points = 5
+
+   !> End of a note
+   character(len=1), parameter, public :: note_end = achar(10)
 
    !> Heights of one face, in mm throughout.
    type :: height_map
@@ -24,9 +27,22 @@ module surface_height_map
       character(len=:), allocatable :: source
       !> Format of that file, for reports; empty for none
       character(len=:), allocatable :: format
+      !> What its reader settled or left out, sentences that end with `note_end`; may be unallocated
+      character(len=:), allocatable :: notes
    end type height_map
 
 contains
+
+   !> Add a note on where the heights come from.
+   pure subroutine add_note(map, text)
+      !> The map
+      type(height_map), intent(inout) :: map
+      !> A sentence; the name of the source is put before it
+      character(len=*), intent(in) :: text
+
+      if (.not. allocated(map%notes)) map%notes = ''
+      map%notes = map%notes//map%source//': '//text//note_end
+   end subroutine add_note
 
    !> Set `error` unless a map can be analysed: points enough, positive steps, finite heights, one
    !> that was measured.

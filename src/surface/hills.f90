@@ -22,9 +22,12 @@
 !> A saddle is a point whose higher neighbours fall into several groups that do not touch one
 !> another; elsewhere they are joined already when the water reaches the point.
 module surface_hills
+   use, intrinsic :: iso_fortran_env, only: int64
+   use asperity_error, only: error_type
    use asperity_kinds, only: wp
    use surface_higher, only: first_rows, group_table, higher_in_row, highest_in_row, &
       new_group_table, next_rows, nothing, turn_x, turn_y
+   use surface_memory, only: check_memory, check_room
    use surface_saddle_order, only: saddle_type, sort_saddles
    implicit none
    private
@@ -33,40 +36,53 @@ module surface_hills
 contains
 
    !> Find all hills.
-   pure subroutine find_hills(z, least_relief, tops, stays)
+   pure subroutine find_hills(z, least_relief, name, tops, stays, error)
       !> Heights, `missing_height` where there is none
       real(wp), intent(in), contiguous :: z(:, :)
       !> Least relief
       real(wp), intent(in) :: least_relief
+      !> Name of the map
+      character(len=*), intent(in) :: name
       !> Places of their tops in storage from 1, in that order
       integer, allocatable, intent(out) :: tops(:)
       !> Whether a hill has that relief
       logical, allocatable, intent(out) :: stays(:)
+      !> Set when there is not enough memory
+      type(error_type), allocatable, intent(out) :: error
       integer, allocatable :: hill(:, :)
       type(saddle_type), allocatable :: saddles(:)
       type(group_table) :: table
       integer :: n
 
       call new_group_table(table)
-      call climb(z, table, hill, tops, saddles)
+      call climb(z, name, table, hill, tops, saddles, error)
+      if (allocated(error)) return
       call collect_saddles(z, table, hill, saddles, n)
       call sort_saddles(saddles(:n))
+      ! heights and numbers of hills besides
+      call check_room(name, 16_int64*size(tops, kind=int64), error)
+      if (allocated(error)) return
       call join_hills(z, least_relief, table, hill, saddles(:n), tops, stays)
    end subroutine find_hills
 
    !> Give each point the number of its hill. Points first hold minus the place of their highest
    !> neighbour, tops their number.
-   pure subroutine climb(z, table, hill, tops, saddles)
+   pure subroutine climb(z, name, table, hill, tops, saddles, error)
       real(wp), intent(in), contiguous :: z(:, :)
+      character(len=*), intent(in) :: name
       type(group_table), intent(in) :: table
       integer, allocatable, intent(out) :: hill(:, :), tops(:)
       !> With room for all saddles
       type(saddle_type), allocatable, intent(out) :: saddles(:)
+      type(error_type), allocatable, intent(out) :: error
       real(wp), allocatable :: rows(:, :)
       integer, allocatable :: higher(:)
-      integer :: i, j, n_tops, n_saddles, highest
+      integer :: i, j, n_tops, n_saddles, highest, status
 
-      allocate (hill(size(z, 1), size(z, 2)))
+      allocate (hill(size(z, 1), size(z, 2)), stat=status)
+      call check_memory(status, name, 4_int64*size(z, kind=int64), error)
+      call check_room(name, 0_int64, error)
+      if (allocated(error)) return
       n_tops = 0
       n_saddles = 0
       allocate (rows(0:size(z, 1) + 1, 0:2), higher(size(z, 1)))
@@ -87,8 +103,11 @@ contains
             end if
          end do
       end do
-      allocate (tops(n_tops), saddles(n_saddles))
-      call follow(hill, size(hill), tops)
+      allocate (tops(n_tops), stat=status)
+      if (status == 0) allocate (saddles(n_saddles), stat=status)
+      call check_memory(status, name, &
+         4_int64*n_tops + storage_size(saddles)/8_int64*n_saddles, error)
+      if (.not. allocated(error)) call follow(hill, size(hill), tops)
    end subroutine climb
 
    !> Follow each ascent to its top, and mark all points on it with the number there.

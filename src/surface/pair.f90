@@ -2,11 +2,13 @@
 !> of the gap between them. The gap of two faces is that of their sum against a plane, so squares of
 !> heights, slopes and curvatures add as far as the faces are not correlated.
 module surface_pair
+   use, intrinsic :: iso_fortran_env, only: int64
    use asperity_error, only: error_type, fatal_error
    use asperity_kinds, only: wp
    use asperity_text, only: to_text
    use surface_evaluate, only: no_parameter, parameters_of
    use surface_height_map, only: height_map, missing_height
+   use surface_memory, only: check_memory
    use surface_parameters, only: n_parameters, p_eta_paper, p_peak_mean, p_peak_sigma, &
       p_radius_paper, p_sa, p_sku, p_sp, p_spc, p_spd, p_ssk, p_summit_curvature, &
       p_summit_density, p_summit_mean, p_summit_sigma, p_sv, p_sz
@@ -154,7 +156,7 @@ contains
       !> Set when the maps do not fit each other
       type(error_type), allocatable, intent(out) :: error
       real(wp) :: other
-      integer :: i, j, nx, ny
+      integer :: i, j, nx, ny, status
 
       call check_pair(map_1, map_2, mirror, error)
       if (allocated(error)) return
@@ -164,7 +166,9 @@ contains
       map%step_y = map_1%step_y
       map%source = map_1%source//' + '//map_2%source
       map%format = ''
-      allocate (map%heights(nx, ny))
+      allocate (map%heights(nx, ny), stat=status)
+      call check_memory(status, map%source, 8_int64*nx*ny, error)
+      if (allocated(error)) return
       do j = 1, ny
          do i = 1, nx
             other = map_2%heights(merge(nx + 1 - i, i, mirror == 'x'), &

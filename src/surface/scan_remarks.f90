@@ -94,7 +94,7 @@ contains
          ' mm off the mean plane, '//to_text(size/sq, 3)//' times sq, at x '// &
          to_text(place(1), 5)//' mm, y '//to_text(place(2), 5)//' mm: a spike, or a number '// &
          'that marks a missing point? It raises sq and sz, and with sz the height of '// &
-         'pruning: take it out of the file.')
+         'pruning: take it out of the file, or name the number in --missing-value.')
    end subroutine remark_outlier
 
    !> Points that nobody measured.

@@ -7,6 +7,7 @@ module surface_summits
    use asperity_text, only: to_text
    use surface_height_map, only: height_map, missing_height
    use surface_hills, only: find_hills
+   use surface_memory, only: check_room
    implicit none
    private
    public :: find_summits, summit_set
@@ -53,7 +54,11 @@ contains
          return
       end if
       summits%pruned_below = share*height_range(map%heights)
-      call find_hills(map%heights, summits%pruned_below, tops, stays)
+      call find_hills(map%heights, summits%pruned_below, map%source, tops, stays, error)
+      ! 28 bytes a summit, and one whether it is inside
+      if (.not. allocated(error)) &
+         call check_room(map%source, 32_int64*size(tops, kind=int64), error)
+      if (allocated(error)) return
       associate (nx => size(map%heights, 1))
          allocate (is_inner(size(tops)))
          do n = 1, size(tops)

@@ -28,30 +28,35 @@ program fuzz_main
 
    allocate (seeds(0))
    call add_written(seeds, 'sdf')
-   call add_file(seeds, 'surfalize.sdf')
-   call add_file(seeds, 'sdfio_iso_2_0_binary_int16.sdf')
-   call add_file(seeds, 'sdfio_bcr_1_0_binary_uint16.sdf')
+   call add_file(seeds, 'maps/surfalize.sdf')
+   call add_file(seeds, 'maps/sdfio_iso_2_0_binary_int16.sdf')
+   call add_file(seeds, 'maps/sdfio_bcr_1_0_binary_uint16.sdf')
    call run('SDF binary', .false.)
-   call add_file(seeds, 'surfalize_text.sdf')
-   call add_file(seeds, 'sdfio_bcr_1_0_ascii_int32.sdf')
-   call add_file(seeds, 'sdfio_iso_2_0_ascii_binary32.sdf')
+   call add_file(seeds, 'maps/surfalize_text.sdf')
+   call add_file(seeds, 'maps/sdfio_bcr_1_0_ascii_int32.sdf')
+   call add_file(seeds, 'maps/sdfio_iso_2_0_ascii_binary32.sdf')
    call run('SDF text', .false.)
-   call add_file(seeds, 'surfalize.sur')
+   call add_file(seeds, 'maps/surfalize.sur')
    call run('SUR', .false.)
-   call add_file(seeds, 'surfalize_packed.sur')
+   call add_file(seeds, 'maps/surfalize_packed.sur')
    call run('SUR, compressed', .false.)
-   call add_file(seeds, 'surfalize.x3p')
-   call add_file(seeds, 'surface_topography_D.x3p')
-   call add_file(seeds, 'surface_topography_I.x3p')
+   call add_file(seeds, 'maps/surfalize.x3p')
+   call add_file(seeds, 'maps/surface_topography_D.x3p')
+   call add_file(seeds, 'maps/surface_topography_I.x3p')
    call run('X3P', .false.)
    call run('X3P within zip', .true.)
    call add_written(seeds, 'xyz')
    call add_written(seeds, 'names')
+   call add_written(seeds, 'quoted')
+   call add_file(seeds, 'scans/end_mark.xyz')
    call run('text of x, y, z', .false.)
    call add_written(seeds, 'csv')
    call add_written(seeds, 'esri')
    call add_written(seeds, 'gwyddion')
    call add_written(seeds, 'semicolons')
+   call add_written(seeds, 'axes')
+   call add_written(seeds, 'factor')
+   call add_file(seeds, 'scans/esri_broken_lines.asc')
    call run('text of a matrix', .false.)
    deallocate (seeds)
    write (*, '(i0, a, i0, a)') passed, ' passed, ', failed, ' failed'
@@ -121,14 +126,16 @@ contains
       is_told = chance%below(3) > 0
       if (index(name, 'text of') == 1 .and. (must_be_sound .or. is_told)) then
          if (index(file, '[') == 0) then
-            if (index(file, 'unit') == 0) hints%height_unit = 'um'
-            if (index(file, '# ') == 0) hints%lateral_unit = 'mm'
+            if (index(file, 'unit') + index(file, '/nm') == 0) hints%height_unit = 'um'
+            if (index(file, '# ') + index(file, '_um') == 0) hints%lateral_unit = 'mm'
          end if
          if (index(file, '1.25;') == 1) then
             hints%step_x = 0.001_wp
             hints%step_y = 0.002_wp
          end if
       end if
+      hints%has_missing_value = chance%below(8) == 0 .and. .not. must_be_sound
+      hints%missing_value = real(chance%below(10), wp)
       call system_clock(began, rate)
       call read_height_map_bytes('file', file, hints, map, error, 16 + chance%below(300))
       call system_clock(ended)

@@ -18,16 +18,16 @@ module fuzz_seeds
 
 contains
 
-   !> Append a file of test/data/maps.
+   !> Append a file of test/data.
    subroutine add_file(seeds, name)
       !> The seeds
       type(seed_type), allocatable, intent(inout) :: seeds(:)
-      !> Name in the folder
+      !> Name there, with its folder
       character(len=*), intent(in) :: name
       type(seed_type) :: seed
       integer :: length, unit, status
 
-      open (newunit=unit, file='test/data/maps/'//name, access='stream', form='unformatted', &
+      open (newunit=unit, file='test/data/'//name, access='stream', form='unformatted', &
          status='old', action='read', iostat=status)
       if (status /= 0) error stop 'run it in the folder of the project'
       inquire (unit=unit, size=length)
@@ -37,7 +37,8 @@ contains
       seeds = [seeds, seed]
    end subroutine add_file
 
-   !> Append a map as we write it, or as others do: `esri`, `gwyddion`, `semicolons`, `names`.
+   !> Append a map as we write it, or as others do: `esri`, `gwyddion`, `semicolons`, `names`,
+   !> `axes`, `factor`, `quoted`.
    subroutine add_written(seeds, form)
       !> The seeds
       type(seed_type), allocatable, intent(inout) :: seeds(:)
@@ -79,6 +80,24 @@ contains
             do i = 1, 5
                seed%bytes = seed%bytes//achar(48 + i)//'.5, '//achar(48 + j)//', '// &
                   achar(48 + mod(i*j, 10))//line_end
+            end do
+         end do
+      case ('axes')
+         seed%bytes = ',0,2.5,5,7.5,10,12.5'//line_end
+         do j = 1, 5
+            seed%bytes = seed%bytes//achar(48 + 2*j - 2)//',8.1,9.7,7.2,8.9,'//achar(48 + j)// &
+               '.3,9.4'//line_end
+         end do
+      case ('factor')
+         seed%bytes = 'h=6 w=5'//line_end//'pixel size=2.5e-006 m'//line_end//'data unit=rad'// &
+            line_end//'height conversion factor (-> m)=6.3e-008'//line_end//'Objective: 50x'// &
+            line_end//repeat('186.8 18.5 19.3 0 -1.5e2'//line_end, 6)//'# end'//line_end
+      case ('quoted')
+         seed%bytes = '"","y_um","x_um","Height/nm","note"'//line_end
+         do j = 1, 5
+            do i = 1, 5
+               seed%bytes = seed%bytes//'"7","'//achar(48 + j)//'","'//achar(48 + i)//'.5","'// &
+                  achar(48 + mod(i*j, 10))//'","good"'//line_end
             end do
          end do
       case default

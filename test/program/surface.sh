@@ -62,9 +62,9 @@ check 'surface: twice the height, the same peaks' near "$(value twice.csv spd)" 
 run surface numbers.xyz --lateral-unit mm --height-unit um --csv small.csv
 check 'surface: heights in um' near "$(value small.csv sq)" \
    "$(awk -v a="$(value twice.csv sq)" 'BEGIN { print a/1000 }')" 1e-5
-refuses 'surface: no unit of lengths' 2 'numbers.xyz: .* --lateral-unit' surface numbers.xyz
-refuses 'surface: no unit of heights' 2 'numbers.xyz: .* --height-unit' \
-   surface numbers.xyz --lateral-unit mm
+refuses 'surface: no unit of heights' 2 'numbers.xyz: .* --height-unit' surface numbers.xyz
+refuses 'surface: no unit of lengths' 2 'numbers.xyz: .* --lateral-unit' \
+   surface numbers.xyz --height-unit mm
 refuses 'surface: units that the file contradicts' 2 's.sdf: ' surface s.sdf --height-unit um
 
 # The case is taken by every command that takes properties

@@ -1,0 +1,195 @@
+!> The steps of a matrix: those that its header says, or that follow from the lengths of the whole
+!> map or from axes around the heights, or what the user says.
+module map_file_matrix_steps
+   use, intrinsic :: iso_fortran_env, only: int64
+   use asperity_error, only: error_type
+   use asperity_kinds, only: wp
+   use asperity_text, only: to_text
+   use map_file_byte_source, only: byte_source
+   use map_file_frame, only: frame_type
+   use map_file_places, only: count_text, line_error, map_error
+   use map_file_text_header, only: text_header
+   use map_file_units, only: map_hints, settle_step, settle_unit, unit_of_length
+   use surface_height_map, only: add_note, height_map
+   implicit none
+   private
+   public :: check_size, check_units, settle_steps
+
+   character(len=*), parameter :: columns_rows(2) = [character(len=7) :: 'columns', 'rows']
+   character(len=*), parameter :: extents(2) = [character(len=6) :: 'Width', 'Height']
+
+contains
+
+   !> Check the number of columns or rows against the header.
+   subroutine check_size(source, header, axis, found, error)
+      !> The file
+      type(byte_source), intent(in) :: source
+      !> Its header
+      type(text_header), intent(in) :: header
+      !> 1 for columns, 2 for rows
+      integer, intent(in) :: axis
+      !> How many there are
+      integer(int64), intent(in) :: found
+      !> Set when the header promises another number
+      type(error_type), allocatable, intent(out) :: error
+
+      if (header%sizes(axis) == 0_int64 .or. header%sizes(axis) == found) return
+      call line_error(error, source, source%first, 'there are '//count_text(found)//' '// &
+         trim(columns_rows(axis))//', the header promises '//count_text(header%sizes(axis))// &
+         ': the file was cut off, or the header is wrong')
+   end subroutine check_size
+
+   !> Check that the units of what the header says are known, before the numbers are read.
+   subroutine check_units(source, header, hints, error)
+      !> The file
+      type(byte_source), intent(in) :: source
+      !> Its header
+      type(text_header), intent(in) :: header
+      !> What the user says
+      type(map_hints), intent(in) :: hints
+      !> Set when a unit is missing or contradicts
+      type(error_type), allocatable, intent(out) :: error
+      real(wp) :: unit
+      integer :: i
+
+      do i = 1, 2
+         if (header%steps(i) > 0.0_wp) then
+            call find_unit(source, header, hints, header%step_units(i), 'lengths', unit, error)
+         else if (header%lengths(i) > 0.0_wp .and. header%length_units(i) /= '') then
+            call find_unit(source, header, hints, header%length_units(i), 'lengths', unit, error)
+         end if
+         if (allocated(error)) return
+      end do
+   end subroutine check_units
+
+   !> Set the steps.
+   subroutine settle_steps(source, header, hints, frame, points, map, error)
+      !> The file
+      type(byte_source), intent(in) :: source
+      !> Its header
+      type(text_header), intent(in) :: header
+      !> What the user says
+      type(map_hints), intent(in) :: hints
+      !> Axes around the heights
+      type(frame_type), intent(in) :: frame
+      !> Points along x and y
+      integer(int64), intent(in) :: points(2)
+      !> Its steps are set, notes are added
+      type(height_map), intent(inout) :: map
+      !> Set when they are not known, or contradict
+      type(error_type), allocatable, intent(out) :: error
+      real(wp) :: step(2), unit
+      logical :: is_count(2), may_count(2)
+      integer :: i
+
+      step = 0.0_wp
+      may_count = header%lengths > 0.0_wp .and. header%length_units == ''
+      is_count = may_count .and. .not. abs(header%lengths - real(points, wp)) > 0.0_wp
+      do i = 1, 2
+         if (header%steps(i) > 0.0_wp) then
+            call find_unit(source, header, hints, header%step_units(i), 'lengths', unit, error)
+            if (allocated(error)) return
+            step(i) = header%steps(i)*unit
+         else if (is_count(i)) then
+            cycle
+         else if (may_count(i) .and. any(is_count)) then
+            call map_error(error, source, trim(extents(3 - i))//' is the number of '// &
+               trim(columns_rows(3 - i))//', but '//trim(extents(i))//' = '// &
+               to_text(header%lengths(i))//' is not that of the '//trim(columns_rows(i))//', '// &
+               count_text(points(i))//': the file was cut off, or the header lacks units')
+            return
+         else if (header%lengths(i) > 0.0_wp) then
+            call find_unit(source, header, hints, header%length_units(i), 'lengths', unit, error)
+            if (allocated(error)) return
+            ! n points are n steps wide
+            step(i) = header%lengths(i)*unit/real(points(i), wp)
+         end if
+      end do
+      call take_axes(source, header, hints, frame, step, map, error)
+      if (.not. allocated(error)) call settle_step(source%name, 'x', step(1), hints%step_x, &
+         map%step_x, error)
+      if (.not. allocated(error)) call settle_step(source%name, 'y', step(2), hints%step_y, &
+         map%step_y, error)
+   end subroutine settle_steps
+
+   !> Steps of axes, where the header says none. Without a unit it is the one in which they agree
+   !> with the steps of the user. Numbers of columns and rows say no steps.
+   subroutine take_axes(source, header, hints, frame, step, map, error)
+      type(byte_source), intent(in) :: source
+      type(text_header), intent(in) :: header
+      type(map_hints), intent(in) :: hints
+      type(frame_type), intent(in) :: frame
+      real(wp), intent(inout) :: step(2)
+      type(height_map), intent(inout) :: map
+      type(error_type), allocatable, intent(out) :: error
+      real(wp) :: by_user(2), unit
+      character(len=8) :: name
+      logical :: is_scale(2)
+
+      is_scale = frame%is_axis .and. .not. frame%counts
+      if (any(is_scale) .and. any(is_scale .and. .not. step > 0.0_wp)) then
+         by_user = [hints%step_x, hints%step_y]
+         if (header%lateral_unit == '' .and. hints%lateral_unit == '' .and. &
+            all(by_user > 0.0_wp)) then
+            where (is_scale) by_user = by_user/abs(frame%step)
+            name = unit_of_length(by_user, is_scale)
+            if (name == '') then
+               call map_error(error, source, '--step contradicts the axes around the heights, '// &
+                  'whose steps are '//to_text(abs(frame%step(1)), 6)//' and '// &
+                  to_text(abs(frame%step(2)), 6)//': in no unit are they the same; leave it '// &
+                  'out and say the unit of the axes with --lateral-unit')
+               return
+            end if
+            call settle_unit(source%name, 'axes', '--lateral-unit', name, '', unit, error)
+         else
+            call find_unit(source, header, hints, '', 'axes', unit, error)
+         end if
+         if (allocated(error)) return
+         where (is_scale .and. .not. step > 0.0_wp) step = abs(frame%step)*unit
+      end if
+      call note_frame(frame, step, map)
+   end subroutine take_axes
+
+   !> Say what was taken for axes or numbers.
+   subroutine note_frame(frame, step, map)
+      type(frame_type), intent(in) :: frame
+      real(wp), intent(in) :: step(2)
+      type(height_map), intent(inout) :: map
+      character(len=*), parameter :: lines(2) = [character(len=16) :: 'the first line', &
+         'the first column']
+      character(len=*), parameter :: axes(2) = ['x', 'y']
+      integer :: i
+
+      do i = 1, 2
+         if (.not. frame%is_axis(i)) cycle
+         if (frame%counts(i)) then
+            call add_note(map, trim(lines(i))//' counts the '// &
+               trim(columns_rows(i))//' and is left out.')
+         else
+            call add_note(map, trim(lines(i))//' is the axis of '//axes(i)//', from '// &
+               to_text(frame%first(i), 6)//' in steps of '//to_text(frame%step(i), 6)//': '// &
+               to_text(step(i), 6)//' mm is the step, and it is left out of the heights.')
+         end if
+      end do
+      if (frame%is_doubtful) call add_note(map, 'its first line or column goes in equal steps, '// &
+         'as no heights do, and was taken for heights: if it numbers the others or is an axis, '// &
+         'take it out.')
+   end subroutine note_frame
+
+   !> Length of the unit of a line of the header, or of the whole file.
+   subroutine find_unit(source, header, hints, in_line, what, unit, error)
+      type(byte_source), intent(in) :: source
+      type(text_header), intent(in) :: header
+      type(map_hints), intent(in) :: hints
+      character(len=*), intent(in) :: in_line, what
+      real(wp), intent(out) :: unit
+      type(error_type), allocatable, intent(out) :: error
+      character(len=8) :: in_file
+
+      in_file = in_line
+      if (in_file == '') in_file = header%lateral_unit
+      call settle_unit(source%name, what, '--lateral-unit', in_file, hints%lateral_unit, unit, &
+         error)
+   end subroutine find_unit
+
+end module map_file_matrix_steps

@@ -1,0 +1,51 @@
+!> Memory that the system does not give.
+module surface_memory
+   use, intrinsic :: iso_fortran_env, only: int64, int8
+   use asperity_error, only: computation_error, error_type, fatal_error
+   use asperity_kinds, only: wp
+   use asperity_text, only: to_text
+   implicit none
+   private
+   public :: check_memory, check_room
+
+   real(wp), parameter :: mebibyte = 2.0_wp**20
+   !> Bytes that are always kept for what is small: lines of a map, tables, texts
+   integer(int64), parameter :: reserve = 16_int64*2_int64**20
+
+contains
+
+   !> Set `error` after an `allocate` that failed.
+   pure subroutine check_memory(status, what, bytes, error)
+      !> Its `stat`
+      integer, intent(in) :: status
+      !> What the memory was for, such as the name of a map
+      character(len=*), intent(in) :: what
+      !> How much was asked for
+      integer(int64), intent(in) :: bytes
+      !> Set unless `status` is 0
+      type(error_type), allocatable, intent(inout) :: error
+
+      if (status == 0 .or. allocated(error)) return
+      call fatal_error(error, what//': there is not enough memory, '// &
+         to_text(real(bytes, wp)/mebibyte, 4)//' MiB more were asked for: cut the map, or '// &
+         'raise the limit of memory (ulimit -v)', computation_error)
+   end subroutine check_memory
+
+   !> Set `error` unless so many bytes, and some for what is small, can be had now. What is taken
+   !> and freed within them needs no check of its own.
+   pure subroutine check_room(what, bytes, error)
+      !> What the memory is for, such as the name of a map
+      character(len=*), intent(in) :: what
+      !> How much
+      integer(int64), intent(in) :: bytes
+      !> Set unless there is room
+      type(error_type), allocatable, intent(inout) :: error
+      integer(int8), allocatable :: room(:)
+      integer :: status
+
+      if (allocated(error)) return
+      allocate (room(bytes + reserve), stat=status)
+      call check_memory(status, what, bytes + reserve, error)
+   end subroutine check_room
+
+end module surface_memory
