@@ -104,7 +104,11 @@ contains
       length = 0
       room = 0
       do while (length == room .and. room < limit .and. .not. allocated(reason))
-         room = min(limit, max(first_room, 2*min(room, limit/2)))
+         if (room > limit/2) then
+            room = limit
+         else
+            room = min(limit, max(first_room, 2*room))
+         end if
          call resize(text, length, room, reason)
          if (allocated(reason)) exit
          length = length + int(c_fread(text(length + 1:), 1_c_size_t, &
