@@ -225,7 +225,8 @@ if command -v iconv >/dev/null; then
    check 'records: ... CSV, JSON and screen are UTF-8' sh -c 'cat l.csv l.json out | iconv -f UTF-8 -t UTF-16 >/dev/null'
 fi
 check 'records: ... the unit is a micrometre' test "$(csv_unit l.csv positive_displacement)" = "$(printf '\302\265m')"
-history 'micrometres in Latin-1' "$latin" 0.002
+sed 's/^\([0-9]*\);/\1000;/' "$latin" >"thousand $latin"
+history 'micrometres in Latin-1' "thousand $latin" 2
 if command -v python3 >/dev/null; then
    check 'records: ... JSON of it is JSON' python3 -c "
 import json

@@ -28,11 +28,11 @@ run curve --csv link.csv
 check 'a link stays a link' test "$(readlink link.csv)" = keep.csv
 check 'what it points to is written' cmp keep.csv plain.csv
 mkdir deeper
-ln -s ../deeper/new.csv deeper/second.csv
-ln -s deeper/second.csv first.csv
-run curve --csv first.csv
+ln -s ../deeper/new.csv deeper/inner_link.csv
+ln -s deeper/inner_link.csv outer_link.csv
+run curve --csv outer_link.csv
 check 'what a link to nothing points to is written' cmp deeper/new.csv plain.csv
-check 'links to nothing stay links' test -L first.csv -a -L deeper/second.csv
+check 'links to nothing stay links' test -L outer_link.csv -a -L deeper/inner_link.csv
 ln -s circle.csv circle.csv
 refuses 'a link to itself' 3 '--csv: circle.csv cannot be written: its links lead to each other' \
    curve --csv circle.csv
