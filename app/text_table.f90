@@ -235,6 +235,8 @@ contains
       if (.not. value < no_value) return
       write (buffer, form) value
       text = trim(adjustl(buffer))
+      ! what rounds to zero has no sign
+      if (verify(text, '-0.') == 0 .and. text(1:1) == '-') text = text(2:)
    end function number_text
 
    !> Letters of the flags that are set, or `valid`.

@@ -63,6 +63,7 @@ check 'tenon: published figures' \
    sh -c 'grep -q "^  test, paper  *-19.56  1.221  *-22.14  *1.236  *181.06  *1.173" out \
       && grep -q "^  hard contact, paper (OC-FEM)  *-16.02  *1.000  *-17.91 .* 154.39 " out \
       && grep -q "^  rough law, paper (VC-FEM)  *-18.03  *1.125  *-19.84  *1.108  *163.82  *1.061" out'
+check 'tenon: no zero has a sign' lacks out '(^| )-0[.]0*( |$)'
 check 'tenon: it says that it is a prediction' has out 'A prediction from chosen sizes'
 member() { sed -n "/^\"$1\"/,/^}/p" "${3:-t.json}" | sed -n "s/^\"$2\": \[\(.*\)\].*/\1/p"; }
 check 'tenon: ratios are to hard contact' awk -v a="$(member summary ultimate_moment full.json)" \
