@@ -116,6 +116,12 @@ check 'tenon: through UINTER it is the same joint' sh -c '
    cut -d, -f1,7 t.csv >a; cut -d, -f7 t4.csv | paste -d, a - | awk -F, "NR > 1 {
       d = \$2 - \$3; if (d*d > 1e-8) { print; exit 1 } }"'
 
+# A limit that UINTER warns of is told of the joint, not of an interaction and a node
+run tenon "${small[@]}" --through uinter --yield-factor 0.1
+check 'tenon: a limit is told by rows' grep -q 'yield_factor below 0.1907: .*, the first is row' out
+check 'tenon: and by no node of a host' lacks out 'INTERACTION|NODE [0-9]'
+check 'tenon: nor on standard error' lacks err 'INTERACTION|NODE [0-9]'
+
 # Sizes that follow from the height, to the bit, and where they come from
 run tenon "${small[@]}" --height 180 --csv follows.csv
 check 'tenon: a depth says what it follows from' sh -c '
