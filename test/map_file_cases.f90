@@ -14,6 +14,19 @@ module map_file_cases
    character(len=1), parameter, public :: nl = achar(10)
    !> What says the units of a text that does not
    type(map_hints), parameter, public :: in_mm = map_hints(lateral_unit='mm', height_unit='mm')
+   !> No hints, and all that a matrix of numbers needs, with steps of 0.5 and 0.25 mm
+   type(map_hints), parameter, public :: no_hints = map_hints(), &
+      with_steps = map_hints('', 'mm', 0.5_wp, 0.25_wp)
+   !> Heights of 5 lines of 6 points that go in no equal steps, mm
+   character(len=*), parameter, public :: small_rows(5) = [character(len=23) :: &
+      '3.1,4.7,2.2,8.9,5.3,4.4', '2.7,3.6,4.1,7.7,6.2,5.1', '3.3,2.9,5.6,6.1,7.4,4.8', &
+      '4.2,3.8,4.9,6.6,6.9,5.7', '3.9,4.5,5.2,5.8,7.1,6.3']
+   real(wp), parameter, public :: small_heights(30) = [ &
+      3.1_wp, 4.7_wp, 2.2_wp, 8.9_wp, 5.3_wp, 4.4_wp, &
+      2.7_wp, 3.6_wp, 4.1_wp, 7.7_wp, 6.2_wp, 5.1_wp, &
+      3.3_wp, 2.9_wp, 5.6_wp, 6.1_wp, 7.4_wp, 4.8_wp, &
+      4.2_wp, 3.8_wp, 4.9_wp, 6.6_wp, 6.9_wp, 5.7_wp, &
+      3.9_wp, 4.5_wp, 5.2_wp, 5.8_wp, 7.1_wp, 6.3_wp]
 
 contains
 

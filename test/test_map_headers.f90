@@ -2,23 +2,13 @@
 module test_map_headers
    use asperity_kinds, only: wp
    use funit, only: assertEqual, assertFalse, assertTrue, TestMethod, TestSuite
-   use map_file_cases, only: assert_map, has_text, in_mm, nl, read_text, refused
+   use map_file_cases, only: assert_map, has_text, in_mm, nl, no_hints, read_text, refused, &
+      small_heights, small_rows, with_steps
    use map_file_read, only: map_hints
    use surface_height_map, only: height_map, missing_points, note_end
    implicit none
    private
    public :: suite_map_headers
-
-   type(map_hints), parameter :: no_hints = map_hints()
-   type(map_hints), parameter :: with_steps = map_hints('', 'mm', 0.5_wp, 0.25_wp)
-   !> Heights of 5 lines of 6 points that go in no equal steps, mm
-   character(len=*), parameter :: rows(5) = [character(len=23) :: '3.1,4.7,2.2,8.9,5.3,4.4', &
-      '2.7,3.6,4.1,7.7,6.2,5.1', '3.3,2.9,5.6,6.1,7.4,4.8', '4.2,3.8,4.9,6.6,6.9,5.7', &
-      '3.9,4.5,5.2,5.8,7.1,6.3']
-   real(wp), parameter :: heights(30) = [3.1_wp, 4.7_wp, 2.2_wp, 8.9_wp, 5.3_wp, 4.4_wp, &
-      2.7_wp, 3.6_wp, 4.1_wp, 7.7_wp, 6.2_wp, 5.1_wp, 3.3_wp, 2.9_wp, 5.6_wp, 6.1_wp, 7.4_wp, &
-      4.8_wp, 4.2_wp, 3.8_wp, 4.9_wp, 6.6_wp, 6.9_wp, 5.7_wp, 3.9_wp, 4.5_wp, 5.2_wp, 5.8_wp, &
-      7.1_wp, 6.3_wp]
 
 contains
 
@@ -44,8 +34,8 @@ contains
       integer :: i
 
       text = ''
-      do i = 1, size(rows)
-         text = text//rows(i)//nl
+      do i = 1, size(small_rows)
+         text = text//small_rows(i)//nl
       end do
       if (.not. present(separator)) return
       do i = 1, len(text)
@@ -92,7 +82,7 @@ contains
          text = names//nl
          do j = 0, 4
             do i = 0, 5
-               write (line, '(i0, ",", i0, ",", f0.1)') 3*j, 2*i, heights(6*j + i + 1)
+               write (line, '(i0, ",", i0, ",", f0.1)') 3*j, 2*i, small_heights(6*j + i + 1)
                do k = 1, len_trim(line)
                   if (present(blanks) .and. line(k:k) == ',') line(k:k) = ' '
                end do
@@ -102,7 +92,7 @@ contains
          call read_text(text, hints, map)
          call assertEqual([6, 5], shape(map%heights), names)
          if (any(shape(map%heights) /= [6, 5])) return
-         call assert_map(map, 6, 1.0e-6_wp*heights, 1.0e-15_wp)
+         call assert_map(map, 6, 1.0e-6_wp*small_heights, 1.0e-15_wp)
          call assertEqual(0.002_wp, map%step_x, 1.0e-15_wp, names)
          call assertEqual(0.003_wp, map%step_y, 1.0e-15_wp, names)
          call assertFalse(allocated(map%notes), names)
@@ -131,7 +121,7 @@ contains
       do k = 1, size(factors)
          call read_text('data unit = rad'//nl//trim(factors(k))//nl//'pixel size = 3e-6 m'//nl// &
             text, no_hints, map)
-         call assert_map(map, 6, 2.0_wp*heights, 1.0e-14_wp)
+         call assert_map(map, 6, 2.0_wp*small_heights, 1.0e-14_wp)
          call assertEqual(0.003_wp, map%step_y, 1.0e-15_wp)
          call assertTrue(has_text(map%notes, 'a number is a height of 2.0'), map%notes)
       end do
@@ -167,7 +157,7 @@ contains
          real(wp), intent(in) :: steps(2)
 
          call read_text(header//nl//text, hints, map)
-         call assert_map(map, 6, heights, 1.0e-15_wp)
+         call assert_map(map, 6, small_heights, 1.0e-15_wp)
          call assertEqual(steps(1), map%step_x, 1.0e-15_wp, header)
          call assertEqual(steps(2), map%step_y, 1.0e-15_wp, header)
       end subroutine check
@@ -192,13 +182,14 @@ contains
       hints%missing_value = -99.9999_wp
       call read_text(text, hints, map)
       call assertFalse(allocated(map%notes), 'nothing to say')
-      call assert_map(map, 6, [heights, 4.1_wp, 9.0_wp, 5.2_wp, 9.0_wp, 6.6_wp, 5.9_wp], 1.0e-15_wp)
+      call assert_map(map, 6, [small_heights, 4.1_wp, 9.0_wp, 5.2_wp, 9.0_wp, 6.6_wp, 5.9_wp], &
+         1.0e-15_wp)
       call refused('# nodata: -1'//nl//text, 'file: --missing-value -99.9999 contradicts', &
          'by -1.0', hints)
       ! points, and zeros
       points = ''
       do i = 0, 29
-         write (line, '(i0, " ", i0, " ", f0.1)') mod(i, 6), i/6, heights(i + 1)
+         write (line, '(i0, " ", i0, " ", f0.1)') mod(i, 6), i/6, small_heights(i + 1)
          if (i == 7 .or. i == 9) line(5:) = '0'
          points = points//trim(line)//nl
       end do
@@ -220,7 +211,7 @@ contains
       call lines_of(text, ' ')
       call read_text('Objective: 50x'//nl//'# ---'//nl//'# made by M'//char(252)//'ller'//nl// &
          text, with_steps, map)
-      call assert_map(map, 6, heights, 1.0e-15_wp)
+      call assert_map(map, 6, small_heights, 1.0e-15_wp)
       call assertEqual('file: not understood in its header, and not used: ''Objective: 50x'', '// &
          '''# made by M?ller''.'//note_end, map%notes)
       call read_text(repeat('# some line'//nl, 7)//text, with_steps, map)
@@ -252,7 +243,7 @@ contains
 
       call lines_of(text, ' ')
       call read_text(text//'# the end'//nl//nl//'#'//nl, with_steps, map)
-      call assert_map(map, 6, heights, 1.0e-15_wp)
+      call assert_map(map, 6, small_heights, 1.0e-15_wp)
       call refused(text//'# Channel: phase'//nl//text, 'file:7:1: ', 'numbers follow a comment', &
          with_steps)
       call refused('0 0 1'//nl//'# next'//nl//'1 0 2'//nl, 'file:3:1: ', &

@@ -3,24 +3,15 @@ module test_map_layouts
    use asperity_error, only: error_type
    use asperity_kinds, only: wp
    use funit, only: assertEqual, assertTrue, TestMethod, TestSuite
-   use map_file_cases, only: assert_map, has_text, nl, read_text, refused
+   use map_file_cases, only: assert_map, has_text, nl, no_hints, read_text, refused, &
+      small_heights, small_rows, with_steps
    use map_file_read, only: map_hints, read_height_map
    use surface_height_map, only: height_map, missing_height, missing_points
    implicit none
    private
    public :: suite_map_layouts
 
-   type(map_hints), parameter :: no_hints = map_hints()
-   type(map_hints), parameter :: with_steps = map_hints('', 'mm', 0.5_wp, 0.25_wp)
    character(len=*), parameter :: folder = 'test/data/scans/'
-   !> Heights of 5 lines of 6 points that go in no equal steps, mm
-   character(len=*), parameter :: rows(5) = [character(len=23) :: '3.1,4.7,2.2,8.9,5.3,4.4', &
-      '2.7,3.6,4.1,7.7,6.2,5.1', '3.3,2.9,5.6,6.1,7.4,4.8', '4.2,3.8,4.9,6.6,6.9,5.7', &
-      '3.9,4.5,5.2,5.8,7.1,6.3']
-   real(wp), parameter :: heights(30) = [3.1_wp, 4.7_wp, 2.2_wp, 8.9_wp, 5.3_wp, 4.4_wp, &
-      2.7_wp, 3.6_wp, 4.1_wp, 7.7_wp, 6.2_wp, 5.1_wp, 3.3_wp, 2.9_wp, 5.6_wp, 6.1_wp, 7.4_wp, &
-      4.8_wp, 4.2_wp, 3.8_wp, 4.9_wp, 6.6_wp, 6.9_wp, 5.7_wp, 3.9_wp, 4.5_wp, 5.2_wp, 5.8_wp, &
-      7.1_wp, 6.3_wp]
 
 contains
 
@@ -129,9 +120,9 @@ contains
       integer :: i
 
       text = first
-      do i = 1, size(rows)
+      do i = 1, size(small_rows)
          if (size(numbers) > 0) text = text//trim(numbers(i))//','
-         text = text//rows(i)//nl
+         text = text//small_rows(i)//nl
       end do
       if (.not. present(separator)) return
       do i = 1, len(text)
@@ -139,7 +130,7 @@ contains
       end do
    end subroutine framed
 
-   !> The heights are `heights`, reversed along y or x if asked, and `part` is said.
+   !> The heights are `small_heights`, reversed along y or x if asked, and `part` is said.
    subroutine check_frame(text, hints, steps, part, is_turned)
       character(len=*), intent(in) :: text, part
       type(map_hints), intent(in) :: hints
@@ -156,7 +147,7 @@ contains
             if (is_turned(1)) map%heights = map%heights(6:1:-1, :)
             if (is_turned(2)) map%heights = map%heights(:, 5:1:-1)
          end if
-         call assert_map(map, 6, heights, 1.0e-15_wp)
+         call assert_map(map, 6, small_heights, 1.0e-15_wp)
          call assertEqual(steps(1), map%step_x, 1.0e-14_wp)
          call assertEqual(steps(2), map%step_y, 1.0e-14_wp)
          call assertTrue(allocated(map%notes), text)
