@@ -8,7 +8,7 @@ module map_file_byte_source
    use asperity_kinds, only: wp
    use map_file_c_files, only: c_fclose, c_fopen, c_fread, c_fseek, c_ftell, c_memchr, c_memmove, &
       from_end, from_start
-   use surface_memory, only: check_memory
+   use asperity_memory, only: check_memory
    implicit none
    private
    public :: byte_source, close_source, memory_of, next_line, open_source, progress_report, &

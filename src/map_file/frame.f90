@@ -12,7 +12,7 @@ module map_file_frame
    use asperity_kinds, only: wp
    use map_file_byte_source, only: byte_source
    use surface_height_map, only: fewest_points, missing_height
-   use surface_memory, only: check_memory
+   use asperity_memory, only: check_memory
    implicit none
    private
    public :: border_type, find_frame, frame_type

@@ -6,7 +6,7 @@ module map_file_new_map
    use map_file_byte_source, only: byte_source
    use map_file_places, only: count_text
    use surface_height_map, only: fewest_points, height_map
-   use surface_memory, only: check_memory, check_room
+   use asperity_memory, only: check_memory, check_room
    implicit none
    private
    public :: allocate_heights

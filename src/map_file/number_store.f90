@@ -5,7 +5,7 @@ module map_file_number_store
    use, intrinsic :: iso_fortran_env, only: int32, int64
    use asperity_error, only: error_type
    use asperity_kinds, only: wp
-   use surface_memory, only: check_memory
+   use asperity_memory, only: check_memory
    implicit none
    private
    public :: number_store

@@ -10,7 +10,7 @@ module map_file_write
    use asperity_text, only: to_text
    use map_file_heights, only: bytes_of, float64, sint32
    use surface_height_map, only: check_height_map, height_map, missing_height, missing_points
-   use surface_memory, only: check_memory, check_room
+   use asperity_memory, only: check_memory, check_room
    implicit none
    private
    public :: height_map_bytes

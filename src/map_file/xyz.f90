@@ -20,7 +20,7 @@ module map_file_xyz
    use map_file_text_header, only: marks_missing, text_header
    use map_file_units, only: map_hints, settle_step, settle_unit
    use surface_height_map, only: height_map, missing_height
-   use surface_memory, only: check_room
+   use asperity_memory, only: check_room
    implicit none
    private
    public :: read_xyz

@@ -10,7 +10,7 @@ module surface_analysis
       missing_points
    use surface_holes, only: fill_missing, missing_share
    use surface_level, only: level_plane, remove_form
-   use surface_memory, only: check_room
+   use asperity_memory, only: check_room
    use surface_parameters, only: n_parameters
    use surface_sum_map, only: sum_map
    use surface_summits, only: find_summits, summit_set

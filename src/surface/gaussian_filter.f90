@@ -18,7 +18,7 @@ module surface_gaussian_filter
    use asperity_text, only: to_text
    use surface_height_map, only: height_map, missing_height, missing_points
    use surface_line_filter, only: delete_line_filter, filter_lines, line_filter, new_line_filter
-   use surface_memory, only: check_memory, check_room
+   use asperity_memory, only: check_memory, check_room
    implicit none
    private
    public :: filter_long, filter_short

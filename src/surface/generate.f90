@@ -15,7 +15,7 @@ module surface_generate
    use surface_generate_settings, only: check_surface_settings, surface_settings
    use surface_generate_spectrum, only: correlation_reach, distort_spectrum, fill_spectrum
    use surface_height_map, only: height_map
-   use surface_memory, only: check_room
+   use asperity_memory, only: check_room
    use surface_random, only: fill_normal, new_random, random_type
    implicit none
    private

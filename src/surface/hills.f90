@@ -27,7 +27,7 @@ module surface_hills
    use asperity_kinds, only: wp
    use surface_higher, only: first_rows, group_table, higher_in_row, highest_in_row, &
       new_group_table, next_rows, nothing, turn_x, turn_y
-   use surface_memory, only: check_memory, check_room
+   use asperity_memory, only: check_memory, check_room
    use surface_saddle_order, only: saddle_type, sort_saddles
    implicit none
    private

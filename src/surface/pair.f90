@@ -8,7 +8,7 @@ module surface_pair
    use asperity_text, only: to_text
    use surface_evaluate, only: no_parameter, parameters_of
    use surface_height_map, only: height_map, missing_height
-   use surface_memory, only: check_memory
+   use asperity_memory, only: check_memory
    use surface_parameters, only: n_parameters, p_eta_paper, p_peak_mean, p_peak_sigma, &
       p_radius_paper, p_sa, p_sku, p_sp, p_spc, p_spd, p_ssk, p_summit_curvature, &
       p_summit_density, p_summit_mean, p_summit_sigma, p_sv, p_sz

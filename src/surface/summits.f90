@@ -7,7 +7,7 @@ module surface_summits
    use asperity_text, only: to_text
    use surface_height_map, only: height_map, missing_height
    use surface_hills, only: find_hills
-   use surface_memory, only: check_room
+   use asperity_memory, only: check_room
    implicit none
    private
    public :: find_summits, summit_set

@@ -1,5 +1,5 @@
 !> Memory that the system does not give.
-module surface_memory
+module asperity_memory
    use, intrinsic :: iso_fortran_env, only: int64, int8
    use asperity_error, only: computation_error, error_type, fatal_error
    use asperity_kinds, only: wp
@@ -48,4 +48,4 @@ contains
       call check_memory(status, what, bytes + reserve, error)
    end subroutine check_room
 
-end module surface_memory
+end module asperity_memory
