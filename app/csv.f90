@@ -1,19 +1,23 @@
 !> A table as CSV: one line of column names with units, one line per row, numbers with 17 figures.
 module app_csv
+   use asperity, only: error_type
    use app_strings, only: escaped, newline
    use app_table, only: column_texts, column_type, table_type
    use app_text_buffer, only: text_buffer
    implicit none
    private
-   public :: csv_text
+   public :: write_csv
 
 contains
 
    !> The table as CSV.
-   pure function csv_text(table) result(text)
+   pure subroutine write_csv(table, text, error)
       !> The table
       type(table_type), intent(in) :: table
-      character(len=:), allocatable :: text
+      !> The text
+      character(len=:), allocatable, intent(out) :: text
+      !> Set when there is not enough memory for it
+      type(error_type), allocatable, intent(out) :: error
       type(text_buffer) :: buffer
       integer :: i, row
 
@@ -33,8 +37,8 @@ contains
          end do
          call buffer%line()
       end do
-      text = buffer%text()
-   end function csv_text
+      call buffer%take(text, error)
+   end subroutine write_csv
 
    !> `name (unit)`, the name alone where there is no unit.
    pure function heading(column) result(text)

@@ -52,7 +52,8 @@ contains
       if (allocated(error)) return
       allocate (report%decks(1))
       report%decks(1)%option = 'inp'
-      call write_shear_deck(model, report%decks(1)%text)
+      call write_shear_deck(model, report%decks(1)%text, error)
+      if (allocated(error)) return
       call fill_table(report, ['lower disc', 'upper disc'], [model%lower, model%upper])
       call remark(report, 'normal stress '//to_text(settings%normal_stress, 6)// &
          ' MPa; the meshes overlap by '//to_text(model%overclosure, 6)// &
@@ -84,7 +85,8 @@ contains
       if (allocated(error)) return
       allocate (report%decks(1))
       report%decks(1)%option = 'inp'
-      call write_tenon_deck(model, report%decks(1)%text)
+      call write_tenon_deck(model, report%decks(1)%text, error)
+      if (allocated(error)) return
       call fill_table(report, ['column', 'beam  '], [model%column, model%beam])
       call remark(report, 'half model: forces are half of those of the joint')
       call remark(report, trim(merge('2 steps of load and fit', '1 step of load         ', &

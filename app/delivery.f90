@@ -1,11 +1,13 @@
 !> Brings a report to where the user wants it: terminal, CSV, JSON, picture.
 module app_delivery
+   use, intrinsic :: iso_fortran_env, only: int64
    use asperity, only: error_type, file_error
    use asperity_error, only: fatal_error
+   use asperity_memory, only: check_work
    use app_cli, only: command_line_type
-   use app_csv, only: csv_text
+   use app_csv, only: write_csv
    use app_gnuplot, only: check_picture, draw
-   use app_json, only: json_text
+   use app_json, only: write_json
    use app_html, only: count_svg
    use app_output, only: open_target, output_file, write_files, write_standard_output
    use app_path, only: resolved_path
@@ -14,7 +16,7 @@ module app_delivery
    use app_report, only: report_type
    use app_tenon_page, only: page_script, page_text
    use app_terminal, only: terminal_text, warning_text
-   use app_utf8, only: utf8_text
+   use app_utf8, only: make_utf8, utf8_text
    implicit none
    private
    public :: delivery_type, prepare_delivery, deliver
@@ -31,6 +33,11 @@ module app_delivery
    !> Options that name a file; pictures first since they are most likely to fail
    character(len=*), parameter :: options(10) = [character(len=8) :: 'plot', 'report', 'csv', &
       'json', 'points', 'abaqus', 'calculix', 'inp', 'case', 'map']
+   !> Bytes that choosing the rows shown takes for each row of the table
+   integer(int64), parameter :: bytes_of_row = 16
+   !> How often the script of pictures is in memory on its way to gnuplot: it grows, becomes UTF-8,
+   !> and follows its terminal
+   integer(int64), parameter :: copies_of_script = 6
    !> Path that stands for standard output
    character(len=*), parameter :: dash = '-'
 
@@ -120,29 +127,44 @@ contains
       character(len=:), allocatable :: picture, reason, text
       integer :: i
 
+      call check_work('the report', bytes_of_row*report%table%rows, error)
+      if (allocated(error)) return
       do i = 1, size(delivery%files)
          associate (file => delivery%files(i))
             if (file%option == '--plot') then
-               call draw(file, plot_script(report), allocated(report%pictures), picture, error)
+               call check_script(file%option, report, error)
+               if (.not. allocated(error)) &
+                  call draw(file, plot_script(report), allocated(report%pictures), picture, error)
                call move_alloc(picture, file%text)
             else if (file%option == '--report') then
-               call draw_page(file, report, error)
+               call check_script(file%option, report, error)
+               if (.not. allocated(error)) call draw_page(file, report, error)
             else
-               call take_text(file%option, report, file%text)
+               call take_text(file%option, report, file%text, error)
             end if
          end associate
          if (allocated(error)) return
       end do
-      call write_files(delivery%files, error)
+      if (delivery%standard /= '') call take_text(delivery%standard, report, text, error)
+      if (.not. allocated(error)) call write_files(delivery%files, error)
       if (allocated(error)) return
       if (delivery%standard == '') then
          call write_standard_output(utf8_text(terminal_text(report)), error)
       else
-         call take_text(delivery%standard, report, text)
          call write_standard_output(text, error)
          call write_text(standard_error, utf8_text(warning_text(report)), reason)
       end if
    end subroutine deliver
+
+   !> Set `error` unless there is room for the script of pictures on its way to gnuplot.
+   pure subroutine check_script(option, report, error)
+      character(len=*), intent(in) :: option
+      type(report_type), intent(in) :: report
+      type(error_type), allocatable, intent(inout) :: error
+
+      if (.not. allocated(report%picture_data)) return
+      call check_work(option, copies_of_script*len(report%picture_data, int64), error)
+   end subroutine check_script
 
    !> Draw the pictures of a page, and make the page of them.
    subroutine draw_page(file, report, error)
@@ -169,10 +191,11 @@ contains
    end function is_drawn
 
    !> The report in the form of an option.
-   pure subroutine take_text(option, report, text)
+   pure subroutine take_text(option, report, text, error)
       character(len=*), intent(in) :: option
       type(report_type), intent(inout) :: report
       character(len=:), allocatable, intent(out) :: text
+      type(error_type), allocatable, intent(out) :: error
       integer :: i
 
       if (allocated(report%decks)) then
@@ -184,12 +207,14 @@ contains
          end if
       end if
       if (option == '--csv') then
-         text = utf8_text(csv_text(report%table))
+         call write_csv(report%table, text, error)
       else if (option == '--points') then
-         text = utf8_text(csv_text(report%points))
+         call write_csv(report%points, text, error)
       else
-         text = utf8_text(json_text(report))
+         call write_json(report, text, error)
       end if
+      if (.not. allocated(error)) call make_utf8(text, error)
+      if (allocated(error)) error%message = option//': '//error%message
    end subroutine take_text
 
 end module app_delivery

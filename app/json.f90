@@ -1,7 +1,7 @@
 !> A report as JSON: input, units, one list per column. Never holds NaN or infinity: what has no
 !> value is null.
 module app_json
-   use asperity, only: validity_remark
+   use asperity, only: error_type, validity_remark
    use asperity_text, only: to_text
    use asperity_version, only: version
    use app_keys, only: belongs, command_names, keys, kind_file, kind_integer, kind_list, &
@@ -13,15 +13,18 @@ module app_json
    use app_text_buffer, only: text_buffer
    implicit none
    private
-   public :: json_text
+   public :: write_json
 
 contains
 
    !> The report as JSON.
-   pure function json_text(report) result(text)
+   pure subroutine write_json(report, text, error)
       !> The report
       type(report_type), intent(in) :: report
-      character(len=:), allocatable :: text
+      !> The text
+      character(len=:), allocatable, intent(out) :: text
+      !> Set when there is not enough memory for it
+      type(error_type), allocatable, intent(out) :: error
       type(text_buffer) :: buffer
       integer :: i
 
@@ -53,8 +56,8 @@ contains
       call add_columns(buffer, report%table)
       call buffer%line('}')
       call buffer%line('}')
-      text = buffer%text()
-   end function json_text
+      call buffer%take(text, error)
+   end subroutine write_json
 
    !> Lines as one text.
    pure function joined(lines) result(text)

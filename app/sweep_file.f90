@@ -7,7 +7,7 @@ module app_sweep_file
    use asperity_validity, only: all_flags
    use app_checksum, only: checksum
    use app_cli, only: command_line_type
-   use app_csv, only: csv_text
+   use app_csv, only: write_csv
    use app_locked_file, only: append_text, locked_file, open_locked, remove_locked, shorten
    use app_output, only: open_target, output_file
    use app_print_case, only: case_text
@@ -69,7 +69,9 @@ contains
          call fatal_error(error, partial%path//': is no file', file_error)
          return
       end if
-      head = heading(line, settings, history)//csv_text(sweep_table(axes, results, no_rows))
+      call write_csv(sweep_table(axes, results, no_rows), head, error)
+      if (allocated(error)) return
+      head = heading(line, settings, history)//head
       call open_locked(partial%file, target%target, reason)
       if (.not. allocated(reason)) call read_file(target%target, largest, text, reason)
       if (.not. allocated(reason)) then
@@ -219,7 +221,8 @@ contains
       character(len=:), allocatable :: text, reason
 
       if (partial%path == '') return
-      text = csv_text(sweep_table(axes, results, [which]))
+      call write_csv(sweep_table(axes, results, [which]), text, error)
+      if (allocated(error)) return
       call append_text(partial%file, text(index(text, newline) + 1:), reason)
       if (allocated(reason)) call fatal_error(error, partial%path//': cannot be written: '// &
          reason, file_error)

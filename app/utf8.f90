@@ -1,9 +1,10 @@
 !> Text of files and of the user, which may be in an older encoding, as valid UTF-8.
 module app_utf8
+   use asperity, only: error_type
    use app_text_buffer, only: text_buffer
    implicit none
    private
-   public :: utf8_text
+   public :: make_utf8, utf8_text
 
    !> Code points that windows-1252 has for the bytes 128 to 159; 65533 stands for none. The bytes
    !> from 160 on are code points themselves, as in Latin-1
@@ -13,13 +14,27 @@ module app_utf8
 
 contains
 
-   !> The text with every byte that is no part of valid UTF-8 read as windows-1252, of which
-   !> Latin-1 is a part.
+   !> The text with every byte that is no part of valid UTF-8 read as windows-1252. For what is
+   !> short; without memory it stays as it is.
    pure function utf8_text(text) result(valid)
       !> Any bytes
       character(len=*), intent(in) :: text
       character(len=:), allocatable :: valid
+      type(error_type), allocatable :: error
+
+      valid = text
+      call make_utf8(valid, error)
+   end function utf8_text
+
+   !> Read every byte of a text that is no part of valid UTF-8 as windows-1252, of which Latin-1 is
+   !> a part.
+   pure subroutine make_utf8(text, error)
+      !> Any bytes, valid UTF-8 on return
+      character(len=:), allocatable, intent(inout) :: text
+      !> Set when there is not enough memory for it; the text stays as it is then
+      type(error_type), allocatable, intent(out) :: error
       type(text_buffer) :: buffer
+      character(len=:), allocatable :: valid
       integer :: i, first, length
 
       first = 1
@@ -27,18 +42,17 @@ contains
       do while (i <= len(text))
          length = sequence_length(text(i:min(len(text), i + 3)))
          if (length == 0) then
-            call buffer%add(text(first:i - 1)//encoded(code_of(text(i:i))))
+            call buffer%add(text(first:i - 1))
+            call buffer%add(encoded(code_of(text(i:i))))
             first = i + 1
          end if
          i = i + max(1, length)
       end do
-      if (first == 1) then
-         valid = text
-      else
-         call buffer%add(text(first:))
-         valid = buffer%text()
-      end if
-   end function utf8_text
+      if (first == 1) return
+      call buffer%add(text(first:))
+      call buffer%take(valid, error)
+      if (.not. allocated(error)) call move_alloc(valid, text)
+   end subroutine make_utf8
 
    !> Bytes of the UTF-8 character that a text begins with, zero if it begins with none.
    pure integer function sequence_length(text) result(length)

@@ -6,11 +6,13 @@ module asperity_memory
    use asperity_text, only: to_text
    implicit none
    private
-   public :: check_memory, check_room
+   public :: check_memory, check_room, check_work
 
    real(wp), parameter :: mebibyte = 2.0_wp**20
    !> Bytes that are always kept for what is small: lines of a map, tables, texts
    integer(int64), parameter :: reserve = 16_int64*2_int64**20
+   !> Bytes of work from which there may be too little memory for what is small beside it
+   integer(int64), parameter, public :: worth_a_look = 2_int64**20
 
 contains
 
@@ -27,7 +29,7 @@ contains
 
       if (status == 0 .or. allocated(error)) return
       call fatal_error(error, what//': there is not enough memory, '// &
-         to_text(real(bytes, wp)/mebibyte, 4)//' MiB more were asked for: cut the map, or '// &
+         to_text(real(bytes, wp)/mebibyte, 4)//' MiB more were asked for: make it smaller, or '// &
          'raise the limit of memory (ulimit -v)', computation_error)
    end subroutine check_memory
 
@@ -47,5 +49,17 @@ contains
       allocate (room(bytes + reserve), stat=status)
       call check_memory(status, what, bytes + reserve, error)
    end subroutine check_room
+
+   !> The same for work that may be so small that it needs no look.
+   pure subroutine check_work(what, bytes, error)
+      !> What the memory is for
+      character(len=*), intent(in) :: what
+      !> How much, all in all
+      integer(int64), intent(in) :: bytes
+      !> Set unless there is room
+      type(error_type), allocatable, intent(inout) :: error
+
+      if (bytes > worth_a_look) call check_room(what, bytes, error)
+   end subroutine check_work
 
 end module asperity_memory

@@ -1,6 +1,6 @@
 !> The text of the shear test's deck.
 module deck_shear_text
-   use asperity, only: wp
+   use asperity, only: error_type, wp
    use asperity_text, only: to_text
    use deck_choices, only: element_kind
    use deck_head, only: write_head
@@ -22,18 +22,20 @@ module deck_shear_text
 contains
 
    !> The text of the deck.
-   pure subroutine write_shear_deck(model, text)
+   pure subroutine write_shear_deck(model, text, error)
       !> The model
       type(shear_deck), intent(in) :: model
       !> The deck
       character(len=:), allocatable, intent(out) :: text
+      !> Set when there is not enough memory for it
+      type(error_type), allocatable, intent(out) :: error
       type(model_writer) :: deck
 
       call write_words(deck, model)
       call write_parts(deck, model)
       call write_supports(deck, model)
       call write_steps(deck, model)
-      text = deck%text()
+      call deck%take(text, error)
    end subroutine write_shear_deck
 
    !> What the model is, and what of it is chosen.

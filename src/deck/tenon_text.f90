@@ -1,6 +1,6 @@
 !> The text of the tenon joint's deck.
 module deck_tenon_text
-   use asperity, only: wp
+   use asperity, only: error_type, wp
    use asperity_text, only: to_text
    use deck_choices, only: element_kind, for_calculix
    use deck_hex_mesh, only: nodes_in_box
@@ -26,11 +26,13 @@ module deck_tenon_text
 contains
 
    !> The text of the deck.
-   pure subroutine write_tenon_deck(model, text)
+   pure subroutine write_tenon_deck(model, text, error)
       !> The model
       type(tenon_deck), intent(in) :: model
       !> The deck
       character(len=:), allocatable, intent(out) :: text
+      !> Set when there is not enough memory for it
+      type(error_type), allocatable, intent(out) :: error
       type(model_writer) :: deck
 
       call write_words(deck, model)
@@ -38,7 +40,7 @@ contains
       call write_contact(deck, model)
       call write_supports(deck, model)
       call write_steps(deck, model)
-      text = deck%text()
+      call deck%take(text, error)
    end subroutine write_tenon_deck
 
    !> Meshes and wood.

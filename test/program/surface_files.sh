@@ -74,7 +74,7 @@ if (ulimit -v 200000) 2>/dev/null && (ulimit -v 200000; "$program" version) >/de
          (ulimit -v "$limit"; OPENBLAS_NUM_THREADS=1 "$program" surface $command) >out 2>err
          case $? in
             0) given=$((given + 1)) ;;
-            1) if grep -q -E 'MiB more were asked for: cut the map|MiB: give fewer points' err; then
+            1) if grep -q -E 'MiB more were asked for: make it smaller|MiB: give fewer points' err; then
                   refused=$((refused + 1))
                else
                   wrong="$wrong [$limit: $command: $(tail -n 1 err)]"
