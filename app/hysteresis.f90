@@ -1,11 +1,13 @@
 !> `asperity hysteresis`: cycles, skeleton, stiffness, energy and damping of a record.
 module app_hysteresis
+   use, intrinsic :: iso_fortran_env, only: int64
    use asperity, only: error_type, wp
    use asperity_error, only: fatal_error
+   use asperity_memory, only: check_work
    use asperity_text, only: to_text
    use hysteresis_analysis, only: analyse_hysteresis, check_hysteresis_settings, &
       hysteresis_result, hysteresis_settings, leave_out, negative_side, positive_side
-   use app_hysteresis_plot, only: hysteresis_script, loops_script
+   use app_hysteresis_plot, only: write_loops_script, write_script
    use app_hysteresis_remarks, only: record_remarks
    use app_hysteresis_tables, only: cycle_table, record_labels, side_table, skeleton_table
    use app_keys, only: find_key
@@ -24,6 +26,9 @@ module app_hysteresis
 
    !> Beginnings of the options of both columns
    character(len=*), parameter :: axes(2) = [character(len=12) :: 'displacement', 'force']
+   !> Bytes of a row of a table, at most; how often a table is in memory while it is made, and while
+   !> those of tests are joined
+   integer(int64), parameter :: bytes_of_row = 300, copies_made = 2, copies_joined = 4
 
 contains
 
@@ -44,20 +49,29 @@ contains
       if (.not. allocated(error)) call get_record(report%settings, columns, tests, error)
       if (allocated(error)) return
       call set_labels(report%settings, columns, labels)
-      allocate (reports(size(tests)))
-      do i = 1, size(tests)
-         associate (first => tests(i)%first, last => tests(i)%last)
-            reports(i)%settings = report%settings
-            if (size(tests) > 1) labels%title = test_text(tests(i))
-            call report_test(columns(1)%values(first:last), columns(2)%values(first:last), &
-               settings, labels, size(tests) == 1, reports(i), error)
-         end associate
-         if (.not. allocated(error)) cycle
-         if (size(tests) > 1) error%message = test_text(tests(i))//': '//error%message
+      if (size(tests) == 1) then
+         call report_test(columns(1)%values, columns(2)%values, settings, labels, .true., report, &
+            error)
+      else
+         allocate (reports(size(tests)))
+         do i = 1, size(tests)
+            associate (first => tests(i)%first, last => tests(i)%last)
+               reports(i)%settings = report%settings
+               labels%title = test_text(tests(i))
+               call report_test(columns(1)%values(first:last), columns(2)%values(first:last), &
+                  settings, labels, .false., reports(i), error)
+            end associate
+            if (.not. allocated(error)) cycle
+            error%message = test_text(tests(i))//': '//error%message
+            exit
+         end do
+         if (.not. allocated(error)) call check_reports(reports, error)
+         if (.not. allocated(error)) call join_reports(reports, tests, report)
+      end if
+      if (allocated(error)) then
          error%message = report%settings%text_of('record_file')//': '//error%message
          return
-      end do
-      call join_reports(reports, tests, report)
+      end if
       report%more = [report%more, named_table('columns', '', columns_table(columns))]
    end subroutine report_hysteresis
 
@@ -73,6 +87,9 @@ contains
       real(wp), allocatable :: x(:), f(:)
 
       call analyse_hysteresis(displacement, force, result, error, settings)
+      if (allocated(error)) return
+      call check_work('the tables', copies_made*bytes_of_row*(size(result%cycles) &
+         + size(result%skeleton(1)%force) + size(result%skeleton(2)%force)), error)
       if (allocated(error)) return
       if (.not. settings%threshold > 0.0_wp) call assign_values( &
          report%settings%of(find_key('threshold')), [result%threshold], trim(merge( &
@@ -96,15 +113,33 @@ contains
       if (.not. allocated(error)) call report%summary%check_finite(error)
       if (allocated(error)) return
       ! The picture is one of the samples that count
-      x = displacement
-      f = force
+      call check_work('the picture', 2_int64*storage_size(force)/8_int64*size(force), error)
+      if (allocated(error)) return
+      allocate (x, source=displacement)
+      allocate (f, source=force)
       if (settings%outliers == 'drop') call leave_out(result%outliers, x, f)
       if (is_only_one) then
-         report%picture_data = hysteresis_script(x, f, result, labels)
+         call write_script(x, f, result, labels, report%picture_data, error)
       else
-         report%picture_data = loops_script(x, f, result, labels)
+         call write_loops_script(x, f, result, labels, report%picture_data, error)
       end if
    end subroutine report_test
+
+   !> Set `error` unless there is memory for joining the reports of all tests.
+   pure subroutine check_reports(reports, error)
+      type(report_type), intent(in) :: reports(:)
+      type(error_type), allocatable, intent(inout) :: error
+      integer(int64) :: rows, characters
+      integer :: i
+
+      rows = 0
+      characters = 0
+      do i = 1, size(reports)
+         rows = rows + reports(i)%table%rows + reports(i)%more(1)%table%rows
+         characters = characters + len(reports(i)%picture_data)
+      end do
+      call check_work('the tables of all tests', copies_joined*(bytes_of_row*rows + characters), error)
+   end subroutine check_reports
 
    !> How to read the record. `error` names the option.
    pure subroutine get_settings(values, settings, error)

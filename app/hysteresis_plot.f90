@@ -1,6 +1,6 @@
 !> Picture of a record as a gnuplot script: loops with skeleton, stiffness, energy, damping.
 module app_hysteresis_plot
-   use asperity, only: wp
+   use asperity, only: error_type, wp
    use asperity_text, only: to_text
    use hysteresis_analysis, only: hysteresis_result, hysteresis_skeleton, negative_side, &
       not_known, positive_side
@@ -9,7 +9,7 @@ module app_hysteresis_plot
    use app_text_buffer, only: text_buffer
    implicit none
    private
-   public :: hysteresis_script, loops_script, start_sheet
+   public :: write_script, write_loops_script, start_sheet
 
    !> Samples of the record that are drawn, besides the peaks
    integer, parameter :: most_samples = 5000
@@ -22,14 +22,17 @@ module app_hysteresis_plot
 contains
 
    !> The picture of a record.
-   pure function hysteresis_script(displacement, force, result, labels) result(script)
+   pure subroutine write_script(displacement, force, result, labels, script, error)
       !> The record
       real(wp), intent(in) :: displacement(:), force(:)
       !> What was found in it
       type(hysteresis_result), intent(in) :: result
       !> Names and units
       type(record_labels), intent(in) :: labels
-      character(len=:), allocatable :: script
+      !> The picture
+      character(len=:), allocatable, intent(out) :: script
+      !> Set when there is not enough memory for it
+      type(error_type), allocatable, intent(out) :: error
       type(string_type) :: lines(2)
       type(text_buffer) :: b
 
@@ -65,26 +68,29 @@ contains
          call add_panel(b, '', '', lines(:1))
       end if
       call b%line('unset multiplot')
-      script = b%text()
-   end function hysteresis_script
+      call b%take(script, error)
+   end subroutine write_script
 
    !> The loops of one test as a panel of a sheet of several.
-   pure function loops_script(displacement, force, result, labels) result(script)
+   pure subroutine write_loops_script(displacement, force, result, labels, script, error)
       !> The record
       real(wp), intent(in) :: displacement(:), force(:)
       !> What was found in it
       type(hysteresis_result), intent(in) :: result
       !> Names and units; the title is that of the panel
       type(record_labels), intent(in) :: labels
-      character(len=:), allocatable :: script
+      !> The picture
+      character(len=:), allocatable, intent(out) :: script
+      !> Set when there is not enough memory for it
+      type(error_type), allocatable, intent(out) :: error
       type(text_buffer) :: b
 
       call add_record(b, displacement, force, result)
       call add_skeletons(b, result)
       call b%line('set title '//label(labels%title))
       call add_loops_panel(b, result, labels)
-      script = b%text()
-   end function loops_script
+      call b%take(script, error)
+   end subroutine write_loops_script
 
    !> The beginning of a sheet of panels, which ends with `unset multiplot`.
    pure function start_sheet(title, panels) result(script)

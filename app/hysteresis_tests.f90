@@ -14,7 +14,7 @@ module app_hysteresis_tests
 
 contains
 
-   !> Make one report of those of several tests. The picture has the loops of each.
+   !> Make one report of those of several tests, two at least. The picture has the loops of each.
    pure subroutine join_reports(reports, tests, report)
       !> One report a test, of the same tables
       type(report_type), intent(inout) :: reports(:)
@@ -28,7 +28,6 @@ contains
       command = report%command
       report = reports(1)
       report%command = command
-      if (size(tests) == 1) return
       report%table = stacked([(reports(i)%table, i=1, size(tests))], tests)
       report%summary = stacked([(reports(i)%summary, i=1, size(tests))], tests)
       do j = 1, size(report%more)

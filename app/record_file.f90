@@ -2,8 +2,10 @@
 !> commas, semicolons, tabs or blanks; with or without column names, units and comments; one test,
 !> or several below each other.
 module app_record_file
-   use asperity, only: computation_error, error_type, file_error, wp
+   use, intrinsic :: iso_fortran_env, only: int64
+   use asperity, only: error_type, file_error, wp
    use asperity_error, only: fatal_error
+   use asperity_memory, only: check_memory, check_work
    use asperity_text, only: to_text
    use app_record_columns, only: choose_columns, record_column
    use app_record_layout, only: find_layout, headings_text, layout_type
@@ -103,6 +105,8 @@ contains
       type(error_type), allocatable, intent(out) :: error
       type(place_type) :: place
       real(wp), allocatable :: values(:, :)
+      character(len=:), allocatable :: what
+      integer(int64) :: bytes
       integer :: i, n, status
 
       place = start
@@ -110,26 +114,27 @@ contains
       do i = place%first, len(text)
          if (text(i:i) == newline) n = n + 1
       end do
+      what = start%path//': '//to_text(n)//' rows'
+      bytes = int(storage_size(values)/8, int64)*n*size(columns)
       allocate (values(n, size(columns)), stat=status)
-      if (status == 0) then
-         n = 0
-         do while (place%next > 0)
-            if (is_wanted(text(place%first:place%last), place, conditions)) then
-               n = n + 1
-               call read_row(text(place%first:place%last), place, decimal, columns, values(n, :), &
-                  error)
-               if (allocated(error)) return
-            end if
-            call next_line(text, place)
-         end do
-         do i = 1, size(columns)
-            allocate (columns(i)%values(n), stat=status)
-            if (status /= 0) exit
-            columns(i)%values(:) = values(:n, i)
-         end do
-      end if
-      if (status /= 0) call fatal_error(error, start%path//': not enough memory for '// &
-         to_text(n)//' rows', computation_error)
+      call check_memory(status, what, bytes, error)
+      ! as much again for the columns
+      call check_work(what, bytes, error)
+      if (allocated(error)) return
+      n = 0
+      do while (place%next > 0)
+         if (is_wanted(text(place%first:place%last), place, conditions)) then
+            n = n + 1
+            call read_row(text(place%first:place%last), place, decimal, columns, values(n, :), &
+               error)
+            if (allocated(error)) return
+         end if
+         call next_line(text, place)
+      end do
+      do i = 1, size(columns)
+         allocate (columns(i)%values(n))
+         columns(i)%values(:) = values(:n, i)
+      end do
    end subroutine read_rows
 
    !> Read one line.

@@ -1,9 +1,11 @@
 !> Post-processing of displacement-force records, measured or computed: kind, cycles, skeleton,
 !> yield and ultimate point, stiffness, energy, damping. Rotation and moment may stand for the two.
 module hysteresis_analysis
+   use, intrinsic :: iso_fortran_env, only: int64
    use asperity_error, only: error_type, fatal_error
    use asperity_finite, only: is_finite
    use asperity_kinds, only: wp
+   use asperity_memory, only: check_work
    use asperity_text, only: to_text
    use hysteresis_cycles, only: find_peaks, measure_cycles
    use hysteresis_record_kinds, only: classify
@@ -25,6 +27,9 @@ module hysteresis_analysis
    real(wp), parameter :: default_threshold = 1.0_wp/400.0_wp, noise_threshold = 8.0_wp, &
       most_threshold = 1.0_wp/40.0_wp
    integer, parameter :: fewest_points = 3
+   !> Bytes that the analysis takes for each sample at most: the record without outliers 16, both
+   !> skeletons 48, work 32
+   integer(int64), parameter :: bytes_of_sample = 96
 
 contains
 
@@ -37,7 +42,7 @@ contains
       real(wp), intent(in) :: force(:)
       !> What was found
       type(hysteresis_result), intent(out) :: result
-      !> Set when the record or a setting is refused
+      !> Set when the record or a setting is refused, or there is not enough memory
       type(error_type), allocatable, intent(out) :: error
       !> How to read the record
       type(hysteresis_settings), intent(in), optional :: settings
@@ -47,6 +52,7 @@ contains
       if (present(settings)) s = settings
       call check_hysteresis_settings(s, error)
       if (.not. allocated(error)) call check_record(displacement, force, s, error)
+      if (.not. allocated(error)) call check_size(size(force), 0, error)
       if (allocated(error)) return
       call find_outliers(displacement, force, result%outliers)
       if (size(result%outliers) > 0 .and. s%outliers == 'drop') then
@@ -101,6 +107,8 @@ contains
          call classify(displacement, force, result%threshold, result%turning_points, &
             result%record_kind, sides)
       end if
+      call check_size(size(force), size(result%turning_points), error)
+      if (allocated(error)) return
       call cut_cycles(displacement, force, result%threshold, result%turning_points, result%cycles)
       do i = 1, size(result%cycles)
          call find_peaks(displacement, force, result%threshold, sides, s%peaks == 'force', &
@@ -115,6 +123,19 @@ contains
          call evaluate_skeleton(side, s, result%threshold, force_floor, result%skeleton(side))
       end do
    end subroutine analyse_samples
+
+   !> Set `error` unless there is memory for an analysis.
+   pure subroutine check_size(samples, turns, error)
+      !> Samples, and the turning points of cycles, of which there may be one each
+      integer, intent(in) :: samples, turns
+      type(error_type), allocatable, intent(inout) :: error
+      type(hysteresis_cycle) :: one
+      integer(int64) :: bytes_of_cycle
+
+      bytes_of_cycle = storage_size(one)/8
+      call check_work('the analysis of '//to_text(samples)//' samples', &
+         bytes_of_sample*samples + bytes_of_cycle*turns, error)
+   end subroutine check_size
 
    !> Refuse what is no record.
    pure subroutine check_record(displacement, force, settings, error)

@@ -249,6 +249,26 @@ if (ulimit -v 65536 && "$program" version >/dev/null 2>&1); then
    check 'records: and too little for one of 40 MB, which is said' is_refused 3 \
       'large.csv: cannot be read: not enough memory'
    rm large.csv
+   # 200 000 samples, 28 500 cycles: at every limit the results, or one line that says what to do
+   awk 'BEGIN { print "displacement (mm),force (kN)"
+      for (i = 0; i < 200000; i++) { c = i/7.0175; s = sin(6.283185307*c)
+         printf "%.6g,%.6g\n", (1 + c/5000)*s, 10*(1 + c/5000)*s + 3*cos(6.283185307*c) } }' >large.csv
+   given=0 refused=0 wrong=
+   for limit in $(seq 65536 8192 204800); do
+      address_space=$limit run hysteresis large.csv --csv out.csv --json out.json
+      if is_quiet && [ "$(rows out.csv)" -eq 28501 ]; then
+         given=$((given + 1))
+      elif [ "$status" -eq 1 ] && is_refused 1 '.*not enough memory, .* MiB more .*: make it smaller, or' \
+         && absent out.csv && absent out.json; then
+         refused=$((refused + 1))
+      else
+         wrong="$wrong [$limit: $status: $(head -n 1 err)]"
+      fi
+      rm -f out.csv out.json
+   done
+   check "records: little memory, $given results, $refused refusals:$wrong" \
+      test "$given" -gt 2 -a "$refused" -gt 2 -a -z "$wrong"
+   rm large.csv
 else
    skip 'records: little memory' 'the program itself needs more than 64 MiB'
 fi
