@@ -1,6 +1,9 @@
 !> `asperity curve`: the normal law at a list of separations.
 module app_curve
+   use, intrinsic :: iso_fortran_env, only: int64
    use asperity, only: error_type, evaluate_normal_law, normal_response
+   use asperity_memory, only: check_work
+   use asperity_text, only: to_text
    use app_config, only: config_type
    use app_progress, only: progress_type
    use app_report, only: report_type, turning_points
@@ -11,6 +14,8 @@ module app_curve
 
    !> Points between two looks at the clock
    integer, parameter :: chunk = 1000
+   !> Bytes of a separation in results and table
+   integer(int64), parameter :: bytes_of_row = 300
 
 contains
 
@@ -27,6 +32,8 @@ contains
       integer :: i, last, n
 
       n = size(config%separation)
+      call check_work(to_text(n)//' separations', bytes_of_row*n, error)
+      if (allocated(error)) return
       allocate (r(n))
       call progress%start('curve')
       do i = 1, n, chunk

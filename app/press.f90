@@ -1,6 +1,9 @@
 !> `asperity press`: press and release, replayed through UINTER.
 module app_press
+   use, intrinsic :: iso_fortran_env, only: int64
    use asperity, only: error_type
+   use asperity_memory, only: check_work
+   use asperity_text, only: to_text
    use replay_press, only: press_step, run_press
    use app_config, only: config_type
    use app_progress, only: progress_type
@@ -9,6 +12,9 @@ module app_press
    implicit none
    private
    public :: report_press
+
+   !> Bytes of an increment in results and table
+   integer(int64), parameter :: bytes_of_row = 300
 
 contains
 
@@ -23,6 +29,9 @@ contains
       type(press_step), allocatable :: s(:)
       type(progress_type) :: progress
 
+      call check_work('twice '//to_text(config%press%increments)//' increments', &
+         bytes_of_row*(2*config%press%increments + 1), error)
+      if (allocated(error)) return
       call progress%start('press')
       call progress%announce(config%press%increments, 'increments up and down')
       call run_press(config%press, config%properties, s, error)

@@ -1,6 +1,9 @@
 !> `asperity shear`: the direct shear box, one replay per normal stress.
 module app_shear
+   use, intrinsic :: iso_fortran_env, only: int64
    use asperity, only: error_type, status_slip, wp
+   use asperity_memory, only: check_work
+   use asperity_text, only: to_text
    use replay_shear_box, only: run_shear_box, shear_settings, shear_step
    use app_config, only: config_type
    use app_progress, only: progress_type
@@ -16,6 +19,9 @@ module app_shear
       type(shear_step), allocatable :: steps(:)
    end type history_type
 
+   !> Bytes of an increment in results and table
+   integer(int64), parameter :: bytes_of_row = 600
+
 contains
 
    !> Run the replays. `error` is set when a setting is refused or a replay fails.
@@ -29,7 +35,7 @@ contains
       type(history_type) :: runs(size(config%normal_stress))
       type(shear_settings) :: settings
       type(progress_type) :: progress
-      integer :: i
+      integer :: i, rows
 
       call progress%start('shear')
       settings = config%shear
@@ -42,6 +48,9 @@ contains
       call progress%finish()
       if (allocated(error)) return
 
+      rows = sum([(size(runs(i)%steps), i=1, size(runs))])
+      call check_work(to_text(rows)//' increments', bytes_of_row*rows, error)
+      if (allocated(error)) return
       call join_runs(config, runs, report)
       call report%table%check_finite(error)
       if (allocated(error)) return

@@ -1,7 +1,9 @@
 !> `asperity tenon`: the cyclic tenon joint under hard contact and under the rough law.
 module app_tenon
+   use, intrinsic :: iso_fortran_env, only: int64
    use asperity, only: error_type, wp
    use asperity_error, only: fatal_error
+   use asperity_memory, only: check_work
    use asperity_text, only: to_text
    use replay_tenon, only: tenon_warned_pull_out
    use replay_tenon_programme, only: tenon_programme
@@ -22,6 +24,9 @@ module app_tenon
    public :: report_tenon
 
    character(len=12), parameter :: legends(2) = ['hard contact', 'rough law   ']
+   !> Bytes of a step in both replays, their analysis and tables
+   integer(int64), parameter :: bytes_of_step = 3000
+
 contains
 
    !> Run both models. `error` is set when a setting is refused or a replay fails.
@@ -37,6 +42,8 @@ contains
       integer, allocatable :: cycle_of(:), record(:)
 
       call tenon_programme(config%tenon, path, cycle_of)
+      call check_work(to_text(size(path))//' steps', bytes_of_step*size(path), error)
+      if (allocated(error)) return
       if (allocated(config%record)) then
          record = config%record
          call check_record(record, ubound(path, 1), error)

@@ -2,10 +2,13 @@
 !>
 !> Corners and faces are numbered as in C3D8 of ABAQUS and CalculiX.
 module deck_hex_mesh
-   use asperity, only: wp
+   use, intrinsic :: iso_fortran_env, only: int64
+   use asperity, only: error_type, wp
+   use asperity_memory, only: check_work
+   use asperity_text, only: to_text
    implicit none
    private
-   public :: hex_mesh, new_grid_mesh, nodes_in_box, faces_in_box, face_area, mesh_volume, &
+   public :: hex_mesh, check_mesh_room, new_grid_mesh, nodes_in_box, faces_in_box, face_area, mesh_volume, &
       least_jacobian, even_cuts, joined_cuts, add_cut
 
    !> Corners of the faces S1 to S6, in the order that makes the normal point outwards
@@ -16,6 +19,9 @@ module deck_hex_mesh
       -1, -1, 1, 1, -1, 1, 1, 1, 1, -1, 1, 1], [3, 8])
    !> How far a node may be beside a plane and still be on it, mm
    real(wp), parameter :: tolerance = 1.0e-6_wp
+   !> Bytes that an element takes at most, with its node and what is found on the mesh, if it is half
+   !> as large as aimed at; and elements of which there can be no more
+   real(wp), parameter :: bytes_of_element = 400.0_wp, most_elements = 1.0e15_wp
 
    !> Nodes and elements.
    type :: hex_mesh
@@ -26,6 +32,20 @@ module deck_hex_mesh
    end type hex_mesh
 
 contains
+
+   !> Set `error`, unless it is set, when there is not enough memory for the meshes of a model.
+   pure subroutine check_mesh_room(error, volume, cell)
+      !> Set without memory
+      type(error_type), allocatable, intent(inout) :: error
+      !> Volume of all parts, mm^3, and length of an edge aimed at, mm
+      real(wp), intent(in) :: volume, cell
+
+      real(wp) :: elements
+
+      elements = min(volume/cell/cell/cell, most_elements)
+      call check_work('meshes of '//to_text(elements, 3)//' elements', &
+         int(bytes_of_element*elements, int64), error)
+   end subroutine check_mesh_room
 
    !> Elements between the planes of a grid, all or those of `keep`; only their nodes are made.
    pure subroutine new_grid_mesh(mesh, x, y, z, keep)

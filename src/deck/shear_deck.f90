@@ -3,11 +3,11 @@
 module deck_shear_deck
    use asperity, only: contact_properties, error_type, wp
    use asperity_error, only: fatal_error
-   use asperity_properties, only: check_positive
+   use asperity_properties, only: check_positive, pi
    use asperity_text, only: to_text
    use deck_choices, only: check_deck_choice, check_mesh_size, deck_choice, for_calculix
    use deck_disc_mesh, only: new_disc_mesh
-   use deck_hex_mesh, only: hex_mesh
+   use deck_hex_mesh, only: check_mesh_room, hex_mesh
    use deck_interaction, only: interaction_type, new_interaction, overclosure_for
    use deck_wood, only: check_wood, wood_type
    use replay_sizes, only: check_size
@@ -75,6 +75,8 @@ contains
             'no springs for a table; raise it')
          return
       end if
+      call check_mesh_room(error, 0.5_wp*pi*settings%diameter**2*disc_height, choice%mesh_size)
+      if (allocated(error)) return
       call new_disc_mesh(deck%lower, settings%diameter, -disc_height, 0.0_wp, choice%mesh_size)
       call new_disc_mesh(deck%upper, settings%diameter, -deck%overclosure, &
          disc_height - deck%overclosure, choice%mesh_size)

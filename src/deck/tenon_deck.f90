@@ -5,7 +5,7 @@ module deck_tenon_deck
    use asperity_properties, only: check_range
    use asperity_text, only: to_text
    use deck_choices, only: check_deck_choice, deck_choice, for_calculix
-   use deck_hex_mesh, only: hex_mesh
+   use deck_hex_mesh, only: check_mesh_room, hex_mesh
    use deck_interaction, only: interaction_type, new_interaction, overclosure_for
    use deck_tenon_parts, only: check_tenon_sizes, new_beam, new_column, tenon_sizes
    use deck_side_fit, only: side_interference
@@ -87,6 +87,10 @@ contains
       end associate
       if (.not. allocated(error)) call check_tenon_sizes(choice, settings, deck%sizes, error)
       if (.not. allocated(error)) call place_faces(deck, error)
+      associate (s => settings, sizes => deck%sizes)
+         call check_mesh_room(error, 0.5_wp*s%length*sizes%column_width*sizes%column_height &
+            + 0.5_wp*(s%length + sizes%tail + tenon_face_arm(s))*s%width*s%height, choice%mesh_size)
+      end associate
       if (allocated(error)) return
       call new_column(deck%column, choice, settings, deck%sizes)
       call new_beam(deck%beam, choice, settings, deck%sizes)

@@ -1,9 +1,11 @@
 !> Press: one contact point closed and opened again through UINTER, by a ramp of pressure or of
 !> overclosure (the paper's Fig. 17).
 module replay_press
+   use, intrinsic :: iso_fortran_env, only: int64
    use asperity, only: computation_error, contact_properties, error_type, evaluate_normal_law, &
       normal_response, separation_for_pressure, wp
    use asperity_error, only: fatal_error
+   use asperity_memory, only: check_work
    use asperity_properties, only: check_positive
    use asperity_text, only: to_text
    use replay_sizes, only: check_between
@@ -73,6 +75,9 @@ contains
       call check_peak(settings, properties, error)
       if (allocated(error)) return
       call new_host_point(point, uinter, properties, ndir=2, keep_history=.false.)
+      call check_work(to_text(settings%increments)//' increments', &
+         int(storage_size(steps)/8, int64)*(2*settings%increments + 1), error)
+      if (allocated(error)) return
       allocate (steps(2*settings%increments + 1))
       do i = 0, 2*settings%increments
          target = settings%peak*real(settings%increments - abs(settings%increments - i), wp) &

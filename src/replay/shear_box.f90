@@ -2,10 +2,12 @@
 !> UINTER. The weight fixes the pressure, so the box tests friction, not the normal law; the
 !> closure under load is what the normal law says.
 module replay_shear_box
+   use, intrinsic :: iso_fortran_env, only: int64
    use asperity, only: computation_error, contact_properties, error_type, evaluate_normal_law, &
       normal_response, separation_for_pressure, wp
    use asperity_contact_properties, only: close_pressure_ratio
    use asperity_error, only: fatal_error
+   use asperity_memory, only: check_work
    use asperity_text, only: to_text
    use replay_host, only: accept_increment, host_point, new_host_point, refuse_cut, &
       try_increment
@@ -86,6 +88,9 @@ contains
       end if
       call box_path(turns, settings%displacement_increment, path)
       call new_host_point(point, uinter, properties, ndir=2, keep_history=.false.)
+      call check_work(to_text(size(path))//' increments', &
+         int(storage_size(steps)/8, int64)*size(path), error)
+      if (allocated(error)) return
       allocate (steps(size(path)))
       do i = 1, size(path)
          call balance(point, settings, properties, path(i), seconds_per_minute &

@@ -1,7 +1,9 @@
 !> Cyclic replay of a straight tenon joint: the load programme step by step, with its ledgers.
 module replay_tenon
+   use, intrinsic :: iso_fortran_env, only: int64
    use asperity, only: computation_error, contact_properties, error_type, wp
    use asperity_error, only: fatal_error
+   use asperity_memory, only: check_work
    use asperity_text, only: to_text
    use replay_host, only: accept_increment
    use replay_tenon_balance, only: balance_tenon
@@ -145,7 +147,9 @@ contains
       call new_tenon_model(joint%model, settings, faces, sides, error)
       if (allocated(error)) return
       call tenon_programme(settings, path, cycle_of)
-      call rest(joint, error)
+      call check_work(to_text(size(path))//' steps', &
+         2_int64*int(storage_size(steps)/8, int64)*size(path), error)
+      if (.not. allocated(error)) call rest(joint, error)
       if (.not. allocated(error)) deallocate (steps)
       allocate (done(0:ubound(path, 1)))
       do i = 0, ubound(path, 1)
