@@ -77,3 +77,34 @@ check 'interrupt: no file' sh -c '! ls int.csv* int.json* 2>/dev/null'
 run curve --csv a.csv
 check 'no progress where there is no terminal' test ! -s err
 rm -rf taken.json
+
+# Little memory: the results, or one line that says what to do, whatever the limit is
+if (ulimit -v 65536 && "$program" version >/dev/null 2>&1); then
+   seq 1 5000 | awk 'BEGIN { print "displacement (mm)" } { printf "%.6g\n", sin($1/50) }' >history.csv
+   given=0 refused=0 wrong=
+   while read -r first step last command; do
+      for limit in $(seq "$first" "$step" "$last"); do
+         # shellcheck disable=SC2086  # several words are meant
+         address_space=$limit run $command large.out
+         if is_quiet && [ -s large.out ]; then
+            given=$((given + 1))
+         elif is_refused 1 '.*not enough memory, .* MiB more .*: make it smaller, or' && absent large.out; then
+            refused=$((refused + 1))
+         else
+            wrong="$wrong [$limit: $command: $status: $(head -n 1 err)]"
+         fi
+         rm -f large.out
+      done
+   done <<'END'
+65536 20480 147456 curve --separation 0:0.2:50000 --csv
+65536 24576 163840 press --increments 30000 --json
+65536 24576 114688 shear --normal-stress 0.05:0.2:100 --csv
+65536 24576 98304 tenon --history history.csv --csv
+65536 16384 81920 deck shear --mesh-size 2 --inp
+END
+   check "little memory, $given results, $refused refusals:$wrong" \
+      test "$given" -gt 4 -a "$refused" -gt 4 -a -z "$wrong"
+   rm history.csv
+else
+   skip 'little memory' 'the program itself needs more than 64 MiB'
+fi
