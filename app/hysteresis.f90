@@ -138,7 +138,8 @@ contains
          rows = rows + reports(i)%table%rows + reports(i)%more(1)%table%rows
          characters = characters + len(reports(i)%picture_data)
       end do
-      call check_work('the tables of all tests', copies_joined*(bytes_of_row*rows + characters), error)
+      call check_work('the tables of all tests', &
+         copies_joined*(bytes_of_row*rows + characters), error)
    end subroutine check_reports
 
    !> How to read the record. `error` names the option.

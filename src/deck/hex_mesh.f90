@@ -8,8 +8,8 @@ module deck_hex_mesh
    use asperity_text, only: to_text
    implicit none
    private
-   public :: hex_mesh, check_mesh_room, new_grid_mesh, nodes_in_box, faces_in_box, face_area, mesh_volume, &
-      least_jacobian, even_cuts, joined_cuts, add_cut
+   public :: hex_mesh, check_mesh_room, new_grid_mesh, nodes_in_box, faces_in_box, face_area, &
+      mesh_volume, least_jacobian, even_cuts, joined_cuts, add_cut
 
    !> Corners of the faces S1 to S6, in the order that makes the normal point outwards
    integer, parameter, public :: face_corners(4, 6) = reshape([1, 4, 3, 2, 5, 6, 7, 8, &
@@ -19,8 +19,8 @@ module deck_hex_mesh
       -1, -1, 1, 1, -1, 1, 1, 1, 1, -1, 1, 1], [3, 8])
    !> How far a node may be beside a plane and still be on it, mm
    real(wp), parameter :: tolerance = 1.0e-6_wp
-   !> Bytes that an element takes at most, with its node and what is found on the mesh, if it is half
-   !> as large as aimed at; and elements of which there can be no more
+   !> Bytes that an element takes at most, with its node and what is found on the mesh, if it is
+   !> half as large as aimed at; and elements of which there can be no more
    real(wp), parameter :: bytes_of_element = 400.0_wp, most_elements = 1.0e15_wp
 
    !> Nodes and elements.
