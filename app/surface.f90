@@ -16,7 +16,7 @@ module app_surface
    use app_surface_law, only: has_law, set_law, surface_case
    use app_surface_maps, only: check_map_options, get_map, prepare_map
    use app_surface_pair, only: analyse_pair
-   use app_surface_plot, only: surface_script
+   use app_surface_plot, only: write_script
    use app_surface_tables, only: law_parameters_table, map_table, parameter_table
    use app_surface_verdict, only: surface_verdict
    use app_surface_verify, only: add_summit_curve, law_curves
@@ -127,9 +127,9 @@ contains
             report%remarks = [report%remarks, remarks]
          end if
          report%verdict = surface_verdict(s, analysis, route)
-         if (s%given('plot')) report%picture_data = surface_script(map, values, &
+         if (s%given('plot')) call write_script(map, values, &
             pack(analysis%summits%height, analysis%summits%is_peak .or. route == 'nayak'), &
-            report%more(3)%table, title(map))
+            report%more(3)%table, title(map), report%picture_data, error)
       end associate
    end subroutine add_law
 

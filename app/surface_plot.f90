@@ -1,6 +1,6 @@
 !> Picture of `asperity surface` as a gnuplot script: the map, its heights, the law.
 module app_surface_plot
-   use asperity, only: wp
+   use asperity, only: error_type, wp
    use asperity_properties, only: pi
    use asperity_text, only: to_text
    use surface_height_map, only: height_map, missing_height
@@ -10,7 +10,7 @@ module app_surface_plot
    use app_text_buffer, only: text_buffer
    implicit none
    private
-   public :: surface_script
+   public :: write_script
 
    !> Points of the map that are drawn along its longer side, bins of heights
    integer, parameter :: most_pixels = 256, bins = 40
@@ -31,7 +31,7 @@ module app_surface_plot
 contains
 
    !> The picture of a map.
-   pure function surface_script(map, values, summits, law, title) result(script)
+   pure subroutine write_script(map, values, summits, law, title, script, error)
       !> The map as it was analysed
       type(height_map), intent(in) :: map
       !> Its parameters
@@ -42,7 +42,10 @@ contains
       type(table_type), intent(in) :: law
       !> Title
       character(len=*), intent(in) :: title
-      character(len=:), allocatable :: script
+      !> The picture
+      character(len=:), allocatable, intent(out) :: script
+      !> Set when there is not enough memory for it
+      type(error_type), allocatable, intent(out) :: error
       type(text_buffer) :: b
 
       call add_map(b, map)
@@ -54,8 +57,8 @@ contains
       call draw_heights(b, size(summits) > 0)
       call draw_law(b, law)
       call b%line('unset multiplot')
-      script = b%text()
-   end function surface_script
+      call b%take(script, error)
+   end subroutine write_script
 
    !> A text that gnuplot takes for nothing but a text.
    pure function harmless(text) result(plain)

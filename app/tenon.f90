@@ -73,7 +73,8 @@ contains
          named_table('cycles', 'Cycles', cycles_table(joints), 12), &
          named_table('skeleton', '', skeleton_table(joints))]
       report%points = points_table(joints)
-      call joint_pictures(joints, report%picture_data, report%pictures)
+      call joint_pictures(joints, report%picture_data, report%pictures, error)
+      if (allocated(error)) return
       report%remarks = remarks(config, joints, is_paper_joint(report%settings))
       report%has_contact = any(joints%touches)
       report%shows_table = .false.

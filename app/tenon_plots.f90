@@ -1,6 +1,6 @@
 !> Pictures of the tenon joint as gnuplot scripts: what the paper shows in its Figs 25 to 33.
 module app_tenon_plots
-   use asperity, only: wp
+   use asperity, only: error_type, wp
    use asperity_text, only: to_text
    use app_joint, only: joint_type, model_names
    use app_report, only: picture_type
@@ -21,13 +21,15 @@ module app_tenon_plots
 contains
 
    !> All pictures, and the data that they draw.
-   subroutine joint_pictures(joints, data, pictures)
+   subroutine joint_pictures(joints, data, pictures, error)
       !> Both models
       type(joint_type), intent(in) :: joints(:)
       !> Data blocks, to come first in a script
       character(len=:), allocatable, intent(out) :: data
       !> The pictures
       type(picture_type), allocatable, intent(out) :: pictures(:)
+      !> Set when there is not enough memory for it
+      type(error_type), allocatable, intent(out) :: error
       type(text_buffer) :: b
       real(wp) :: tick
       integer :: i
@@ -38,7 +40,8 @@ contains
          call add_cycles(b, joints(i))
          call add_states(b, joints(i))
       end do
-      data = b%text()
+      call b%take(data, error)
+      if (allocated(error)) return
       tick = round_number(0.4_wp*maxval(abs(joints(1)%steps%rotation)))
       allocate (pictures(9))
       pictures(1) = picture('Moment, all cycles', 'rotation (rad)', 'moment (kN m)', 'left top', &
