@@ -3,6 +3,7 @@
 !> system's words on failure and leaves it unallocated else.
 module app_system
    use, intrinsic :: iso_c_binding, only: c_associated, c_int, c_null_char, c_ptr, c_size_t
+   use asperity_memory, only: memory_remedy
    use app_errno, only: eintr, last_error, last_reason
    use app_posix, only: c_close, c_creat, c_fclose, c_ferror, c_fopen, c_fread, c_isatty, &
       c_rename, c_unlink, c_write
@@ -130,7 +131,7 @@ contains
 
       allocate (character(len=length) :: resized, stat=status)
       if (status /= 0) then
-         reason = 'not enough memory'
+         reason = 'not enough memory'//memory_remedy
          return
       end if
       if (kept > 0) resized(:kept) = text(:kept)

@@ -8,6 +8,9 @@ module asperity_memory
    private
    public :: check_memory, check_room, check_work
 
+   !> What to do where there is too little
+   character(len=*), parameter, public :: memory_remedy = &
+      ': make it smaller, or raise the limit of memory (ulimit -v)'
    real(wp), parameter :: mebibyte = 2.0_wp**20
    !> Bytes that are always kept for what is small: lines of a map, tables, texts
    integer(int64), parameter :: reserve = 16_int64*2_int64**20
@@ -29,8 +32,8 @@ contains
 
       if (status == 0 .or. allocated(error)) return
       call fatal_error(error, what//': there is not enough memory, '// &
-         to_text(real(bytes, wp)/mebibyte, 4)//' MiB more were asked for: make it smaller, or '// &
-         'raise the limit of memory (ulimit -v)', computation_error)
+         to_text(real(bytes, wp)/mebibyte, 4)//' MiB more were asked for'//memory_remedy, &
+         computation_error)
    end subroutine check_memory
 
    !> Set `error` unless so many bytes, and some for what is small, can be had now. What is taken

@@ -247,7 +247,7 @@ if (ulimit -v 65536 && "$program" version >/dev/null 2>&1); then
    yes '1.23456789,2.3456789' | head -n 2000000 >large.csv
    address_space=65536 run hysteresis large.csv
    check 'records: and too little for one of 40 MB, which is said' is_refused 3 \
-      'large.csv: cannot be read: not enough memory'
+      'large.csv: cannot be read: not enough memory: make it smaller, or raise the limit'
    rm large.csv
    # 200 000 samples, 28 500 cycles: at every limit the results, or one line that says what to do
    awk 'BEGIN { print "displacement (mm),force (kN)"
@@ -258,7 +258,8 @@ if (ulimit -v 65536 && "$program" version >/dev/null 2>&1); then
       address_space=$limit run hysteresis large.csv --csv out.csv --json out.json
       if is_quiet && [ "$(rows out.csv)" -eq 28501 ]; then
          given=$((given + 1))
-      elif [ "$status" -eq 1 ] && is_refused 1 '.*not enough memory, .* MiB more .*: make it smaller, or' \
+      elif { is_refused 1 '.*not enough memory, .* MiB more .*: make it smaller, or' \
+         || is_refused 3 'large.csv: cannot be read: not enough memory: make it smaller, or'; } \
          && absent out.csv && absent out.json; then
          refused=$((refused + 1))
       else
