@@ -1,23 +1,20 @@
-# Write a subroutine of interface/ and every module it uses, directly or not, into the one file that
-# ABAQUS compiles:
+# Write a subroutine and every module it uses, directly or not, into the one file that ABAQUS
+# compiles:
 #   cmake -D source=<project> -D output=<file> -D version=<text> -D routine=uinter|vuinter
 #      [-D single=ON] -P one_file.cmake
-# A module comes after those it uses. Its file follows from its name, as everywhere in the project.
-# single=ON gives VUINTER's arguments the single precision that ABAQUS/Explicit has by default.
+# A module comes after those it uses. single=ON gives VUINTER's arguments the single precision that
+# ABAQUS/Explicit has by default.
 
 cmake_minimum_required(VERSION 3.20)
 
-# File of a module, empty for one of the compiler's own
-function(file_of_module module result)
-   set(${result} "" PARENT_SCOPE)
-   if(module STREQUAL "asperity")
-      set(${result} src/asperity.f90 PARENT_SCOPE)
-   elseif(module MATCHES "^asperity_(.+)$")
-      set(${result} src/asperity/${CMAKE_MATCH_1}.f90 PARENT_SCOPE)
-   elseif(module MATCHES "^v?uinter_")
-      set(${result} interface/${module}.f90 PARENT_SCOPE)
-   endif()
-endfunction()
+# The file of each module of the folders that may be used, in file_of_<module>
+file(GLOB_RECURSE names RELATIVE ${source} ${source}/src/asperity.f90 ${source}/src/asperity/*.f90
+   ${source}/interface/*.f90)
+foreach(name IN LISTS names)
+   file(STRINGS ${source}/${name} line LIMIT_COUNT 1 REGEX "^module [a-z]")
+   string(REGEX REPLACE "^module +([a-z0-9_]+).*" "\\1" module "${line}")
+   set(file_of_${module} ${name})
+endforeach()
 
 # Append a file to the list `ordered`, after the files of the modules it uses
 function(place name)
@@ -28,9 +25,9 @@ function(place name)
    file(STRINGS ${source}/${name} lines REGEX "^ *use +[a-z]")
    foreach(line IN LISTS lines)
       string(REGEX REPLACE "^ *use +([a-z0-9_]+).*" "\\1" module "${line}")
-      file_of_module(${module} file)
-      if(file)
-         place(${file})
+      # the compiler's own modules have none
+      if(DEFINED file_of_${module})
+         place(${file_of_${module}})
       endif()
    endforeach()
    set_property(GLOBAL APPEND PROPERTY ordered ${name})
