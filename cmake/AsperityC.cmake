@@ -3,21 +3,21 @@
 
 # See the file's head: a warning of flang's that the standard does not share
 if(CMAKE_Fortran_COMPILER_ID STREQUAL "LLVMFlang")
-   set_source_files_properties(interface/asperity_c_contents.f90 PROPERTIES COMPILE_OPTIONS -w)
+   set_source_files_properties(interface/c/contents.f90 PROPERTIES COMPILE_OPTIONS -w)
 endif()
 
 if(ASPERITY_BUILD_C)
-   # The objects of the static library, which are position independent. Only a file's name tells
+   # The objects of the static library, which are position independent. Only the end of a path tells
    # those of UINTER and VUINTER: the folders before it are the user's
    add_library(asperity_c SHARED
-      "$<FILTER:$<TARGET_OBJECTS:asperity>,EXCLUDE,/v?uinter[^/]*$>")
+      "$<FILTER:$<TARGET_OBJECTS:asperity>,EXCLUDE,/interface/abaqus/[^/]*$>")
    add_library(asperity::asperity_c ALIAS asperity_c)
    # 0.x may change the interface with every x
    set_target_properties(asperity_c PROPERTIES
       LINKER_LANGUAGE Fortran
       VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
    target_include_directories(asperity_c INTERFACE
-      $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/interface>
+      $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/interface/c>
       $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
    if(CMAKE_SYSTEM_NAME STREQUAL "Linux")
       # Nothing is left for the program to supply, and nothing but asperity_* is seen from outside
@@ -37,7 +37,7 @@ if(ASPERITY_BUILD_C)
 
    install(TARGETS asperity_c EXPORT asperity-c-targets
       LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-   install(FILES interface/asperity.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+   install(FILES interface/c/asperity.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
    install(EXPORT asperity-c-targets NAMESPACE asperity:: DESTINATION ${package_folder})
    file(RELATIVE_PATH pc_include ${pc_folder} ${CMAKE_INSTALL_FULL_INCLUDEDIR})
    configure_file(cmake/asperity-c.pc.in asperity-c.pc @ONLY)

@@ -1,9 +1,9 @@
 # Fuzzing of the readers of height maps: all from sources, checked by the compiler at run time.
 # test/fuzz/run.sh builds it in a folder of its own and runs it.
 
-file(GLOB fuzz_sources CONFIGURE_DEPENDS src/map_file/*.f90 src/surface/height_map*.f90)
-foreach(name kinds finite text error double_double memory)
-   list(APPEND fuzz_sources src/asperity/${name}.f90)
+file(GLOB_RECURSE fuzz_sources CONFIGURE_DEPENDS src/height_map/*.f90)
+foreach(name kinds finite number_text error double_double memory)
+   list(APPEND fuzz_sources src/base/${name}.f90)
 endforeach()
 file(GLOB fuzz_program_sources CONFIGURE_DEPENDS test/fuzz/*.f90)
 add_executable(asperity_fuzz ${fuzz_sources} ${fuzz_program_sources}

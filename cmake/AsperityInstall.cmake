@@ -27,6 +27,6 @@ configure_file(cmake/asperity.pc.in asperity.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/asperity.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 
 install(DIRECTORY interface/ DESTINATION ${share_folder}/interface
-   FILES_MATCHING PATTERN "*.f90" PATTERN "*.inc" PATTERN "asperity_c*" EXCLUDE)
+   FILES_MATCHING PATTERN "*.f90" PATTERN "*.inc" PATTERN "c" EXCLUDE)
 install(FILES ${one_files} DESTINATION ${share_folder})
 install(FILES LICENSE CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR})

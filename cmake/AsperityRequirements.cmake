@@ -2,7 +2,7 @@
 
 # Addresses and doubles at multiples of 8 bytes are what UINTER and the C interface are made for,
 # and the 80-bit arithmetic of 32-bit x86 is not that of the law's error bounds. Where CMake cannot
-# tell, src/asperity/kinds.f90 does not compile
+# tell, src/base/kinds.f90 does not compile
 if(CMAKE_SIZEOF_VOID_P AND NOT CMAKE_SIZEOF_VOID_P EQUAL 8)
    math(EXPR pointer_bits "8*${CMAKE_SIZEOF_VOID_P}")
    message(FATAL_ERROR "asperity needs a 64-bit system, and ${CMAKE_Fortran_COMPILER} compiles "

@@ -33,8 +33,8 @@ list(TRANSFORM single_sources PREPEND test/)
 list(TRANSFORM single_sources APPEND .f90)
 add_executable(asperity_single_tests
    ${PROJECT_BINARY_DIR}/asperity_vuinter_single.f90 ${single_sources}
-   interface/uinter.f90 interface/uinter_signature.f90 interface/vuinter_signature.f90
-   src/replay/host.f90)
+   interface/abaqus/uinter.f90 interface/abaqus/uinter_signature.f90
+   interface/abaqus/vuinter_signature.f90 src/replay/abaqus_host.f90)
 # one rule writes the file, not two at once
 add_dependencies(asperity_single_tests uinter_file)
 asperity_compile_options(asperity_single_tests)

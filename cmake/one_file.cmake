@@ -8,8 +8,9 @@
 cmake_minimum_required(VERSION 3.20)
 
 # The file of each module of the folders that may be used, in file_of_<module>
-file(GLOB_RECURSE names RELATIVE ${source} ${source}/src/asperity.f90 ${source}/src/asperity/*.f90
-   ${source}/interface/*.f90)
+file(GLOB_RECURSE names RELATIVE ${source} ${source}/src/asperity.f90 ${source}/src/base/*.f90
+   ${source}/src/paper/*.f90 ${source}/src/law/*.f90 ${source}/src/contact/*.f90
+   ${source}/interface/abaqus/*.f90)
 foreach(name IN LISTS names)
    file(STRINGS ${source}/${name} line LIMIT_COUNT 1 REGEX "^module [a-z]")
    string(REGEX REPLACE "^module +([a-z0-9_]+).*" "\\1" module "${line}")
@@ -33,7 +34,7 @@ function(place name)
    set_property(GLOBAL APPEND PROPERTY ordered ${name})
 endfunction()
 
-place(interface/${routine}.f90)
+place(interface/abaqus/${routine}.f90)
 get_property(ordered GLOBAL PROPERTY ordered)
 string(TOUPPER ${routine} title)
 set(changed OFF)
@@ -44,13 +45,13 @@ file(WRITE ${output}.new
    "! asperity ${version}: ${title} and every module it uses. Generated, do not edit.\n")
 foreach(name IN LISTS ordered)
    file(READ ${source}/${name} text)
-   if(single AND name STREQUAL "interface/vuinter_precision.f90")
+   if(single AND name STREQUAL "interface/abaqus/vuinter_precision.f90")
       string(REPLACE real64 real32 text "${text}")
       set(changed ON)
    endif()
    file(APPEND ${output}.new "\n! ${name}\n${text}")
 endforeach()
 if(single AND NOT changed)
-   message(FATAL_ERROR "interface/vuinter_precision.f90 is not used by ${routine}")
+   message(FATAL_ERROR "interface/abaqus/vuinter_precision.f90 is not used by ${routine}")
 endif()
 file(RENAME ${output}.new ${output})

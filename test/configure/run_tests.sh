@@ -144,8 +144,8 @@ check '32 bits, configuration' refused 'needs a 64-bit system.* compiles for 32 
    -DCMAKE_Fortran_FLAGS=-m32 -DCMAKE_TRY_COMPILE_TARGET_TYPE=STATIC_LIBRARY
 compiles_for_32() {
    local fc=${FC:-gfortran}
-   (cd "$work" && "$fc" -c "$root/src/asperity/kinds.f90") || return
-   ! (cd "$work" && "$fc" -m32 -c "$root/src/asperity/kinds.f90") >"$log.32" 2>&1 || return 1
+   (cd "$work" && "$fc" -c "$root/src/base/kinds.f90") || return
+   ! (cd "$work" && "$fc" -m32 -c "$root/src/base/kinds.f90") >"$log.32" 2>&1 || return 1
    grep -q asperity_needs_a_64_bit_system "$log.32"
 }
 check '32 bits, without CMake' compiles_for_32

@@ -1,6 +1,6 @@
 # Help, version, citation, and what the command line refuses
 
-version=$(sed -n "s/.*version = '\(.*\)'.*/\1/p" "$root/src/asperity/version.f90")
+version=$(sed -n "s/.*version = '\(.*\)'.*/\1/p" "$root/src/base/version.f90")
 run --version
 check 'version is that of the library' test "$(cat out)" = "asperity $version"
 cp out first

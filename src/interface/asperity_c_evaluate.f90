@@ -1,1 +1,0 @@
-../../interface/asperity_c_evaluate.f90

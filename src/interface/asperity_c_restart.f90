@@ -1,1 +1,0 @@
-../../interface/asperity_c_restart.f90

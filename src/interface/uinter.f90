@@ -1,1 +1,0 @@
-../../interface/uinter.f90

@@ -1,1 +1,0 @@
-../../interface/uinter_signature.f90

@@ -1,1 +1,0 @@
-../../interface/vuinter.f90

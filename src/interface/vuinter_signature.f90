@@ -1,1 +1,0 @@
-../../interface/vuinter_signature.f90
