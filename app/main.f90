@@ -1,12 +1,12 @@
 !> The program `asperity`. It alone prints errors and sets the exit status.
 program asperity_main
    use asperity, only: error_type
-   use app_cli, only: command_line_type, parse_command_line
-   use app_driver, only: drive
-   use app_process, only: set_signals
-   use app_strings, only: newline
-   use app_system, only: standard_error, write_text
-   use app_utf8, only: utf8_text
+   use asperity_program_driver, only: drive
+   use asperity_program_input_command_line, only: command_line_type, parse_command_line
+   use asperity_program_system_files, only: standard_error, write_text
+   use asperity_program_system_process, only: set_signals
+   use asperity_program_system_strings, only: newline
+   use asperity_program_system_utf8, only: utf8_text
    implicit none
    type(command_line_type) :: line
    type(error_type), allocatable :: error

@@ -1,6 +1,8 @@
 !> Elasto-plastic contact of rough faces: everything a caller needs, `use asperity`.
 module asperity
-   use asperity_compiled_law, only: compiled_law, evaluate_compiled_law, new_compiled_law
+   use asperity_base_error, only: computation_error, error_type, file_error, input_error
+   use asperity_base_kinds, only: wp
+   use asperity_base_version, only: version
    use asperity_contact_point, only: contact_response, contact_state, contact_tangent, &
       no_opposite_surface, no_rotation, no_surface_limit, status_open, status_slip, &
       status_stick, status_text, status_unset, &
@@ -9,19 +11,18 @@ module asperity
       set_contact_state, update_contact_points
    use asperity_contact_properties, only: contact_properties, new_contact_properties, &
       rule_abaqus, rule_dissipative, slip_backward_euler, slip_exact
-   use asperity_error, only: computation_error, error_type, file_error, input_error
-   use asperity_kinds, only: wp
-   use asperity_normal_inverse, only: separation_for_pressure
-   use asperity_normal_law, only: evaluate_normal_law, normal_response
-   use asperity_presets, only: find_pair, find_surface, pair_preset, pairs, surface_preset, &
-      surfaces
-   use asperity_properties, only: equivalent_modulus, new_normal_properties, normal_properties
-   use asperity_single_asperity, only: asperity_response, evaluate_asperity, stage_elastic, &
+   use asperity_law_compiled_law, only: compiled_law, evaluate_compiled_law, new_compiled_law
+   use asperity_law_normal_inverse, only: separation_for_pressure
+   use asperity_law_normal_law, only: evaluate_normal_law, normal_response
+   use asperity_law_normal_properties, only: equivalent_modulus, new_normal_properties, &
+      normal_properties
+   use asperity_law_single_asperity, only: asperity_response, evaluate_asperity, stage_elastic, &
       stage_elastoplastic, stage_open, stage_plastic
-   use asperity_validity, only: area_above_nominal, closure_above_half_radius, &
+   use asperity_law_validity, only: area_above_nominal, closure_above_half_radius, &
       implausible_property, pressure_above_hardness, roughness_number_high, roughness_number_low, &
       stiffer_than_hertz, valid, validity_remark, validity_text
-   use asperity_version, only: version
+   use asperity_paper_pairs, only: find_pair, find_surface, pair_preset, pairs, surface_preset, &
+      surfaces
    implicit none
    private
    public :: area_above_nominal, asperity_response, closure_above_half_radius, compiled_law, &

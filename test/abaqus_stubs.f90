@@ -39,7 +39,7 @@ end module abaqus_stubs
 
 subroutine stdb_abqerr(lop, string, intv, realv, charv)
    use abaqus_stubs, only: remember_message
-   use asperity_kinds, only: wp
+   use asperity_base_kinds, only: wp
    implicit none
    integer, intent(in) :: lop
    character(len=*), intent(in) :: string
@@ -61,7 +61,7 @@ end subroutine xit
 
 subroutine xplb_abqerr(lop, string, intv, realv, charv)
    use abaqus_stubs, only: remember_message
-   use vuinter_precision, only: vp
+   use asperity_abaqus_vuinter_precision, only: vp
    implicit none
    integer, intent(in) :: lop
    character(len=*), intent(in) :: string

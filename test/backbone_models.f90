@@ -5,7 +5,7 @@
 !> is elastic with a gap: it unloads along a straight line, then carries nothing, and comes back the
 !> same way. What it does first on each side is the backbone, whatever the programme.
 module backbone_models
-   use asperity_kinds, only: wp
+   use asperity_base_kinds, only: wp
    use hysteresis_models, only: record_type
    implicit none
    private

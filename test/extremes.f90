@@ -1,8 +1,8 @@
 !> Largest errors that a NaN cannot hide in. `maxval` and `max` may leave out what is no number, so
 !> that `maxval(abs(x)) < tolerance` holds for all NaN: here it counts as huge.
 module extremes
-   use asperity_finite, only: is_finite
-   use asperity_kinds, only: wp
+   use asperity_base_finite, only: is_finite
+   use asperity_base_kinds, only: wp
    implicit none
    private
    public :: largest_of, worsen

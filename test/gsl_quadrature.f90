@@ -2,7 +2,7 @@
 !> iso_c_binding: the tests' independent numbers.
 module gsl_quadrature
    use, intrinsic :: iso_c_binding, only: c_double, c_funloc, c_funptr, c_int, c_ptr, c_size_t
-   use asperity_kinds, only: wp
+   use asperity_base_kinds, only: wp
    implicit none
    private
    public :: integrand, integrate, gaussian_moment

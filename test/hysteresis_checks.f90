@@ -1,8 +1,9 @@
 !> What the tests of records share.
 module hysteresis_checks
-   use asperity_error, only: error_type
+   use asperity_base_error, only: error_type
+   use asperity_hysteresis_analysis, only: analyse_hysteresis, hysteresis_result, &
+      hysteresis_settings
    use funit, only: assertFalse
-   use hysteresis_analysis, only: analyse_hysteresis, hysteresis_result, hysteresis_settings
    use hysteresis_models, only: record_type
    implicit none
    private

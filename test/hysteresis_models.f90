@@ -1,7 +1,7 @@
 !> Records with exact answers for the tests of their post-processing: springs, sliders and gaps
 !> driven along a path.
 module hysteresis_models
-   use asperity_kinds, only: wp
+   use asperity_base_kinds, only: wp
    use random_inputs, only: random_stream
    implicit none
    private

@@ -1,8 +1,8 @@
 !> Height maps for tests.
 module map_cases
-   use asperity_kinds, only: wp
+   use asperity_base_kinds, only: wp
+   use asperity_height_map_type, only: height_map, missing_height
    use random_inputs, only: random_stream
-   use surface_height_map, only: height_map, missing_height
    implicit none
    private
    public :: flat_map, kept_map, punch_holes, random_map, random_whole

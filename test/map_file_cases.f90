@@ -1,11 +1,11 @@
 !> Height maps by formula, and files of them, for the tests of the readers.
 module map_file_cases
    use, intrinsic :: iso_fortran_env, only: int64
-   use asperity_error, only: error_type
-   use asperity_kinds, only: wp
+   use asperity_base_error, only: error_type
+   use asperity_base_kinds, only: wp
+   use asperity_height_map_read, only: map_hints, read_height_map_bytes
+   use asperity_height_map_type, only: height_map, missing_height
    use funit, only: assertEqual, assertTrue
-   use map_file_read, only: map_hints, read_height_map_bytes
-   use surface_height_map, only: height_map, missing_height
    implicit none
    private
    public :: assert_map, assert_same, formula_map, has_text, read_text, refused

@@ -1,7 +1,7 @@
 !> Numbers measured by tests. Each is printed, and appended as `key value` to the file that the
 !> environment variable ASPERITY_MEASUREMENTS names, from which the documentation is filled.
 module measurements
-   use asperity_kinds, only: wp
+   use asperity_base_kinds, only: wp
    implicit none
    private
    public :: record

@@ -1,7 +1,8 @@
 !> What must hold of every mesh of a deck.
 module mesh_checks
    use asperity, only: wp
-   use deck_hex_mesh, only: face_area, face_corners, hex_mesh, least_jacobian, mesh_volume
+   use asperity_deck_mesh_hexahedra, only: face_area, face_corners, hex_mesh, least_jacobian, &
+      mesh_volume
    use funit, only: assertEqual, assertGreaterThan, assertTrue
    implicit none
    private

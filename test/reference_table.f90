@@ -1,8 +1,8 @@
 !> Reads test/data/normal_law_reference.csv: inputs, and the law's values in 30 digits.
 module reference_table
-   use asperity_error, only: error_type
-   use asperity_kinds, only: wp
-   use asperity_properties, only: new_normal_properties, normal_properties
+   use asperity_base_error, only: error_type
+   use asperity_base_kinds, only: wp
+   use asperity_law_normal_properties, only: new_normal_properties, normal_properties
    implicit none
    private
    public :: reference_row, read_reference

@@ -1,7 +1,7 @@
 !> Hills of small maps by the words of their definitions: slow, and nothing shared with the library.
 module summit_models
-   use asperity_kinds, only: wp
-   use surface_height_map, only: missing_height
+   use asperity_base_kinds, only: wp
+   use asperity_height_map_type, only: missing_height
    implicit none
    private
    public :: reliefs_by_flooding, wolf_pruned

@@ -2,9 +2,9 @@
 module tenon_cases
    use asperity, only: contact_properties, error_type, new_contact_properties, &
       new_normal_properties, normal_properties, wp
+   use asperity_replay_tenon_run, only: run_tenon, tenon_point, tenon_settings, tenon_step
    use contact_cases, only: pair_properties
    use funit, only: assertEqual, assertFalse
-   use replay_tenon, only: run_tenon, tenon_point, tenon_settings, tenon_step
    implicit none
    private
    public :: plain_joint, face_pair, side_pair, scaled_pair, run_joint

@@ -5,7 +5,7 @@ module test_compiled_energy
    use asperity, only: contact_properties, contact_response, contact_state, &
       evaluate_compiled_law, no_rotation, slip_exact, status_open, status_slip, status_unset, &
       update_contact_point, wp
-   use asperity_gauss_legendre, only: n_points, nodes, weights
+   use asperity_law_quadrature_gauss_legendre, only: n_points, nodes, weights
    use contact_cases, only: pair_properties
    use extremes, only: worsen
    use funit, only: assertEqual, assertGreaterThan, assertLessThan, TestMethod, TestSuite

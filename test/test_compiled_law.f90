@@ -5,7 +5,7 @@ module test_compiled_law
       ieee_quiet_nan, ieee_set_halting_mode, ieee_value
    use asperity, only: compiled_law, error_type, evaluate_compiled_law, evaluate_normal_law, &
       new_compiled_law, normal_properties, normal_response, wp
-   use asperity_normal_law, only: vanishing_separation
+   use asperity_law_normal_law, only: vanishing_separation
    use extremes, only: largest_of, worsen
    use funit, only: assertEqual, assertFalse, assertLessThan, &
       assertLessThanOrEqual, assertRelativelyEqual, assertTrue, TestMethod, TestSuite

@@ -8,7 +8,7 @@ module test_compiled_points
       new_contact_states, new_normal_properties, no_rotation, normal_properties, normal_response, &
       rule_dissipative, status_open, status_slip, update_contact_point, &
       update_contact_points, wp
-   use asperity_validity, only: closure_above_half_radius
+   use asperity_law_validity, only: closure_above_half_radius
    use contact_cases, only: pair_properties
    use extremes, only: largest_of, worsen
    use funit, only: anyExceptions, assertEqual, assertFalse, assertGreaterThan, assertLessThan, &

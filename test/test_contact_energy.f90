@@ -5,7 +5,7 @@ module test_contact_energy
    use asperity, only: contact_properties, contact_response, contact_state, &
       evaluate_normal_law, no_rotation, normal_response, rule_abaqus, rule_dissipative, &
       slip_backward_euler, slip_exact, status_open, status_slip, update_contact_point, wp
-   use asperity_gauss_legendre, only: n_points, nodes, weights
+   use asperity_law_quadrature_gauss_legendre, only: n_points, nodes, weights
    use contact_cases, only: pair_properties, random_contact
    use extremes, only: worsen
    use funit, only: anyExceptions, assertEqual, assertGreaterThan, assertGreaterThanOrEqual, &

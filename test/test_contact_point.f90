@@ -7,7 +7,7 @@ module test_contact_point
       no_rotation, normal_response, rule_abaqus, rule_dissipative, separation_for_pressure, &
       slip_backward_euler, slip_exact, status_open, status_slip, status_stick, &
       update_contact_point, wp
-   use asperity_validity, only: implausible_property
+   use asperity_law_validity, only: implausible_property
    use contact_cases, only: pair_properties, random_contact
    use extremes, only: largest_of, worsen
    use funit, only: anyExceptions, assertEqual, assertFalse, assertGreaterThan, assertLessThan, &

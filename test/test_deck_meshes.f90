@@ -1,17 +1,17 @@
 !> Meshes of the decks: volumes, areas, shapes of elements.
 module test_deck_meshes
    use asperity, only: error_type, wp
-   use deck_choices, only: deck_choice
-   use deck_disc_mesh, only: new_disc_mesh
-   use deck_hex_mesh, only: even_cuts, faces_in_box, hex_mesh, least_jacobian, mesh_volume, &
-      new_grid_mesh, nodes_in_box
-   use deck_tenon_parts, only: check_tenon_sizes, default_mesh_size, default_tenon_sizes, &
+   use asperity_deck_mesh_disc, only: new_disc_mesh
+   use asperity_deck_mesh_hexahedra, only: even_cuts, faces_in_box, hex_mesh, least_jacobian, &
+      mesh_volume, new_grid_mesh, nodes_in_box
+   use asperity_deck_options, only: deck_choice
+   use asperity_deck_tenon_parts, only: check_tenon_sizes, default_mesh_size, default_tenon_sizes, &
       new_beam, new_column, node_near, tenon_sizes
+   use asperity_replay_tenon_settings, only: tenon_settings
    use extremes, only: worsen
    use funit, only: assertEqual, assertFalse, assertGreaterThan, assertLessThan, assertTrue, &
       TestMethod, TestSuite
    use mesh_checks, only: check_mesh, check_surface, outer_area
-   use replay_tenon_settings, only: tenon_settings
    implicit none
    private
    public :: suite_deck_meshes

@@ -1,17 +1,17 @@
 !> Models of the decks: wood, fit of the sides, gaps, strokes, numbers as text, what is refused.
 module test_deck_models
    use asperity, only: contact_properties, error_type, evaluate_normal_law, normal_response, wp
+   use asperity_deck_cards_card_writer, only: writer_type
+   use asperity_deck_cards_wood_cards, only: check_wood, wood_type
+   use asperity_deck_mesh_cheek_interference, only: side_interference
+   use asperity_deck_options, only: deck_choice
+   use asperity_deck_shear_deck, only: new_shear_deck, shear_deck
+   use asperity_deck_tenon_deck, only: new_tenon_deck, tenon_deck
+   use asperity_deck_tenon_parts, only: default_tenon_sizes
+   use asperity_replay_shear_settings, only: shear_settings
+   use asperity_replay_tenon_settings, only: tenon_settings
    use contact_cases, only: pair_properties
-   use deck_choices, only: deck_choice
-   use deck_shear_deck, only: new_shear_deck, shear_deck
-   use deck_side_fit, only: side_interference
-   use deck_tenon_deck, only: new_tenon_deck, tenon_deck
-   use deck_tenon_parts, only: default_tenon_sizes
-   use deck_wood, only: check_wood, wood_type
-   use deck_writer, only: writer_type
    use funit, only: assertEqual, assertFalse, assertLessThan, assertTrue, TestMethod, TestSuite
-   use replay_shear_settings, only: shear_settings
-   use replay_tenon_settings, only: tenon_settings
    implicit none
    private
    public :: suite_deck_models

@@ -4,8 +4,8 @@ module test_exponential
    use, intrinsic :: ieee_arithmetic, only: ieee_get_halting_mode, ieee_invalid, ieee_is_nan, &
       ieee_quiet_nan, ieee_set_halting_mode, ieee_value
    use, intrinsic :: iso_fortran_env, only: int64
-   use asperity_exponential, only: exponential_block, exponentials
-   use asperity_kinds, only: wp
+   use asperity_base_kinds, only: wp
+   use asperity_law_exponential, only: exponential_block, exponentials
    use extremes, only: worsen
    use funit, only: assertEqual, assertLessThanOrEqual, assertRelativelyEqual, assertTrue, &
       TestMethod, TestSuite

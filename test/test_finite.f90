@@ -3,8 +3,8 @@ module test_finite
    use, intrinsic :: ieee_arithmetic, only: ieee_negative_inf, ieee_positive_inf, ieee_quiet_nan, &
       ieee_value
    use, intrinsic :: iso_fortran_env, only: int64
-   use asperity_finite, only: all_finite, is_finite, is_nan
-   use asperity_kinds, only: wp
+   use asperity_base_finite, only: all_finite, is_finite, is_nan
+   use asperity_base_kinds, only: wp
    use extremes, only: largest_of, worsen
    use funit, only: assertEqual, assertFalse, assertTrue, TestMethod, TestSuite
    implicit none

@@ -2,13 +2,14 @@
 !> all properties and separations where it serves, and at the ends of that range.
 module test_fixed_pieces
    use, intrinsic :: iso_fortran_env, only: int64
-   use asperity_fixed_pieces, only: evaluate_fixed_pieces, fixed_pieces_serve
-   use asperity_fixed_rule, only: elastic_weight, elastoplastic_ratio, elastoplastic_weight, &
-      force_powers, log_ratio, n_elastic, n_elastoplastic, root_ratio
-   use asperity_kinds, only: wp
-   use asperity_law_pieces, only: elastic_piece, elastoplastic_piece, piece_type, plastic_piece
-   use asperity_normal_law, only: evaluate_scaled_law, normal_response
-   use asperity_properties, only: normal_properties
+   use asperity_base_kinds, only: wp
+   use asperity_law_normal_law, only: evaluate_scaled_law, normal_response
+   use asperity_law_normal_properties, only: normal_properties
+   use asperity_law_quadrature_fixed_points, only: elastic_weight, elastoplastic_ratio, &
+      elastoplastic_weight, force_powers, log_ratio, n_elastic, n_elastoplastic, root_ratio
+   use asperity_law_quadrature_pieces_by_fixed_rule, only: evaluate_fixed_pieces, fixed_pieces_serve
+   use asperity_law_quadrature_pieces_by_quadrature, only: elastic_piece, elastoplastic_piece, &
+      piece_type, plastic_piece
    use extremes, only: largest_of, worsen
    use funit, only: assertEqual, assertFalse, assertGreaterThan, assertLessThan, &
       assertRelativelyEqual, assertTrue, TestMethod, TestSuite

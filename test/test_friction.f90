@@ -2,7 +2,7 @@
 module test_friction
    use, intrinsic :: iso_fortran_env, only: int64
    use asperity, only: slip_backward_euler, slip_exact, wp
-   use asperity_friction, only: integrate_slip, slip_path
+   use asperity_contact_friction, only: integrate_slip, slip_path
    use extremes, only: worsen
    use funit, only: anyExceptions, assertEqual, assertFalse, assertGreaterThan, &
       assertGreaterThanOrEqual, assertLessThan, assertTrue, TestMethod, &

@@ -1,9 +1,9 @@
 !> Moments of the Gaussian tail, F_n(y) = moments(n) exp(-max(y, 0)^2/2): against erfc, against the
 !> integral F_1 = int F_0, F_2 = 2 int F_1, by reflection, against GSL, at the ends of the range.
 module test_gaussian_tail
-   use asperity_gauss_legendre, only: n_points, nodes, weights
-   use asperity_gaussian_tail, only: tail_moments
-   use asperity_kinds, only: wp
+   use asperity_base_kinds, only: wp
+   use asperity_law_gaussian_tail, only: tail_moments
+   use asperity_law_quadrature_gauss_legendre, only: n_points, nodes, weights
    use extremes, only: largest_of, worsen
    use funit, only: assertEqual, assertLessThan, assertRelativelyEqual, TestMethod, TestSuite
    use gsl_quadrature, only: gaussian_moment

@@ -2,8 +2,8 @@
 !> polynomial of that degree, and the values and slopes of any function.
 module test_hermite_polynomial
    use, intrinsic :: iso_fortran_env, only: int64
-   use asperity_hermite_polynomial, only: degree, hermite_points, hermite_polynomial
-   use asperity_kinds, only: wp
+   use asperity_base_kinds, only: wp
+   use asperity_law_hermite_polynomial, only: degree, hermite_points, hermite_polynomial
    use extremes, only: largest_of, worsen
    use funit, only: assertEqual, assertLessThan, assertRelativelyEqual, assertTrue, &
       TestMethod, TestSuite

@@ -1,10 +1,10 @@
 !> What a record is where that is a close thing: noise, hand-digitised steps, slip, overshoot.
 module test_hysteresis_borders
-   use asperity_kinds, only: wp
+   use asperity_base_kinds, only: wp
+   use asperity_hysteresis_analysis, only: hysteresis_result
    use backbone_models, only: backbone_fall, backbone_type, driven, programme_turns
    use extremes, only: worsen
    use funit, only: assertEqual, assertTrue, TestMethod, TestSuite
-   use hysteresis_analysis, only: hysteresis_result
    use hysteresis_checks, only: analyse
    use hysteresis_models, only: add_noise, path_through, record_type, repeat_samples
    use measurements, only: record

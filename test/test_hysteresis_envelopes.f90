@@ -1,10 +1,10 @@
 !> First-cycle envelopes by hand: peaks inside an excursion, reloading from below, weaker later
 !> cycles, brittle drops, force that the other side has left.
 module test_hysteresis_envelopes
-   use asperity_kinds, only: wp
+   use asperity_base_kinds, only: wp
+   use asperity_hysteresis_analysis, only: hysteresis_result, hysteresis_settings, not_known
    use backbone_models, only: backbone_fall, backbone_type, driven
    use funit, only: assertEqual, assertFalse, assertTrue, TestMethod, TestSuite
-   use hysteresis_analysis, only: hysteresis_result, hysteresis_settings, not_known
    use hysteresis_checks, only: analyse
    use hysteresis_models, only: path_through, record_type, response, spring_type
    implicit none

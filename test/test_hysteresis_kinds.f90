@@ -1,11 +1,11 @@
 !> What a record is, for every programme of tests with random joints, and its cycles and envelope,
 !> which are known.
 module test_hysteresis_kinds
-   use asperity_kinds, only: wp
+   use asperity_base_kinds, only: wp
+   use asperity_hysteresis_analysis, only: hysteresis_result
    use backbone_models, only: backbone_area, backbone_fall, backbone_force, backbone_type, driven, &
       programme_turns
    use funit, only: assertEqual, assertTrue, TestMethod, TestSuite
-   use hysteresis_analysis, only: hysteresis_result
    use hysteresis_checks, only: analyse
    use hysteresis_models, only: path_through, record_type, total_work
    use random_inputs, only: random_stream

@@ -2,12 +2,13 @@
 !> that are refused.
 module test_hysteresis_programmes
    use, intrinsic :: ieee_arithmetic, only: ieee_positive_inf, ieee_quiet_nan, ieee_value
-   use asperity_error, only: error_type
-   use asperity_kinds, only: wp
-   use asperity_properties, only: pi
+   use asperity_base_error, only: error_type
+   use asperity_base_kinds, only: wp
+   use asperity_hysteresis_analysis, only: analyse_hysteresis, hysteresis_result, &
+      hysteresis_settings
+   use asperity_law_normal_properties, only: pi
    use extremes, only: worsen
    use funit, only: assertEqual, assertTrue, TestMethod, TestSuite
-   use hysteresis_analysis, only: analyse_hysteresis, hysteresis_result, hysteresis_settings
    use hysteresis_checks, only: analyse
    use hysteresis_models, only: add_noise, path_through, record_type, repeat_samples, response, &
       spring_type, total_work

@@ -1,10 +1,10 @@
 !> Records as they come from a test: noisy, unevenly sampled, with repeated samples, unclosed, half
 !> a cycle, one-sided.
 module test_hysteresis_records
-   use asperity_kinds, only: wp
+   use asperity_base_kinds, only: wp
+   use asperity_hysteresis_analysis, only: hysteresis_result, hysteresis_settings, not_known
    use extremes, only: worsen
    use funit, only: assertEqual, assertFalse, assertTrue, TestMethod, TestSuite
-   use hysteresis_analysis, only: hysteresis_result, hysteresis_settings, not_known
    use hysteresis_checks, only: analyse
    use hysteresis_models, only: add_noise, path_through, random_path, record_type, &
       repeat_samples, response, spring_type, total_work

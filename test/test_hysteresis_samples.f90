@@ -1,10 +1,10 @@
 !> Samples that cannot be what the test did, and those that can: outliers, gaps, zeros; and what is
 !> formed from forces at round-off.
 module test_hysteresis_samples
-   use asperity_kinds, only: wp
+   use asperity_base_kinds, only: wp
+   use asperity_hysteresis_analysis, only: hysteresis_result, hysteresis_settings, not_known
    use backbone_models, only: backbone_type, driven, programme_turns
    use funit, only: assertEqual, assertTrue, TestMethod, TestSuite
-   use hysteresis_analysis, only: hysteresis_result, hysteresis_settings, not_known
    use hysteresis_checks, only: analyse
    use hysteresis_models, only: add_noise, path_through, record_type, repeat_samples, response, &
       spring_type, total_work

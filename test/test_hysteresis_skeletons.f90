@@ -1,10 +1,10 @@
 !> Skeletons of records and what follows from them, calculated by hand.
 module test_hysteresis_skeletons
-   use asperity_kinds, only: wp
-   use asperity_properties, only: pi
+   use asperity_base_kinds, only: wp
+   use asperity_hysteresis_analysis, only: hysteresis_result, hysteresis_settings, not_known
+   use asperity_law_normal_properties, only: pi
    use extremes, only: worsen
    use funit, only: assertEqual, assertFalse, assertGreaterThan, assertTrue, TestMethod, TestSuite
-   use hysteresis_analysis, only: hysteresis_result, hysteresis_settings, not_known
    use hysteresis_checks, only: analyse
    use hysteresis_models, only: record_type
    use measurements, only: record

@@ -3,9 +3,9 @@
 module test_law_table
    use asperity, only: contact_properties, error_type, evaluate_normal_law, normal_response, &
       pressure_above_hardness, area_above_nominal, rule_abaqus, slip_exact, wp
-   use asperity_text, only: to_text
+   use asperity_base_number_text, only: to_text
+   use asperity_deck_law_rows, only: law_table, new_law_table, reach, stick_slope
    use contact_cases, only: pair_properties, random_contact
-   use deck_law_table, only: law_table, new_law_table, reach, stick_slope
    use extremes, only: worsen
    use funit, only: anyExceptions, assertEqual, assertFalse, assertGreaterThan, &
       assertGreaterThanOrEqual, assertLessThan, assertLessThanOrEqual, assertTrue, TestMethod, &

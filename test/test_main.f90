@@ -1,8 +1,8 @@
 !> Runs every suite. It uses pFUnit's own names only, so it works with the real pFUnit as well.
 program test_main
    use funit, only: SerialContext, TestResult, TestRunner, TestSuite
-   use test_compiled_law, only: suite_compiled_law
    use test_compiled_energy, only: suite_compiled_energy
+   use test_compiled_law, only: suite_compiled_law
    use test_compiled_points, only: suite_compiled_points
    use test_contact_energy, only: suite_contact_energy
    use test_contact_point, only: suite_contact_point
@@ -16,6 +16,7 @@ program test_main
    use test_fixed_pieces, only: suite_fixed_pieces
    use test_friction, only: suite_friction
    use test_gaussian_tail, only: suite_gaussian_tail
+   use test_hermite_polynomial, only: suite_hermite_polynomial
    use test_hysteresis, only: suite_hysteresis
    use test_hysteresis_borders, only: suite_hysteresis_borders
    use test_hysteresis_envelopes, only: suite_hysteresis_envelopes
@@ -24,14 +25,13 @@ program test_main
    use test_hysteresis_records, only: suite_hysteresis_records
    use test_hysteresis_samples, only: suite_hysteresis_samples
    use test_hysteresis_skeletons, only: suite_hysteresis_skeletons
-   use test_hermite_polynomial, only: suite_hermite_polynomial
    use test_law_table, only: suite_law_table
    use test_map_faults, only: suite_map_faults
    use test_map_files, only: suite_map_files
    use test_map_headers, only: suite_map_headers
    use test_map_layouts, only: suite_map_layouts
-   use test_map_x3p, only: suite_map_x3p
    use test_map_numbers, only: suite_map_numbers
+   use test_map_x3p, only: suite_map_x3p
    use test_normal_inverse, only: suite_normal_inverse
    use test_normal_law, only: suite_normal_law
    use test_normal_law_reference, only: suite_normal_law_reference
@@ -41,22 +41,22 @@ program test_main
    use test_properties, only: suite_properties
    use test_replay_host, only: suite_replay_host
    use test_shear_box, only: suite_shear_box
-   use test_sizes, only: suite_sizes
    use test_single_asperity, only: suite_single_asperity
+   use test_sizes, only: suite_sizes
+   use test_surface_chain, only: suite_surface_chain
    use test_surface_cholesky, only: suite_surface_cholesky
    use test_surface_fourier, only: suite_surface_fourier
-   use test_surface_level, only: suite_surface_level
-   use test_surface_holes, only: suite_surface_holes
    use test_surface_gaussian_filter, only: suite_surface_gaussian_filter
-   use test_surface_summits, only: suite_surface_summits
-   use test_surface_sum_map, only: suite_surface_sum_map
-   use test_surface_chain, only: suite_surface_chain
+   use test_surface_holes, only: suite_surface_holes
+   use test_surface_level, only: suite_surface_level
    use test_surface_pair, only: suite_surface_pair
    use test_surface_random, only: suite_surface_random
    use test_surface_reference, only: suite_surface_reference
    use test_surface_statistics, only: suite_surface_statistics
-   use test_tenon_forms, only: suite_tenon_forms
+   use test_surface_sum_map, only: suite_surface_sum_map
+   use test_surface_summits, only: suite_surface_summits
    use test_tenon_energy, only: suite_tenon_energy
+   use test_tenon_forms, only: suite_tenon_forms
    use test_tenon_joint, only: suite_tenon_joint
    use test_tenon_solver, only: suite_tenon_solver
    use test_uinter, only: suite_uinter

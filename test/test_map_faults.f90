@@ -1,13 +1,13 @@
 !> Files of heights that must be refused, with the place of the fault.
 module test_map_faults
    use, intrinsic :: iso_fortran_env, only: int16, int32, real32
-   use asperity_error, only: error_type
-   use asperity_kinds, only: wp
+   use asperity_base_error, only: error_type
+   use asperity_base_kinds, only: wp
+   use asperity_height_map_read, only: map_hints, read_height_map
+   use asperity_height_map_type, only: height_map, missing_height
+   use asperity_height_map_write, only: height_map_bytes
    use funit, only: assertEqual, assertTrue, TestMethod, TestSuite
    use map_file_cases, only: formula_map, has_text, in_mm, nl, refused
-   use map_file_read, only: map_hints, read_height_map
-   use map_file_write, only: height_map_bytes
-   use surface_height_map, only: height_map, missing_height
    implicit none
    private
    public :: suite_map_faults

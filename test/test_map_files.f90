@@ -1,14 +1,14 @@
 !> Height maps out of sound files of every format.
 module test_map_files
-   use asperity_error, only: error_type
-   use asperity_kinds, only: wp
+   use asperity_base_error, only: error_type
+   use asperity_base_kinds, only: wp
+   use asperity_height_map_read, only: map_hints, read_height_map
+   use asperity_height_map_type, only: height_map, missing_height, missing_points
+   use asperity_height_map_write, only: height_map_bytes
    use funit, only: assertEqual, assertFalse, assertLessThan, assertTrue, &
       TestMethod, TestSuite
    use map_file_cases, only: assert_map, assert_same, formula_map, has_text, in_mm, nl, read_text
-   use map_file_read, only: map_hints, read_height_map
-   use map_file_write, only: height_map_bytes
    use random_inputs, only: random_stream
-   use surface_height_map, only: height_map, missing_height, missing_points
    implicit none
    private
    public :: suite_map_files

@@ -1,11 +1,11 @@
 !> Headers of texts of heights: names of columns, factors, sizes, markers, what is not understood.
 module test_map_headers
-   use asperity_kinds, only: wp
+   use asperity_base_kinds, only: wp
+   use asperity_height_map_read, only: map_hints
+   use asperity_height_map_type, only: height_map, missing_points, note_end
    use funit, only: assertEqual, assertFalse, assertTrue, TestMethod, TestSuite
    use map_file_cases, only: assert_map, has_text, in_mm, nl, no_hints, read_text, refused, &
       small_heights, small_rows, with_steps
-   use map_file_read, only: map_hints
-   use surface_height_map, only: height_map, missing_points, note_end
    implicit none
    private
    public :: suite_map_headers

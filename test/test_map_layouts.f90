@@ -1,12 +1,12 @@
 !> Texts of heights as other programs lay them out: axes around them, and files of all layouts.
 module test_map_layouts
-   use asperity_error, only: error_type
-   use asperity_kinds, only: wp
+   use asperity_base_error, only: error_type
+   use asperity_base_kinds, only: wp
+   use asperity_height_map_read, only: map_hints, read_height_map
+   use asperity_height_map_type, only: height_map, missing_height, missing_points
    use funit, only: assertEqual, assertTrue, TestMethod, TestSuite
    use map_file_cases, only: assert_map, has_text, nl, no_hints, read_text, refused, &
       small_heights, small_rows, with_steps
-   use map_file_read, only: map_hints, read_height_map
-   use surface_height_map, only: height_map, missing_height, missing_points
    implicit none
    private
    public :: suite_map_layouts

@@ -1,9 +1,10 @@
 !> The reader of decimal numbers against Fortran's own, bit by bit.
 module test_map_numbers
    use, intrinsic :: iso_fortran_env, only: int64
-   use asperity_kinds, only: wp
+   use asperity_base_kinds, only: wp
+   use asperity_height_map_text_numbers, only: number_absent, number_found, number_too_large, &
+      read_number
    use funit, only: assertEqual, assertTrue, TestMethod, TestSuite
-   use map_file_numbers, only: number_absent, number_found, number_too_large, read_number
    use random_inputs, only: random_stream
    implicit none
    private

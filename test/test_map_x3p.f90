@@ -1,11 +1,11 @@
 !> X3P archives made here: sound ones of every type of number, and those that must be refused.
 module test_map_x3p
    use, intrinsic :: iso_fortran_env, only: int16, int32, real32
-   use asperity_kinds, only: wp
+   use asperity_base_kinds, only: wp
+   use asperity_height_map_read, only: map_hints
+   use asperity_height_map_type, only: height_map, missing_height
    use funit, only: assertEqual, assertTrue, TestMethod, TestSuite
    use map_file_cases, only: read_text, refused
-   use map_file_read, only: map_hints
-   use surface_height_map, only: height_map, missing_height
    use x3p_cases, only: x3p_members
    use zip_writer, only: zip_member_text, zip_of
    implicit none

@@ -1,11 +1,11 @@
 !> The inverse of the normal law: round trips, exact pairs, no failure, errors.
 module test_normal_inverse
    use, intrinsic :: ieee_arithmetic, only: ieee_positive_inf, ieee_quiet_nan, ieee_value
-   use asperity_error, only: error_type, input_error
-   use asperity_kinds, only: wp
-   use asperity_normal_inverse, only: separation_for_pressure
-   use asperity_normal_law, only: evaluate_normal_law, normal_response
-   use asperity_properties, only: normal_properties
+   use asperity_base_error, only: error_type, input_error
+   use asperity_base_kinds, only: wp
+   use asperity_law_normal_inverse, only: separation_for_pressure
+   use asperity_law_normal_law, only: evaluate_normal_law, normal_response
+   use asperity_law_normal_properties, only: normal_properties
    use extremes, only: worsen
    use funit, only: anyExceptions, assertEqual, assertFail, assertFalse, assertGreaterThan, &
       assertLessThanOrEqual, assertRelativelyEqual, assertTrue, TestMethod, TestSuite

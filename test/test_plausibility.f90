@@ -1,18 +1,18 @@
 !> What no face or solid has: limits of eta R sigma in closed form, slips of units, edges of ranges.
 module test_plausibility
-   use asperity_constants, only: pi
-   use asperity_error, only: error_type, input_error
-   use asperity_kinds, only: wp
-   use asperity_plausibility, only: alpha_min, ranges, roughness_number_max, roughness_number_min, &
-      roughness_number_min_sq
-   use asperity_presets, only: pairs, surfaces
-   use asperity_properties, only: new_normal_properties, normal_properties
-   use asperity_text, only: to_text
-   use asperity_validity, only: implausible_property, roughness_number_high, roughness_number_low, &
-      valid, validity_remark
+   use asperity_base_constants, only: pi
+   use asperity_base_error, only: error_type, input_error
+   use asperity_base_kinds, only: wp
+   use asperity_base_number_text, only: to_text
+   use asperity_law_normal_properties, only: new_normal_properties, normal_properties
+   use asperity_law_plausibility, only: alpha_min, ranges, roughness_number_max, &
+      roughness_number_min, roughness_number_min_sq
+   use asperity_law_validity, only: implausible_property, roughness_number_high, &
+      roughness_number_low, valid, validity_remark
+   use asperity_paper_pairs, only: pairs, surfaces
+   use asperity_surface_parameters_nayak, only: nayak_summits, nayak_type
    use funit, only: assertEqual, assertFalse, assertGreaterThan, assertRelativelyEqual, &
       assertTrue, TestMethod, TestSuite
-   use surface_nayak, only: nayak_summits, nayak_type
    implicit none
    private
    public :: suite_plausibility

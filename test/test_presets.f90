@@ -1,10 +1,11 @@
 !> The paper's pairs and surfaces: Table 2 and Table 4 as printed, converted by formula.
 module test_presets
-   use asperity_error, only: error_type, input_error
-   use asperity_kinds, only: wp
-   use asperity_presets, only: find_pair, find_surface, pair_preset, pairs, surface_preset, surfaces
-   use asperity_properties, only: new_normal_properties, normal_properties
-   use asperity_validity, only: valid
+   use asperity_base_error, only: error_type, input_error
+   use asperity_base_kinds, only: wp
+   use asperity_law_normal_properties, only: new_normal_properties, normal_properties
+   use asperity_law_validity, only: valid
+   use asperity_paper_pairs, only: find_pair, find_surface, pair_preset, pairs, surface_preset, &
+      surfaces
    use funit, only: assertEqual, assertFalse, assertRelativelyEqual, assertTrue, TestMethod, &
       TestSuite
    implicit none

@@ -2,10 +2,10 @@
 module test_press
    use asperity, only: contact_properties, error_type, evaluate_normal_law, normal_response, &
       rule_abaqus, wp
+   use asperity_replay_press, only: press_settings, press_step, run_press
    use contact_cases, only: pair_properties
    use funit, only: anyExceptions, assertEqual, assertFalse, assertLessThan, assertTrue, &
       TestMethod, TestSuite
-   use replay_press, only: press_settings, press_step, run_press
    implicit none
    private
    public :: suite_press

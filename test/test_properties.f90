@@ -3,10 +3,11 @@ module test_properties
    use, intrinsic :: ieee_arithmetic, only: ieee_negative_inf, ieee_positive_inf, ieee_quiet_nan, &
       ieee_value
    use, intrinsic :: iso_fortran_env, only: int64
-   use asperity_error, only: error_type, input_error
-   use asperity_kinds, only: wp
-   use asperity_properties, only: equivalent_modulus, new_normal_properties, normal_properties
-   use asperity_validity, only: implausible_property, roughness_number_high, &
+   use asperity_base_error, only: error_type, input_error
+   use asperity_base_kinds, only: wp
+   use asperity_law_normal_properties, only: equivalent_modulus, new_normal_properties, &
+      normal_properties
+   use asperity_law_validity, only: implausible_property, roughness_number_high, &
       roughness_number_low, stiffer_than_hertz, valid
    use extremes, only: worsen
    use funit, only: anyExceptions, assertEqual, assertFalse, assertLessThan, &

@@ -6,14 +6,14 @@ module test_replay_host
    use, intrinsic :: iso_fortran_env, only: int64
    use asperity, only: contact_properties, error_type, evaluate_normal_law, no_opposite_surface, &
       normal_response, wp
+   use asperity_abaqus_uinter_signature, only: uinter_interface
+   use asperity_replay_abaqus_host, only: accept_increment, host_point, host_record, &
+      new_host_point, run_increment, try_increment
    use contact_cases, only: pair_properties
    use funit, only: anyExceptions, assertEqual, assertFalse, assertGreaterThan, assertTrue, &
       TestMethod, TestSuite
    use random_inputs, only: random_stream
-   use replay_host, only: accept_increment, host_point, host_record, new_host_point, &
-      run_increment, try_increment
    use threads, only: run_two
-   use uinter_signature, only: uinter_interface
    implicit none
    private
    public :: suite_replay_host

@@ -3,12 +3,12 @@
 module test_shear_box
    use asperity, only: contact_properties, error_type, evaluate_normal_law, normal_response, &
       separation_for_pressure, status_slip, status_stick, wp
+   use asperity_replay_shear_box, only: overlap_area, run_shear_box, shear_settings, shear_step
    use contact_cases, only: pair_properties
    use extremes, only: worsen
    use funit, only: anyExceptions, assertEqual, assertFalse, assertGreaterThan, assertLessThan, &
       assertTrue, TestMethod, TestSuite
    use measurements, only: record
-   use replay_shear_box, only: overlap_area, run_shear_box, shear_settings, shear_step
    implicit none
    private
    public :: suite_shear_box

@@ -1,9 +1,9 @@
 !> Ranges of sizes: their ends, and the units that values outside them look like.
 module test_sizes
    use asperity, only: error_type, wp
-   use asperity_text, only: to_text
+   use asperity_base_number_text, only: to_text
+   use asperity_replay_sizes, only: check_size, ranges
    use funit, only: assertEqual, assertFalse, assertLessThan, assertTrue, TestMethod, TestSuite
-   use replay_sizes, only: check_size, ranges
    implicit none
    private
    public :: suite_sizes

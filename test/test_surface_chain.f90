@@ -1,24 +1,24 @@
 !> The whole chain on random surfaces: generated, levelled, summits found, summed over tiles,
 !> evaluated; against exact results for the spectrum asked for and against the stated uncertainty.
 module test_surface_chain
-   use asperity_error, only: error_type
-   use asperity_kinds, only: wp
-   use asperity_properties, only: pi
+   use asperity_base_error, only: error_type
+   use asperity_base_kinds, only: wp
+   use asperity_height_map_type, only: height_map
+   use asperity_law_normal_properties, only: pi
+   use asperity_surface_generate_map, only: generate_surface, surface_settings
+   use asperity_surface_parameters_from_sums, only: no_parameter, parameters_of
+   use asperity_surface_parameters_nayak, only: nayak_summits, nayak_type
+   use asperity_surface_parameters_parameters, only: n_parameters, p_direction, p_m0, p_m2_across, &
+      p_m2_along, p_m2_x, p_m2_y, p_m4_across, p_m4_along, p_m4_x, p_m4_y, p_sku, p_ssk, &
+      p_summit_curvature, p_summit_density, p_summit_mean, p_summit_sigma, parameters
+   use asperity_surface_parameters_sum_tiles, only: sum_map
+   use asperity_surface_parameters_tile_sums, only: summed, surface_sums_type
+   use asperity_surface_parameters_uncertainty, only: uncertainties
+   use asperity_surface_prepare_level, only: level_plane
+   use asperity_surface_summits_find, only: find_summits, summit_set
    use extremes, only: worsen
    use funit, only: assertEqual, assertGreaterThan, assertLessThan, TestMethod, TestSuite
    use measurements, only: record
-   use surface_evaluate, only: no_parameter, parameters_of
-   use surface_generate, only: generate_surface, surface_settings
-   use surface_height_map, only: height_map
-   use surface_level, only: level_plane
-   use surface_nayak, only: nayak_summits, nayak_type
-   use surface_parameters, only: n_parameters, p_direction, p_m0, p_m2_across, p_m2_along, &
-      p_m2_x, p_m2_y, p_m4_across, p_m4_along, p_m4_x, p_m4_y, p_sku, p_ssk, &
-      p_summit_curvature, p_summit_density, p_summit_mean, p_summit_sigma, parameters
-   use surface_sum_map, only: sum_map
-   use surface_summits, only: find_summits, summit_set
-   use surface_sums, only: summed, surface_sums_type
-   use surface_uncertainty, only: uncertainties
    implicit none
    private
    public :: suite_surface_chain

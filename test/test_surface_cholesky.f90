@@ -1,8 +1,8 @@
 !> Cholesky's method on Hilbert's matrices 1/(i + j - 1), whose condition numbers are known.
 module test_surface_cholesky
-   use asperity_kinds, only: wp
+   use asperity_base_kinds, only: wp
+   use asperity_surface_cholesky, only: factorize, reciprocal_condition, solve
    use funit, only: assertFalse, assertLessThan, assertTrue, TestMethod, TestSuite
-   use surface_cholesky, only: factorize, reciprocal_condition, solve
    implicit none
    private
    public :: suite_surface_cholesky

@@ -1,13 +1,13 @@
 !> Fourier transforms: against the sums that define them, there and back.
 module test_surface_fourier
    use, intrinsic :: iso_fortran_env, only: int64
-   use asperity_kinds, only: wp
+   use asperity_base_kinds, only: wp
+   use asperity_surface_fourier, only: delete_line_transform, easy_length, line_transform, &
+      new_line_transform, transform_backward_2d, transform_forward_2d, transform_lines_backward, &
+      transform_lines_forward
    use extremes, only: largest_of, worsen
    use funit, only: assertEqual, assertLessThan, TestMethod, TestSuite
    use random_inputs, only: random_stream
-   use surface_fourier, only: delete_line_transform, easy_length, line_transform, &
-      new_line_transform, transform_backward_2d, transform_forward_2d, &
-      transform_lines_backward, transform_lines_forward
    implicit none
    private
    public :: suite_surface_fourier

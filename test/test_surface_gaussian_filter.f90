@@ -1,16 +1,16 @@
 !> The S and L filters against their transmission and against fits and means by the definition.
 module test_surface_gaussian_filter
    use, intrinsic :: iso_fortran_env, only: int64
-   use asperity_error, only: error_type
-   use asperity_kinds, only: wp
-   use asperity_text, only: to_text
+   use asperity_base_error, only: error_type
+   use asperity_base_kinds, only: wp
+   use asperity_base_number_text, only: to_text
+   use asperity_height_map_type, only: height_map, missing_height
+   use asperity_surface_prepare_gaussian_filter, only: filter_long, filter_short
    use extremes, only: largest_of, worsen
    use funit, only: assertEqual, assertFalse, assertLessThan, assertTrue, TestMethod, TestSuite
    use map_cases, only: flat_map, kept_map, punch_holes, random_map, random_whole
    use measurements, only: record
    use random_inputs, only: random_stream
-   use surface_gaussian_filter, only: filter_long, filter_short
-   use surface_height_map, only: height_map, missing_height
    implicit none
    private
    public :: suite_surface_gaussian_filter

@@ -1,16 +1,16 @@
 !> Filling of missing points.
 module test_surface_holes
    use, intrinsic :: iso_fortran_env, only: int64
-   use asperity_error, only: error_type
-   use asperity_kinds, only: wp
-   use asperity_text, only: to_text
+   use asperity_base_error, only: error_type
+   use asperity_base_kinds, only: wp
+   use asperity_base_number_text, only: to_text
+   use asperity_height_map_type, only: height_map, missing_height
+   use asperity_surface_prepare_fill_holes, only: fill_missing, missing_share
    use extremes, only: largest_of
    use funit, only: assertEqual, assertFalse, assertLessThan, assertTrue, TestMethod, TestSuite
    use map_cases, only: flat_map, punch_holes, random_map, random_whole
    use measurements, only: record
    use random_inputs, only: random_stream
-   use surface_height_map, only: height_map, missing_height
-   use surface_holes, only: fill_missing, missing_share
    implicit none
    private
    public :: suite_surface_holes

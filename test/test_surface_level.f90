@@ -1,17 +1,17 @@
 !> Levelling and removal of form: what is added comes out again, what is left is orthogonal to it.
 module test_surface_level
    use, intrinsic :: iso_fortran_env, only: int64
-   use asperity_error, only: error_type
-   use asperity_kinds, only: wp
-   use asperity_text, only: to_text
+   use asperity_base_error, only: error_type
+   use asperity_base_kinds, only: wp
+   use asperity_base_number_text, only: to_text
+   use asperity_height_map_type, only: height_map, missing_height
+   use asperity_surface_prepare_level, only: highest_degree, level_plane, remove_form
    use extremes, only: largest_of, worsen
    use funit, only: assertEqual, assertFalse, assertGreaterThan, assertLessThan, assertTrue, &
       TestMethod, TestSuite
    use map_cases, only: flat_map, kept_map, punch_holes, random_map
    use measurements, only: record
    use random_inputs, only: random_stream
-   use surface_height_map, only: height_map, missing_height
-   use surface_level, only: highest_degree, level_plane, remove_form
    implicit none
    private
    public :: suite_surface_level

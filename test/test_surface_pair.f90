@@ -1,28 +1,30 @@
 !> Two faces as one, the gap between them, the law of one summit summed over summits, and remarks.
 module test_surface_pair
    use, intrinsic :: ieee_arithmetic, only: ieee_quiet_nan, ieee_value
-   use asperity_error, only: error_type
-   use asperity_kinds, only: wp
-   use asperity_normal_law, only: evaluate_normal_law, normal_response
-   use asperity_properties, only: new_normal_properties, normal_properties
-   use asperity_single_asperity, only: asperity_response, evaluate_asperity
+   use asperity_base_error, only: error_type
+   use asperity_base_kinds, only: wp
+   use asperity_height_map_type, only: height_map, missing_height
+   use asperity_law_normal_law, only: evaluate_normal_law, normal_response
+   use asperity_law_normal_properties, only: new_normal_properties, normal_properties
+   use asperity_law_single_asperity, only: asperity_response, evaluate_asperity
+   use asperity_surface_generate_random_stream, only: fill_normal, new_random, random_type
+   use asperity_surface_pair_equivalent_surface, only: combine_values, map_correlation, &
+      pair_uncertainties, sum_of_maps
+   use asperity_surface_pair_first_touch_gap, only: find_gap, gap_distribution
+   use asperity_surface_pair_law_on_summits, only: sum_over_summits, summit_curve
+   use asperity_surface_parameters_from_sums, only: no_parameter, parameters_of
+   use asperity_surface_parameters_parameters, only: n_parameters, p_alpha, p_eta_nayak, &
+      p_eta_paper, p_m0, p_m2, p_m2_across, p_m2_along, p_m2_x, p_m2_y, p_m4, p_m4_x, p_m4_y, &
+      p_radius_nayak, p_radius_paper, p_sigma_nayak, p_sigma_paper, p_sku, p_sq, p_ssk, &
+      p_summit_plane
+   use asperity_surface_parameters_tile_sums, only: surface_sums_type
+   use asperity_surface_parameters_uncertainty, only: uncertainties
+   use asperity_surface_remarks_on_analysis, only: find_remarks, map_facts, remark_type
    use extremes, only: largest_of
    use funit, only: assertEqual, assertFalse, assertLessThan, assertRelativelyEqual, assertTrue, &
       TestMethod, TestSuite
    use measurements, only: record
    use random_inputs, only: normal_of_pair, random_stream
-   use surface_evaluate, only: no_parameter, parameters_of
-   use surface_gap, only: find_gap, gap_distribution
-   use surface_height_map, only: height_map, missing_height
-   use surface_pair, only: combine_values, map_correlation, pair_uncertainties, sum_of_maps
-   use surface_parameters, only: n_parameters, p_alpha, p_eta_nayak, p_eta_paper, p_m0, p_m2, &
-      p_m2_across, p_m2_along, p_m2_x, p_m2_y, p_m4, p_m4_x, p_m4_y, p_radius_nayak, &
-      p_radius_paper, p_sigma_nayak, p_sigma_paper, p_sku, p_sq, p_ssk, p_summit_plane
-   use surface_random, only: fill_normal, new_random, random_type
-   use surface_remarks, only: find_remarks, map_facts, remark_type
-   use surface_sums, only: surface_sums_type
-   use surface_uncertainty, only: uncertainties
-   use surface_verify, only: sum_over_summits, summit_curve
    implicit none
    private
    public :: suite_surface_pair

@@ -1,18 +1,18 @@
 !> Parameters of the maps of test/data/surface_reference.txt, computed by
 !> test/reference/surface_reference.py from the words of the definitions.
 module test_surface_reference
-   use asperity_error, only: error_type
-   use asperity_kinds, only: wp
+   use asperity_base_error, only: error_type
+   use asperity_base_kinds, only: wp
+   use asperity_height_map_type, only: height_map, missing_height
+   use asperity_surface_parameters_from_sums, only: no_parameter, parameters_of
+   use asperity_surface_parameters_parameters, only: n_parameters, p_direction, p_ssk, parameters
+   use asperity_surface_parameters_sum_tiles, only: sum_map
+   use asperity_surface_parameters_tile_sums, only: summed, surface_sums_type
+   use asperity_surface_prepare_level, only: level_plane, remove_form
+   use asperity_surface_summits_find, only: find_summits, summit_set
    use extremes, only: worsen
    use funit, only: assertEqual, assertFalse, assertLessThan, assertTrue, TestMethod, TestSuite
    use measurements, only: record
-   use surface_evaluate, only: no_parameter, parameters_of
-   use surface_height_map, only: height_map, missing_height
-   use surface_level, only: level_plane, remove_form
-   use surface_parameters, only: n_parameters, p_direction, p_ssk, parameters
-   use surface_sum_map, only: sum_map
-   use surface_summits, only: find_summits, summit_set
-   use surface_sums, only: summed, surface_sums_type
    implicit none
    private
    public :: suite_surface_reference

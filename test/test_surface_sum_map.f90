@@ -1,19 +1,19 @@
 !> Sums over tiles: on polynomials and waves by formula, with holes by counting; thinned maps.
 module test_surface_sum_map
    use, intrinsic :: iso_fortran_env, only: int64
-   use asperity_error, only: error_type
-   use asperity_kinds, only: wp
-   use asperity_text, only: to_text
+   use asperity_base_error, only: error_type
+   use asperity_base_kinds, only: wp
+   use asperity_base_number_text, only: to_text
+   use asperity_height_map_type, only: height_map, missing_height
+   use asperity_surface_parameters_sum_tiles, only: sum_map
+   use asperity_surface_parameters_tile_sums, only: summed, surface_sums_type
+   use asperity_surface_prepare_every_nth, only: thinned
+   use asperity_surface_summits_find, only: find_summits, summit_set
    use extremes, only: largest_of
    use funit, only: assertEqual, assertFalse, assertLessThan, assertRelativelyEqual, assertTrue, &
       TestMethod, TestSuite
    use map_cases, only: flat_map, kept_map, punch_holes, random_map, random_whole
    use random_inputs, only: random_stream
-   use surface_height_map, only: height_map, missing_height
-   use surface_sum_map, only: sum_map
-   use surface_summits, only: find_summits, summit_set
-   use surface_sums, only: summed, surface_sums_type
-   use surface_thin, only: thinned
    implicit none
    private
    public :: suite_surface_sum_map

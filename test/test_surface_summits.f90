@@ -2,18 +2,18 @@
 !> definitions, which are slow: islands by flooding from each top, and Wolf's pruning step by step.
 module test_surface_summits
    use, intrinsic :: iso_fortran_env, only: int64
-   use asperity_error, only: error_type
-   use asperity_kinds, only: wp
-   use asperity_text, only: to_text
+   use asperity_base_error, only: error_type
+   use asperity_base_kinds, only: wp
+   use asperity_base_number_text, only: to_text
+   use asperity_height_map_type, only: height_map, missing_height
+   use asperity_surface_summits_find, only: find_summits, summit_set
+   use asperity_surface_summits_saddle_order, only: saddle_type, sort_saddles
    use extremes, only: largest_of
    use funit, only: assertEqual, assertFalse, assertGreaterThan, assertLessThan, assertTrue, &
       TestMethod, TestSuite
    use map_cases, only: flat_map, punch_holes, random_map, random_whole
    use random_inputs, only: random_stream
    use summit_models, only: reliefs_by_flooding, wolf_pruned
-   use surface_height_map, only: height_map, missing_height
-   use surface_saddle_order, only: saddle_type, sort_saddles
-   use surface_summits, only: find_summits, summit_set
    implicit none
    private
    public :: suite_surface_summits

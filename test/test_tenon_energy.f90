@@ -4,17 +4,17 @@ module test_tenon_energy
    use, intrinsic :: iso_fortran_env, only: int64
    use asperity, only: contact_properties, error_type, evaluate_compiled_law, rule_abaqus, &
       rule_dissipative, wp
-   use asperity_gauss_legendre, only: n_points, nodes, weights
+   use asperity_law_quadrature_gauss_legendre, only: n_points, nodes, weights
+   use asperity_replay_tenon_contact, only: contact_record
+   use asperity_replay_tenon_contact, only: press_hard, press_rough
+   use asperity_replay_tenon_energy, only: point_split, stored_energy
+   use asperity_replay_tenon_geometry, only: new_tenon_model, tenon_model
+   use asperity_replay_tenon_run, only: tenon_settings, tenon_step
    use extremes, only: largest_of, worsen
    use funit, only: anyExceptions, assertEqual, assertFalse, assertGreaterThan, &
       assertGreaterThanOrEqual, assertLessThan, assertTrue, TestMethod, TestSuite
    use measurements, only: record
    use random_inputs, only: random_stream
-   use replay_tenon, only: tenon_settings, tenon_step
-   use replay_tenon_contact, only: contact_record
-   use replay_tenon_ledger, only: point_split, stored_energy
-   use replay_tenon_model, only: new_tenon_model, tenon_model
-   use replay_tenon_contact, only: press_hard, press_rough
    use tenon_cases, only: face_pair, plain_joint, run_joint, side_pair
    implicit none
    private

@@ -1,11 +1,11 @@
 !> The tenon joint against closed forms.
 module test_tenon_forms
    use asperity, only: status_open, wp
+   use asperity_replay_tenon_run, only: tenon_faces, tenon_point, tenon_settings, tenon_step
    use extremes, only: largest_of
    use funit, only: anyExceptions, assertEqual, assertGreaterThan, assertLessThan, &
       assertTrue, TestMethod, TestSuite
    use measurements, only: record
-   use replay_tenon, only: tenon_faces, tenon_point, tenon_settings, tenon_step
    use tenon_cases, only: face_pair, plain_joint, run_joint
    implicit none
    private

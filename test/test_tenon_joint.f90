@@ -3,12 +3,13 @@
 module test_tenon_joint
    use abaqus_stubs, only: forget_calls, messages
    use asperity, only: computation_error, error_type, wp
-   use asperity_text, only: to_text
+   use asperity_base_number_text, only: to_text
+   use asperity_replay_tenon_run, only: check_tenon_settings, run_tenon, tenon_point, &
+      tenon_settings, tenon_step
    use extremes, only: largest_of
    use funit, only: anyExceptions, assertEqual, assertGreaterThan, assertLessThan, assertTrue, &
       TestMethod, TestSuite
    use measurements, only: record
-   use replay_tenon, only: check_tenon_settings, run_tenon, tenon_point, tenon_settings, tenon_step
    use tenon_cases, only: face_pair, plain_joint, run_joint, scaled_pair, side_pair
    implicit none
    private

@@ -2,17 +2,17 @@
 module test_tenon_solver
    use, intrinsic :: iso_fortran_env, only: int64
    use asperity, only: error_type, rule_abaqus, rule_dissipative, wp
+   use asperity_replay_tenon_bracketing, only: advance_search, new_root_search, root_search
+   use asperity_replay_tenon_contact, only: contact_record
+   use asperity_replay_tenon_equilibrium, only: balance_tenon, search_tenon
+   use asperity_replay_tenon_geometry, only: evaluate_tenon, new_tenon_model, tenon_forces, &
+      tenon_model, tenon_place
+   use asperity_replay_tenon_run, only: tenon_settings
    use extremes, only: largest_of, worsen
    use funit, only: anyExceptions, assertEqual, assertFalse, assertLessThan, assertTrue, &
       TestMethod, TestSuite
    use measurements, only: record
    use random_inputs, only: random_stream
-   use replay_tenon, only: tenon_settings
-   use replay_tenon_balance, only: balance_tenon, search_tenon
-   use replay_tenon_contact, only: contact_record
-   use replay_tenon_model, only: evaluate_tenon, new_tenon_model, tenon_forces, tenon_model, &
-      tenon_place
-   use replay_tenon_root, only: advance_search, new_root_search, root_search
    use tenon_cases, only: face_pair, side_pair
    implicit none
    private

@@ -6,14 +6,15 @@ module test_uinter
       evaluate_normal_law, no_opposite_surface, no_rotation, normal_response, &
       roughness_number_low, rule_dissipative, slip_backward_euler, status_open, status_slip, &
       status_stick, update_contact_point, wp
+   use asperity_abaqus_props_and_statev, only: n_props, n_statev, props_from_properties, &
+      properties_from_props, state_elastic_slip_1, state_elastic_slip_2, state_from_statev, &
+      state_overclosure, state_pressure, state_status, state_validity, state_warned
+   use asperity_abaqus_uinter_signature, only: uinter_interface
+   use asperity_replay_abaqus_host, only: accept_increment, host_point, new_host_point, &
+      try_increment
    use contact_cases, only: pair_properties
    use funit, only: anyExceptions, assertEqual, assertFalse, assertGreaterThan, assertLessThan, &
       assertTrue, TestMethod, TestSuite
-   use replay_host, only: accept_increment, host_point, new_host_point, try_increment
-   use uinter_signature, only: uinter_interface
-   use uinter_slots, only: n_props, n_statev, props_from_properties, properties_from_props, &
-      state_elastic_slip_1, state_elastic_slip_2, state_from_statev, state_overclosure, &
-      state_pressure, state_status, state_validity, state_warned
    implicit none
    private
    public :: suite_uinter

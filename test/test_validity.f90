@@ -1,12 +1,12 @@
 !> Validity flags of the normal law's results, and their texts.
 module test_validity
-   use asperity_error, only: error_type
-   use asperity_kinds, only: wp
-   use asperity_normal_law, only: evaluate_normal_law, normal_response
-   use asperity_properties, only: new_normal_properties, normal_properties
-   use asperity_validity, only: area_above_nominal, closure_above_half_radius, &
-      implausible_property, pressure_above_hardness, roughness_number_high, &
-      roughness_number_low, stiffer_than_hertz, valid, validity_remark, validity_text
+   use asperity_base_error, only: error_type
+   use asperity_base_kinds, only: wp
+   use asperity_law_normal_law, only: evaluate_normal_law, normal_response
+   use asperity_law_normal_properties, only: new_normal_properties, normal_properties
+   use asperity_law_validity, only: area_above_nominal, closure_above_half_radius, &
+      implausible_property, pressure_above_hardness, roughness_number_high, roughness_number_low, &
+      stiffer_than_hertz, valid, validity_remark, validity_text
    use funit, only: assertEqual, assertTrue, TestMethod, TestSuite
    use gsl_quadrature, only: gaussian_moment
    use random_inputs, only: normal_of_pair

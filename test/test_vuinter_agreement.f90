@@ -3,21 +3,21 @@ module test_vuinter_agreement
    use, intrinsic :: iso_c_binding, only: c_f_pointer, c_int, c_null_ptr, c_ptr
    use, intrinsic :: iso_fortran_env, only: int64
    use asperity, only: contact_properties, error_type, no_opposite_surface, wp
+   use asperity_abaqus_props_and_statev, only: n_statev, properties_from_props, state_dissipation, &
+      state_elastic_slip_1, state_elastic_slip_2, state_largest_closure, state_normal_energy, &
+      state_overclosure, state_pressure, state_pressure_coupling, state_status, state_validity
+   use asperity_abaqus_uinter_signature, only: uinter_interface
+   use asperity_abaqus_vuinter_precision, only: vp
+   use asperity_replay_abaqus_host, only: accept_increment, host_point, new_host_point, &
+      try_increment
    use contact_cases, only: pair_properties, random_contact
    use extremes, only: largest_of, worsen
    use funit, only: assertEqual, assertFalse, assertGreaterThan, assertLessThan, assertTrue, &
       TestMethod, TestSuite
    use random_inputs, only: random_stream
-   use replay_host, only: accept_increment, host_point, new_host_point, try_increment
    use threads, only: run_two
-   use uinter_signature, only: uinter_interface
-   use uinter_slots, only: n_statev, properties_from_props, &
-      state_dissipation, state_elastic_slip_1, state_elastic_slip_2, state_largest_closure, &
-      state_normal_energy, state_overclosure, state_pressure, state_pressure_coupling, &
-      state_status, state_validity
    use vuinter_host, only: advance_nodes, guards_hold, new_slave_nodes, outputs_set, slave_nodes, &
       statev_of, stress_of
-   use vuinter_precision, only: vp
    implicit none
    private
    public :: suite_vuinter_agreement

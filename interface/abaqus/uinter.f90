@@ -1,7 +1,8 @@
 !> ABAQUS/Standard user subroutine UINTER for rough contact, the 47 arguments of release 6.12 to
-!> 2025. It reads PROPS and STATEV (see uinter_slots), calls the contact-point update and writes
-!> every output. It keeps nothing between calls: no SAVE, no COMMON, no I/O, so any number of
-!> threads may call it. Arguments: uinter_signature; deck, signs and slots: README.md.
+!> 2025. It reads PROPS and STATEV (see props_and_statev.f90), calls the contact-point
+!> update and writes every output. It keeps nothing between calls: no SAVE, no COMMON, no I/O, so
+!> any number of threads may call it. Arguments: uinter_signature.f90; deck, signs and slots:
+!> docs/abaqus.md.
 subroutine uinter( &
    stress, ddsddr, dviscous, dstructural, flux, ddfddt, ddsddt, ddfddr, statev, sed, sfd, spd, &
    svd, scd, pnewdt, rdisp, drdisp, temp, dtemp, predef, dpred, time, dtime, freqr, ciname, &
@@ -10,11 +11,12 @@ subroutine uinter( &
    use asperity, only: contact_properties, contact_response, contact_state, contact_tangent, &
       error_type, no_opposite_surface, no_rotation, no_surface_limit, status_open, &
       update_contact_point, validity_remark, wp
-   use asperity_finite, only: all_finite, is_finite
-   use asperity_text, only: to_text
-   use uinter_checks, only: check_sizes, check_statev, computable, largest
-   use uinter_slots, only: n_statev, properties_from_props, state_elastic_slip_2, &
-      state_from_statev, state_pressure, state_validity, state_warned, statev_from_state
+   use asperity_abaqus_checks, only: check_sizes, check_statev, computable, largest
+   use asperity_abaqus_props_and_statev, only: n_statev, properties_from_props, &
+      state_elastic_slip_2, state_from_statev, state_pressure, state_validity, state_warned, &
+      statev_from_state
+   use asperity_base_finite, only: all_finite, is_finite
+   use asperity_base_number_text, only: to_text
    implicit none
    integer, intent(in) :: node, ndir, nstatv, npred, nprops, mcrd, kstep, kinc, kit
    integer, intent(in) :: linper, lprint
@@ -33,7 +35,7 @@ subroutine uinter( &
    interface
       !> ABAQUS: message to the message file; lop -1 warns, -3 reports an error and stops.
       subroutine stdb_abqerr(lop, string, intv, realv, charv)
-         use asperity_kinds, only: wp
+         use asperity_base_kinds, only: wp
          implicit none
          integer, intent(in) :: lop
          character(len=*), intent(in) :: string

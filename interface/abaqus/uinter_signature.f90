@@ -1,5 +1,5 @@
 !> The signature of UINTER, 47 arguments, for hosts that call one.
-module uinter_signature
+module asperity_abaqus_uinter_signature
    implicit none
    private
    public :: uinter_interface
@@ -12,7 +12,7 @@ module uinter_signature
          time, dtime, freqr, ciname, slname, msname, props, coords, alocaldir, drot, &
          area, chrlngth, node, ndir, nstatv, npred, nprops, mcrd, kstep, kinc, kit, &
          linper, lopenclose, lstate, lsdi, lprint)
-         use asperity_kinds, only: wp
+         use asperity_base_kinds, only: wp
          implicit none
          !> Node (0 in surface-to-surface), components, lengths of arrays, step, increment,
          !> iteration (0 first)
@@ -46,4 +46,4 @@ module uinter_signature
       end subroutine uinter_interface
    end interface
 
-end module uinter_signature
+end module asperity_abaqus_uinter_signature

@@ -1,9 +1,9 @@
 !> ABAQUS/Explicit user subroutine VUINTER for rough contact, 49 arguments: UINTER's law, PROPS and
-!> STATEV for all slave nodes of a contact pair. Arguments have the precision of the run,
-!> `vuinter_precision`; computing is in double precision. It keeps nothing between calls: no SAVE,
-!> no COMMON, no I/O, so any number of threads may call it. ABAQUS/Explicit cannot repeat an
-!> increment, so an error ends the job. Arguments: vuinter_signature; deck, signs and slots:
-!> README.md.
+!> STATEV for all slave nodes of a contact pair. Arguments have the precision of the run (see
+!> vuinter_precision.f90); computing is in double precision. It keeps nothing between calls: no
+!> SAVE, no COMMON, no I/O, so any number of threads may call it. ABAQUS/Explicit cannot repeat an
+!> increment, so an error ends the job. Arguments: vuinter_signature.f90; deck, signs and slots:
+!> docs/abaqus.md.
 !>
 !> The law is evaluated directly. A law compiled in each call would serve many slave nodes faster,
 !> but to its own 1e-10 only, and VUINTER is to agree with UINTER to round-off.
@@ -17,14 +17,14 @@ subroutine vuinter( &
       evaluate_normal_law, get_contact_state, new_contact_states, no_opposite_surface, &
       no_rotation, no_surface_limit, normal_response, rule_dissipative, set_contact_state, &
       status_slip, status_stick, update_contact_points, validity_remark, wp
-   use asperity_error, only: fatal_error
-   use asperity_finite, only: all_finite, is_finite
-   use asperity_text, only: to_text
-   use uinter_checks, only: check_sizes, check_statev, computable
-   use uinter_slots, only: n_statev, state_elastic_slip_2, state_from_statev, state_pressure, &
-      state_warned, statev_from_state
-   use vuinter_precision, only: vp
-   use vuinter_props, only: read_props
+   use asperity_abaqus_checks, only: check_sizes, check_statev, computable
+   use asperity_abaqus_props_and_statev, only: n_statev, state_elastic_slip_2, state_from_statev, &
+      state_pressure, state_warned, statev_from_state
+   use asperity_abaqus_vuinter_precision, only: vp
+   use asperity_abaqus_vuinter_props, only: read_props
+   use asperity_base_error, only: fatal_error
+   use asperity_base_finite, only: all_finite, is_finite
+   use asperity_base_number_text, only: to_text
    implicit none
    integer, intent(in) :: kstep, kinc, nfacnod, nslvnod, nmstnod
    integer, intent(in) :: nsurfdir, ndir, nstatevar, nprops, ntemp, npred, numdeftfv
@@ -46,7 +46,7 @@ subroutine vuinter( &
    interface
       !> ABAQUS: message to the message file; lop -1 warns, -3 reports an error and stops.
       subroutine xplb_abqerr(lop, string, intv, realv, charv)
-         use vuinter_precision, only: vp
+         use asperity_abaqus_vuinter_precision, only: vp
          implicit none
          integer, intent(in) :: lop
          character(len=*), intent(in) :: string

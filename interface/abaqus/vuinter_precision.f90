@@ -1,5 +1,5 @@
 !> The precision of VUINTER's arguments, which is that of the run of ABAQUS/Explicit that calls it.
-module vuinter_precision
+module asperity_abaqus_vuinter_precision
    use, intrinsic :: iso_fortran_env, only: real64
    implicit none
    private
@@ -8,4 +8,4 @@ module vuinter_precision
    !> cmake/one_file.cmake writes a second file from the same sources with the other kind
    integer, parameter, public :: vp = real64
 
-end module vuinter_precision
+end module asperity_abaqus_vuinter_precision

@@ -1,11 +1,11 @@
 !> PROPS as VUINTER gets it, in the precision of the run: read, and found out when the run has
 !> another precision than the file that was compiled.
-module vuinter_props
+module asperity_abaqus_vuinter_props
    use, intrinsic :: iso_fortran_env, only: real32, real64
    use asperity, only: contact_properties, error_type, wp
-   use asperity_error, only: fatal_error
-   use uinter_slots, only: near_pi, prop_pi, prop_sigma, properties_from_props
-   use vuinter_precision, only: vp
+   use asperity_abaqus_props_and_statev, only: near_pi, prop_pi, prop_sigma, properties_from_props
+   use asperity_abaqus_vuinter_precision, only: vp
+   use asperity_base_error, only: fatal_error
    implicit none
    private
    public :: read_props
@@ -53,4 +53,4 @@ contains
       in_other_precision = near_pi(real(seen(prop_pi), wp))
    end function in_other_precision
 
-end module vuinter_props
+end module asperity_abaqus_vuinter_props

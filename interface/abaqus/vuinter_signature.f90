@@ -1,5 +1,5 @@
 !> The signature of VUINTER, 49 arguments, for hosts that call one.
-module vuinter_signature
+module asperity_abaqus_vuinter_signature
    implicit none
    private
    public :: vuinter_interface
@@ -13,7 +13,7 @@ module vuinter_signature
          jmstuid, jconmstid, timstep, timglb, dtimcur, surfint, surfslv, surfmst, rdisp, drdisp, &
          drot, stiffdflt, conddflt, shape, coordslv, coordmst, alocaldir, props, areaslv, &
          tempslv, dtempslv, predefslv, dpredefslv, tempmst, dtempmst, predefmst, dpredefmst)
-         use vuinter_precision, only: vp
+         use asperity_abaqus_vuinter_precision, only: vp
          implicit none
          !> Step; increment; nodes of a master facet, slave nodes, master nodes
          integer, intent(in) :: kstep, kinc, nfacnod, nslvnod, nmstnod
@@ -53,4 +53,4 @@ module vuinter_signature
       end subroutine vuinter_interface
    end interface
 
-end module vuinter_signature
+end module asperity_abaqus_vuinter_signature

@@ -4,12 +4,12 @@ module asperity_c_law
       c_null_ptr, c_ptr, c_size_t, c_sizeof
    use asperity, only: contact_properties, error_type, new_contact_properties, &
       new_normal_properties, normal_properties, rule_abaqus, slip_exact
+   use asperity_base_error, only: fatal_error
+   use asperity_base_number_text, only: to_text
    use asperity_c_checks, only: answer, check_pointer, content_of, free_handle, wrap
    use asperity_c_contents, only: content_at
    use asperity_c_types, only: code_input, code_length, error_struct, four_sigma, &
       properties_struct, tag_law
-   use asperity_error, only: fatal_error
-   use asperity_text, only: to_text
    implicit none
    private
    public :: asperity_properties_init, asperity_law_new, asperity_law_free, &

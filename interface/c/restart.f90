@@ -3,13 +3,13 @@ module asperity_c_restart
    use, intrinsic :: iso_c_binding, only: c_f_pointer, c_int, c_ptr
    use asperity, only: contact_state, contact_states, error_type, get_contact_state, &
       set_contact_state, status_slip, status_unset, wp
+   use asperity_base_error, only: fatal_error
+   use asperity_base_finite, only: is_finite
+   use asperity_base_number_text, only: to_text
    use asperity_c_checks, only: answer, check_pointer
    use asperity_c_states, only: states_of
    use asperity_c_types, only: code_input, code_length, error_struct, state_struct
-   use asperity_error, only: fatal_error
-   use asperity_finite, only: is_finite
-   use asperity_text, only: to_text
-   use asperity_validity, only: all_flags, valid
+   use asperity_law_validity, only: all_flags, valid
    implicit none
    private
    public :: asperity_states_get, asperity_states_set

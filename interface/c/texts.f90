@@ -1,8 +1,10 @@
 !> C interface: version and texts, and all other functions under one name. See asperity.h, which
 !> tells C callers everything; tests of the interface are in C.
-module asperity_c
+module asperity_c_texts
    use, intrinsic :: iso_c_binding, only: c_char, c_f_pointer, c_int, c_ptr
    use asperity, only: error_type, validity_remark, version
+   use asperity_base_error, only: fatal_error
+   use asperity_base_number_text, only: to_text
    use asperity_c_checks, only: answer, check_pointer, copy_text
    use asperity_c_evaluate, only: asperity_law_evaluate, asperity_law_separation
    use asperity_c_law, only: asperity_law_free, asperity_law_new, asperity_law_properties, &
@@ -12,9 +14,7 @@ module asperity_c
       asperity_states_free, asperity_states_new
    use asperity_c_types, only: code_input, code_length, error_struct
    use asperity_c_update, only: asperity_states_update
-   use asperity_error, only: fatal_error
-   use asperity_text, only: to_text
-   use asperity_validity, only: all_flags, valid
+   use asperity_law_validity, only: all_flags, valid
    implicit none
    private
    public :: asperity_law_evaluate, asperity_law_free, asperity_law_new, &
@@ -25,7 +25,7 @@ module asperity_c
 
 contains
 
-   !> Version of the library, such as 0.1.0. Not asperity_version, the name of a module.
+   !> Version of the library, such as 0.1.0.
    integer(c_int) function asperity_library_version(buffer, length, error) result(code) &
          bind(c, name='asperity_library_version')
       !> Room for the text
@@ -80,4 +80,4 @@ contains
          'too short for the text: give '//to_text(len(text) + 1)//' or more', code_length)
    end subroutine give_text
 
-end module asperity_c
+end module asperity_c_texts

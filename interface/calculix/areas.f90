@@ -1,7 +1,7 @@
 !> Areas of the slave nodes of a surface that is given by nodes. The solver shares out every outer
 !> face that one of the nodes belongs to, sides of the body included: a rim's nodes get too much.
 module calculix_areas
-   use asperity_kinds, only: wp
+   use asperity_base_kinds, only: wp
    implicit none
    private
    public :: leave_out_sides

@@ -2,7 +2,7 @@
 !> of job, step and increment, URDFIL after every increment. They are called if UINTER's file has
 !> them.
 module calculix_events
-   use asperity_kinds, only: wp
+   use asperity_base_kinds, only: wp
    use calculix_host, only: host
    use calculix_interactions, only: has_interactions
    use calculix_refusal, only: refuse

@@ -1,7 +1,7 @@
 !> Faces of solid elements: shape functions with their derivatives, and the point of a face that a
 !> position projects onto.
 module calculix_faces
-   use asperity_kinds, only: wp
+   use asperity_base_kinds, only: wp
    implicit none
    private
    public :: face_point, has_face, point_of_face, project_onto_face, shape_functions

@@ -4,7 +4,7 @@
 module calculix_host
    use, intrinsic :: iso_c_binding, only: c_char, c_double, c_f_pointer, c_int, c_ptr
    use, intrinsic :: iso_fortran_env, only: int64
-   use asperity_kinds, only: wp
+   use asperity_base_kinds, only: wp
    use calculix_interactions, only: find_interaction, has_interactions
    use calculix_outputs, only: optional_left
    use calculix_refusal, only: refuse

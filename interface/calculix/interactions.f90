@@ -2,7 +2,7 @@
 !>    *SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=UINTER, PROPERTIES=n, DEPVAR=m, SEARCH DISTANCE=c
 !> say. The deck is read on one thread, and nothing is changed afterwards.
 module calculix_interactions
-   use asperity_kinds, only: wp
+   use asperity_base_kinds, only: wp
    implicit none
    private
    public :: interaction_type, add_interaction, find_interaction, has_interactions, most_depvar, &

@@ -2,7 +2,7 @@
 !> SEARCH DISTANCE=c and of the properties after it. The solver passes words without blanks, in
 !> capitals.
 module calculix_keyword
-   use asperity_kinds, only: wp
+   use asperity_base_kinds, only: wp
    use calculix_interactions, only: interaction_type
    implicit none
    private

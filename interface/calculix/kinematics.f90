@@ -1,7 +1,7 @@
 !> How a slave node lies and moves over a master face: overclosure, slip and local axes, with their
 !> derivatives by the positions of all nodes. Node order: those of the face, then the slave node.
 module calculix_kinematics
-   use asperity_kinds, only: wp
+   use asperity_base_kinds, only: wp
    use calculix_faces, only: face_point, most_nodes, point_of_face, project_onto_face
    implicit none
    private

@@ -3,7 +3,7 @@
 !> whole surface may lose its spring and get it again. A spring of ours keeps its face as long as
 !> its node leaves that by no more than a margin.
 module calculix_masters
-   use asperity_kinds, only: wp
+   use asperity_base_kinds, only: wp
    use calculix_faces, only: has_face, project_onto_face
    use calculix_host, only: host, pair_of
    use calculix_interactions, only: find_interaction, interaction_type

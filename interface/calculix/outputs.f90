@@ -2,7 +2,7 @@
 !> no number, so that what UINTER never sets shows.
 module calculix_outputs
    use, intrinsic :: ieee_arithmetic, only: ieee_is_nan, ieee_quiet_nan, ieee_value
-   use asperity_kinds, only: wp
+   use asperity_base_kinds, only: wp
    implicit none
    private
    public :: outputs_type, new_outputs, unset_outputs, optional_left, note_optional

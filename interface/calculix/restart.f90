@@ -1,7 +1,7 @@
 !> The interactions of a job in a file of their own, JOB.uinter: CalculiX' restart file has no place
 !> for them. It is written when a job begins, and read when one begins from a restart file.
 module calculix_restart
-   use asperity_kinds, only: wp
+   use asperity_base_kinds, only: wp
    use calculix_interactions, only: add_interaction, all_interactions, find_interaction, &
       interaction_type
    use calculix_refusal, only: refuse

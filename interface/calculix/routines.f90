@@ -7,7 +7,7 @@ subroutine springforc_n2f(xl, konl, vl, imat, elcon, nelcon, elas, fnl, ncmat_, 
    lakonl, t1l, kode, elconloc, plicon, nplicon, npmat_, senergy, nener, cstr, mi, springarea, &
    nmethod, ne0, nstate_, xstateini, xstate, reltime, ielas, venergy, ielorien, orab, norien, &
    nelem, smscale, mscalmethod)
-   use asperity_kinds, only: wp
+   use asperity_base_kinds, only: wp
    use calculix_interactions, only: find_interaction, interaction_type
    use calculix_slots, only: slot_slip
    use calculix_springs, only: evaluate_spring, fill_spring, response_type, spring_force, &
@@ -54,7 +54,7 @@ end subroutine springforc_n2f
 subroutine springstiff_n2f(xl, elas, konl, voldl, s, imat, elcon, nelcon, ncmat_, ntmat_, nope, &
    lakonl, t1l, kode, elconloc, plicon, nplicon, npmat_, iperturb, springarea, nmethod, mi, ne0, &
    nstate_, xstateini, xstate, reltime, nasym, ielorien, orab, norien, nelem)
-   use asperity_kinds, only: wp
+   use asperity_base_kinds, only: wp
    use calculix_host, only: host
    use calculix_interactions, only: find_interaction, interaction_type
    use calculix_springs, only: evaluate_spring, fill_spring, response_type, spring_stiffness, &
@@ -95,9 +95,9 @@ end subroutine springstiff_n2f
 subroutine surfacebehaviors(inpc, textpart, elcon, nelcon, imat, ntmat_, ncmat_, irstrt, istep, &
    istat, n, iline, ipol, inl, ipoinp, inp, ipoinpc, npmat_, plicon, nplicon, nstate_, &
    ichangesurfacebehavior, ier)
-   use asperity_kinds, only: wp
-   use calculix_keyword, only: is_uinter, read_parameters, read_property
+   use asperity_base_kinds, only: wp
    use calculix_interactions, only: add_interaction, interaction_type, mark, most_depvar
+   use calculix_keyword, only: is_uinter, read_parameters, read_property
    use calculix_slots, only: own_slots
    implicit none
    character(len=1) :: inpc(*)
@@ -157,7 +157,7 @@ subroutine gencontelem_n2f(tieset, ntie, itietri, ne, ipkon, kon, lakon, cg, str
    ntmat_, nmethod, mi, imastop, nslavnode, islavnode, islavsurf, itiefac, areaslav, iponoels, &
    inoels, springarea, set, nset, istartset, iendset, ialset, tietol, reltime, filab, nasym, &
    xnoels, icutb, ne0, jobnamef, mortar, auw, jqw, iroww, nzsw, imastnode, nmastnode)
-   use asperity_kinds, only: wp
+   use asperity_base_kinds, only: wp
    use calculix_areas, only: leave_out_sides
    use calculix_host, only: host, know_job, know_pairs
    use calculix_interactions, only: mark
@@ -211,7 +211,7 @@ end subroutine gencontelem_n2f
 
 !> Write a line of JOB.sta: an increment has converged.
 subroutine writesta(istep, j, icutb, l, ttime, time, dtime)
-   use asperity_kinds, only: wp
+   use asperity_base_kinds, only: wp
    use calculix_events, only: end_increment
    use calculix_interactions, only: has_interactions
    use calculix_states, only: write_states

@@ -2,7 +2,8 @@
 !> and stiffness. Start-of-increment values in, end-of-increment values out; nothing is kept here.
 module calculix_springs
    use, intrinsic :: iso_fortran_env, only: int64
-   use asperity_kinds, only: wp
+   use asperity_abaqus_uinter_signature, only: uinter_interface
+   use asperity_base_kinds, only: wp
    use calculix_faces, only: has_face, most_nodes
    use calculix_host, only: count_call, host, name_of, pair_of, surface_name
    use calculix_interactions, only: interaction_type
@@ -12,7 +13,6 @@ module calculix_springs
    use calculix_refusal, only: refuse
    use calculix_slots, only: own_slots, slot_energy, slot_pnewdt, slot_slip, slot_status, &
       slot_stress, slot_time, slot_user_status
-   use uinter_signature, only: uinter_interface
    implicit none
    private
    public :: spring_type, response_type, fill_spring, evaluate_spring, spring_force, &

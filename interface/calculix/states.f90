@@ -1,6 +1,6 @@
 !> STATEV of every contact spring after every increment, as a CSV file, JOB.states.csv.
 module calculix_states
-   use asperity_kinds, only: wp
+   use asperity_base_kinds, only: wp
    use calculix_host, only: host, pair_of, surface_name
    use calculix_interactions, only: find_interaction, interaction_type, most_depvar
    use calculix_refusal, only: refuse

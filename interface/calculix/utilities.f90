@@ -3,7 +3,7 @@
 
 !> Print a message with its placeholders %I, %R and %S filled in.
 subroutine stdb_abqerr(lop, string, intv, realv, charv)
-   use asperity_kinds, only: wp
+   use asperity_base_kinds, only: wp
    implicit none
    !> 1 information, -1 warning, -2 error, -3 error that ends the job
    integer, intent(in) :: lop
@@ -103,7 +103,7 @@ end subroutine getjobname
 
 !> ABAQUS' results file is not there to be read.
 subroutine posfil(nstep, ninc, array, jrcd)
-   use asperity_kinds, only: wp
+   use asperity_base_kinds, only: wp
    use calculix_refusal, only: refuse
    implicit none
    integer, intent(in) :: nstep, ninc
@@ -115,7 +115,7 @@ end subroutine posfil
 
 !> ABAQUS' results file is not there to be read.
 subroutine dbfile(lop, array, jrcd)
-   use asperity_kinds, only: wp
+   use asperity_base_kinds, only: wp
    use calculix_refusal, only: refuse
    implicit none
    integer, intent(in) :: lop
@@ -127,7 +127,7 @@ end subroutine dbfile
 
 !> The user has none.
 subroutine uexternaldb(lop, lrestart, time, dtime, kstep, kinc)
-   use asperity_kinds, only: wp
+   use asperity_base_kinds, only: wp
    implicit none
    integer, intent(in) :: lop, lrestart, kstep, kinc
    real(wp), intent(in) :: time(2), dtime
@@ -136,7 +136,7 @@ end subroutine uexternaldb
 
 !> The user has none.
 subroutine urdfil(lstop, lovrwrt, kstep, kinc, dtime, time)
-   use asperity_kinds, only: wp
+   use asperity_base_kinds, only: wp
    implicit none
    integer, intent(inout) :: lstop, lovrwrt
    integer, intent(in) :: kstep, kinc

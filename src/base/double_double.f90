@@ -1,8 +1,8 @@
 !> Products and quotients with twice the digits, as a sum of two doubles. The constants w1 and w2
 !> are found with it: far in the tail of the heights one bit of theirs is worth 1e-12 of a result.
-module asperity_double_double
+module asperity_base_double_double
    use, intrinsic :: iso_fortran_env, only: int64
-   use asperity_kinds, only: wp
+   use asperity_base_kinds, only: wp
    implicit none
    private
    public :: double_double, quotient, operator(*), assignment(=)
@@ -87,4 +87,4 @@ contains
       x = a%high + a%low
    end subroutine round
 
-end module asperity_double_double
+end module asperity_base_double_double

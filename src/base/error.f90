@@ -1,6 +1,6 @@
 !> Errors are values: an allocatable `error_type` is unset on success. Nothing in the library
 !> prints or stops.
-module asperity_error
+module asperity_base_error
    implicit none
    private
    public :: error_type, fatal_error
@@ -37,4 +37,4 @@ contains
       if (present(category)) error%category = category
    end subroutine fatal_error
 
-end module asperity_error
+end module asperity_base_error

@@ -1,9 +1,9 @@
 !> Whether a real is a finite number, by its bits: options such as -ffast-math do not spoil it, and
 !> unlike IEEE_ARITHMETIC it does not make gfortran save and restore the floating-point state in
 !> every external procedure that uses a module of ours, which takes as long as the law itself.
-module asperity_finite
+module asperity_base_finite
    use, intrinsic :: iso_fortran_env, only: int64
-   use asperity_kinds, only: wp
+   use asperity_base_kinds, only: wp
    implicit none
    private
    public :: all_finite, is_finite, is_nan
@@ -43,4 +43,4 @@ contains
       is_nan = .not. is_finite(x) .and. iand(transfer(x, exponent_bits), fraction_bits) /= 0_int64
    end function is_nan
 
-end module asperity_finite
+end module asperity_base_finite

@@ -1,5 +1,5 @@
 !> The one real kind of the library.
-module asperity_kinds
+module asperity_base_kinds
    use, intrinsic :: iso_c_binding, only: c_intptr_t
    use, intrinsic :: iso_fortran_env, only: real64
    implicit none
@@ -11,4 +11,4 @@ module asperity_kinds
    !> addresses and doubles at multiples of 8 bytes
    integer, parameter, public :: asperity_needs_a_64_bit_system = 1/(storage_size( &
       0_c_intptr_t)/64)
-end module asperity_kinds
+end module asperity_base_kinds

@@ -1,9 +1,9 @@
 !> Memory that the system does not give.
-module asperity_memory
+module asperity_base_memory
    use, intrinsic :: iso_fortran_env, only: int64, int8
-   use asperity_error, only: computation_error, error_type, fatal_error
-   use asperity_kinds, only: wp
-   use asperity_text, only: to_text
+   use asperity_base_error, only: computation_error, error_type, fatal_error
+   use asperity_base_kinds, only: wp
+   use asperity_base_number_text, only: to_text
    implicit none
    private
    public :: check_memory, check_room, check_work
@@ -65,4 +65,4 @@ contains
       if (bytes > worth_a_look) call check_room(what, bytes, error)
    end subroutine check_work
 
-end module asperity_memory
+end module asperity_base_memory

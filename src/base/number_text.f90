@@ -2,9 +2,9 @@
 !>
 !> Character results have explicit lengths: gfortran keeps the length of a deferred-length result
 !> in static storage, which two threads that warn at once would share.
-module asperity_text
-   use asperity_finite, only: is_finite, is_nan
-   use asperity_kinds, only: wp
+module asperity_base_number_text
+   use asperity_base_finite, only: is_finite, is_nan
+   use asperity_base_kinds, only: wp
    implicit none
    private
    public :: to_text
@@ -134,4 +134,4 @@ contains
       buffer = adjustl(sign//buffer(:buffer_length - 1))
    end subroutine make_plain
 
-end module asperity_text
+end module asperity_base_number_text

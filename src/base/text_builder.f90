@@ -1,8 +1,8 @@
 !> A text that grows: adding to it costs time in proportion to what is added.
-module deck_growing_text
+module asperity_base_text_builder
    use, intrinsic :: iso_fortran_env, only: int64
    use asperity, only: error_type
-   use asperity_memory, only: check_memory, check_room, worth_a_look
+   use asperity_base_memory, only: check_memory, check_room, worth_a_look
    implicit none
    private
    public :: growing_text
@@ -117,4 +117,4 @@ contains
       if (allocated(self%storage)) text = self%storage(:self%used)
    end function built_text
 
-end module deck_growing_text
+end module asperity_base_text_builder

@@ -1,8 +1,8 @@
 !> Version of the library and the program.
-module asperity_version
+module asperity_base_version
    implicit none
    private
 
    !> Semantic version, the same in fpm.toml, CMakeLists.txt and CITATION.cff
    character(len=*), parameter, public :: version = '0.1.0'
-end module asperity_version
+end module asperity_base_version

@@ -1,9 +1,9 @@
 !> Coulomb friction with elastic slip: tau = mu p gamma/gcrit, |gamma| <= gcrit (Eq. 27 with the
 !> regularisation of Table 3). Only the path of the elastic slip gamma is here, in two tangential
 !> directions; a second component of zero makes it one-dimensional. The pressure scales it.
-module asperity_friction
+module asperity_contact_friction
+   use asperity_base_kinds, only: wp
    use asperity_contact_properties, only: slip_backward_euler
-   use asperity_kinds, only: wp
    implicit none
    private
    public :: slip_path, integrate_slip
@@ -141,4 +141,4 @@ contains
       matrix(:, 2) = u*v(2)
    end function outer
 
-end module asperity_friction
+end module asperity_contact_friction

@@ -5,15 +5,15 @@
 !> point slips at the pressure of the end. If the point closes within the increment, only the
 !> share of the motion after closing counts, for a straight path of the overclosure.
 module asperity_contact_point
-   use asperity_compiled_law, only: evaluate_compiled_law
+   use asperity_base_error, only: error_type
+   use asperity_base_kinds, only: wp
+   use asperity_contact_friction, only: integrate_slip, slip_path
    use asperity_contact_properties, only: close_pressure_ratio, contact_properties, &
       rule_dissipative
-   use asperity_error, only: error_type
-   use asperity_friction, only: integrate_slip, slip_path
-   use asperity_kinds, only: wp
-   use asperity_normal_inverse, only: separation_for_pressure
-   use asperity_normal_law, only: evaluate_normal_law, normal_response, vanishing_separation
-   use asperity_validity, only: valid
+   use asperity_law_compiled_law, only: evaluate_compiled_law
+   use asperity_law_normal_inverse, only: separation_for_pressure
+   use asperity_law_normal_law, only: evaluate_normal_law, normal_response, vanishing_separation
+   use asperity_law_validity, only: valid
    implicit none
    private
    public :: contact_state, contact_response, update_contact_point, advance_contact_point, &

@@ -2,13 +2,13 @@
 !> what explicit hosts, VUINTER and the C interface call. Point by point it is
 !> `update_contact_point`.
 module asperity_contact_points
+   use asperity_base_error, only: error_type, fatal_error
+   use asperity_base_kinds, only: wp
+   use asperity_base_number_text, only: to_text
    use asperity_contact_point, only: advance_contact_point, contact_response, contact_state, &
       no_rotation, status_unset
    use asperity_contact_properties, only: contact_properties
-   use asperity_error, only: error_type, fatal_error
-   use asperity_kinds, only: wp
-   use asperity_text, only: to_text
-   use asperity_validity, only: valid
+   use asperity_law_validity, only: valid
    implicit none
    private
    public :: contact_states, new_contact_states, get_contact_state, set_contact_state, &

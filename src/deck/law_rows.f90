@@ -7,13 +7,13 @@
 !> which leaves half of the error on either side and saves three rows in ten. Below the smallest
 !> pressure no relative error can hold, as the table ends in zero there and the law does not: it is
 !> bounded absolutely. Beyond the largest pressure one more row carries the law's last slope on.
-module deck_law_table
+module asperity_deck_law_rows
    use asperity, only: compiled_law, computation_error, contact_properties, error_type, &
       evaluate_compiled_law, evaluate_normal_law, new_compiled_law, normal_properties, &
       normal_response, separation_for_pressure, wp
-   use asperity_error, only: fatal_error
-   use asperity_properties, only: check_positive, check_range
-   use asperity_text, only: to_text
+   use asperity_base_error, only: fatal_error
+   use asperity_base_number_text, only: to_text
+   use asperity_law_normal_properties, only: check_positive, check_range
    implicit none
    private
    public :: law_table, new_law_table, stick_slope
@@ -53,7 +53,7 @@ module deck_law_table
       real(wp) :: error = 0.0_wp
       !> Largest absolute error below the smallest pressure, MPa, measured
       real(wp) :: low_error = 0.0_wp
-      !> Flags of the law at the largest pressure (see `asperity_validity`)
+      !> Flags of the law at the largest pressure (see `asperity_law_validity`)
       integer :: validity = 0
    end type law_table
 
@@ -334,4 +334,4 @@ contains
       if (bend > 0.0_wp) summit = e(i) + (e(i + 1) - e(i - 1))**2/(8.0_wp*bend)
    end function summit
 
-end module deck_law_table
+end module asperity_deck_law_rows

@@ -1,11 +1,11 @@
 !> A table of the law as keywords of ABAQUS and CalculiX: an interaction that a contact pair can
 !> name. Its comments say what it holds, how good it is, and what the program makes of it.
-module deck_table_text
+module asperity_deck_law_rows_text
    use asperity, only: contact_properties, error_type, evaluate_normal_law, normal_response, &
       validity_remark, version, wp
-   use asperity_error, only: fatal_error
-   use asperity_text, only: to_text
-   use deck_law_table, only: law_table, reach, stick_slope
+   use asperity_base_error, only: fatal_error
+   use asperity_base_number_text, only: to_text
+   use asperity_deck_law_rows, only: law_table, reach, stick_slope
    implicit none
    private
    public :: table_interaction
@@ -178,4 +178,4 @@ contains
       text = to_text(value, 4)
    end function short
 
-end module deck_table_text
+end module asperity_deck_law_rows_text

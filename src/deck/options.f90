@@ -1,10 +1,10 @@
 !> What every deck is told besides its model: solver, contact, element, size of the mesh.
-module deck_choices
+module asperity_deck_options
    use asperity, only: error_type, wp
-   use asperity_error, only: fatal_error
-   use asperity_properties, only: check_positive
-   use asperity_text, only: to_text
-   use replay_sizes, only: check_size
+   use asperity_base_error, only: fatal_error
+   use asperity_base_number_text, only: to_text
+   use asperity_law_normal_properties, only: check_positive
+   use asperity_replay_sizes, only: check_size
    implicit none
    private
    public :: deck_choice, check_deck_choice, check_mesh_size, for_calculix, element_kind
@@ -68,7 +68,7 @@ contains
    pure subroutine check_deck_choice(choice, accept_sizes, error)
       !> Choices of the deck
       type(deck_choice), intent(in) :: choice
-      !> Let sizes outside the ranges of `replay_sizes` pass
+      !> Let sizes outside the ranges of `asperity_replay_sizes` pass
       logical, intent(in) :: accept_sizes
       !> Set when one of them is refused
       type(error_type), allocatable, intent(out) :: error
@@ -99,4 +99,4 @@ contains
          ' is '//to_text(extent)//' mm')
    end subroutine check_mesh_size
 
-end module deck_choices
+end module asperity_deck_options

@@ -1,12 +1,12 @@
 !> Memory for a map.
-module map_file_new_map
+module asperity_height_map_allocate_map
    use, intrinsic :: iso_fortran_env, only: int64
-   use asperity_error, only: error_type, fatal_error
-   use asperity_text, only: to_text
-   use map_file_byte_source, only: byte_source
-   use map_file_places, only: count_text
-   use surface_height_map, only: fewest_points, height_map
-   use asperity_memory, only: check_memory, check_room
+   use asperity_base_error, only: error_type, fatal_error
+   use asperity_base_memory, only: check_memory, check_room
+   use asperity_base_number_text, only: to_text
+   use asperity_height_map_bytes_byte_source, only: byte_source
+   use asperity_height_map_file_errors, only: count_text
+   use asperity_height_map_type, only: fewest_points, height_map
    implicit none
    private
    public :: allocate_heights
@@ -39,4 +39,4 @@ contains
       if (nx*ny > worth_a_look) call check_room(source%name, 8_int64*nx, error)
    end subroutine allocate_heights
 
-end module map_file_new_map
+end module asperity_height_map_allocate_map

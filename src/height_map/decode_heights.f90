@@ -1,11 +1,11 @@
 !> From the numbers of a file to heights in mm: binary numbers, markers of missing points, scale.
-module map_file_heights
+module asperity_height_map_decode_heights
    use, intrinsic :: iso_c_binding, only: c_f_pointer, c_loc
    use, intrinsic :: iso_fortran_env, only: int16, int32, int64, int8, real32, real64
-   use asperity_finite, only: is_finite, is_nan
-   use asperity_kinds, only: wp
-   use asperity_text, only: to_text
-   use surface_height_map, only: missing_height
+   use asperity_base_finite, only: is_finite, is_nan
+   use asperity_base_kinds, only: wp
+   use asperity_base_number_text, only: to_text
+   use asperity_height_map_type, only: missing_height
    implicit none
    private
    public :: byte_buffer, decode, height_message, is_allowed_scale, scale_heights
@@ -132,4 +132,4 @@ contains
       end if
    end subroutine height_message
 
-end module map_file_heights
+end module asperity_height_map_decode_heights

@@ -1,8 +1,8 @@
 !> Errors that name a place of a file: line and column, or byte.
-module map_file_places
+module asperity_height_map_file_errors
    use, intrinsic :: iso_fortran_env, only: int64
-   use asperity_error, only: error_type, fatal_error
-   use map_file_byte_source, only: byte_source
+   use asperity_base_error, only: error_type, fatal_error
+   use asperity_height_map_bytes_byte_source, only: byte_source
    implicit none
    private
    public :: byte_error, count_text, excerpt, fits_memory, line_error, line_text, map_error, &
@@ -164,4 +164,4 @@ contains
       end if
    end subroutine fits_memory
 
-end module map_file_places
+end module asperity_height_map_file_errors

@@ -1,9 +1,9 @@
 !> Tells of many points with the same extreme height, far from all others: a number that marks
 !> missing points.
-module map_file_marker
-   use asperity_kinds, only: wp
-   use asperity_text, only: to_text
-   use surface_height_map, only: add_note, height_map, missing_height
+module asperity_height_map_marker
+   use asperity_base_kinds, only: wp
+   use asperity_base_number_text, only: to_text
+   use asperity_height_map_type, only: add_note, height_map, missing_height
    implicit none
    private
    public :: note_marker
@@ -103,4 +103,4 @@ contains
       end do
    end subroutine look
 
-end module map_file_marker
+end module asperity_height_map_marker

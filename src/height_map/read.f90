@@ -1,23 +1,23 @@
 !> Reads height maps. The format is recognised by what a file contains, not by its name.
-module map_file_read
+module asperity_height_map_read
    use, intrinsic :: iso_c_binding, only: c_loc
    use, intrinsic :: iso_fortran_env, only: int64
-   use asperity_error, only: error_type
-   use asperity_kinds, only: wp
-   use map_file_byte_source, only: byte_source, close_source, open_source, progress_report, &
-      read_at, start_lines, use_bytes
-   use map_file_marker, only: note_marker
-   use map_file_matrix, only: read_matrix
-   use map_file_places, only: count_text, map_error
-   use map_file_sdf, only: read_binary_sdf, read_text_sdf
-   use map_file_sur, only: read_sur
-   use map_file_text_header, only: text_header
-   use map_file_text_settle, only: settle_heights
-   use map_file_text_start, only: read_text_start
-   use map_file_units, only: map_hints
-   use map_file_x3p, only: read_x3p
-   use map_file_xyz, only: read_xyz
-   use surface_height_map, only: add_note, check_height_map, height_map
+   use asperity_base_error, only: error_type
+   use asperity_base_kinds, only: wp
+   use asperity_height_map_bytes_byte_source, only: byte_source, close_source, open_source, &
+      progress_report, read_at, start_lines, use_bytes
+   use asperity_height_map_file_errors, only: count_text, map_error
+   use asperity_height_map_marker, only: note_marker
+   use asperity_height_map_sdf_read, only: read_binary_sdf, read_text_sdf
+   use asperity_height_map_sur_read, only: read_sur
+   use asperity_height_map_text_header, only: text_header
+   use asperity_height_map_text_matrix, only: read_matrix
+   use asperity_height_map_text_settle, only: settle_heights
+   use asperity_height_map_text_start, only: read_text_start
+   use asperity_height_map_text_xyz, only: read_xyz
+   use asperity_height_map_type, only: add_note, check_height_map, height_map
+   use asperity_height_map_units, only: map_hints
+   use asperity_height_map_x3p_read, only: read_x3p
    implicit none
    private
    public :: map_hints, progress_report, read_height_map, read_height_map_bytes
@@ -216,4 +216,4 @@ contains
       end associate
    end subroutine check_columns
 
-end module map_file_read
+end module asperity_height_map_read

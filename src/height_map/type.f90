@@ -1,9 +1,9 @@
 !> A height map: heights of one face on a regular grid, some of which may be missing.
-module surface_height_map
-   use asperity_error, only: error_type, fatal_error
-   use asperity_finite, only: is_finite
-   use asperity_kinds, only: wp
-   use asperity_text, only: to_text
+module asperity_height_map_type
+   use asperity_base_error, only: error_type, fatal_error
+   use asperity_base_finite, only: is_finite
+   use asperity_base_kinds, only: wp
+   use asperity_base_number_text, only: to_text
    implicit none
    private
    public :: add_note, check_height_map, height_map, missing_points
@@ -97,4 +97,4 @@ contains
       missing_points = count(map%heights >= missing_height)
    end function missing_points
 
-end module surface_height_map
+end module asperity_height_map_type

@@ -1,8 +1,8 @@
 !> Units of files, and what the user says of a file that does not say it itself.
-module map_file_units
-   use asperity_error, only: error_type, fatal_error
-   use asperity_kinds, only: wp
-   use asperity_text, only: to_text
+module asperity_height_map_units
+   use asperity_base_error, only: error_type, fatal_error
+   use asperity_base_kinds, only: wp
+   use asperity_base_number_text, only: to_text
    implicit none
    private
    public :: is_other_unit, map_hints, plain_unit, settle_step, settle_unit, unit_length, &
@@ -174,4 +174,4 @@ contains
       end if
    end subroutine settle_step
 
-end module map_file_units
+end module asperity_height_map_units

@@ -3,14 +3,14 @@
 !> SDF has every bit in doubles. Where points are missing it has integers of 32 bits, as all readers
 !> know their code of a missing point, and not that of doubles: heights are then rounded to
 !> 1/(2^31 - 1) of the largest of either sign.
-module map_file_write
+module asperity_height_map_write
    use, intrinsic :: iso_fortran_env, only: int16, int32, int64
-   use asperity_error, only: error_type, fatal_error
-   use asperity_kinds, only: wp
-   use asperity_text, only: to_text
-   use map_file_heights, only: bytes_of, float64, sint32
-   use surface_height_map, only: check_height_map, height_map, missing_height, missing_points
-   use asperity_memory, only: check_memory, check_room
+   use asperity_base_error, only: error_type, fatal_error
+   use asperity_base_kinds, only: wp
+   use asperity_base_memory, only: check_memory, check_room
+   use asperity_base_number_text, only: to_text
+   use asperity_height_map_decode_heights, only: bytes_of, float64, sint32
+   use asperity_height_map_type, only: check_height_map, height_map, missing_height, missing_points
    implicit none
    private
    public :: height_map_bytes
@@ -247,4 +247,4 @@ contains
       end if
    end subroutine resize
 
-end module map_file_write
+end module asperity_height_map_write

@@ -1,20 +1,21 @@
 !> Post-processing of displacement-force records, measured or computed: kind, cycles, skeleton,
 !> yield and ultimate point, stiffness, energy, damping. Rotation and moment may stand for the two.
-module hysteresis_analysis
+module asperity_hysteresis_analysis
    use, intrinsic :: iso_fortran_env, only: int64
-   use asperity_error, only: error_type, fatal_error
-   use asperity_finite, only: is_finite
-   use asperity_kinds, only: wp
-   use asperity_memory, only: check_work
-   use asperity_text, only: to_text
-   use hysteresis_cycles, only: find_peaks, measure_cycles
-   use hysteresis_record_kinds, only: classify
-   use hysteresis_samples, only: displacement_noise, find_gaps, find_outliers, find_zeros, leave_out
-   use hysteresis_skeletons, only: evaluate_skeleton, new_skeleton
-   use hysteresis_turning_points, only: cut_cycles, find_turning_points
-   use hysteresis_types, only: check_hysteresis_settings, hysteresis_cycle, hysteresis_result, &
-      hysteresis_settings, hysteresis_skeleton, largest_value, negative_side, not_known, &
-      positive_side, record_gap, record_outlier, round_off_share
+   use asperity_base_error, only: error_type, fatal_error
+   use asperity_base_finite, only: is_finite
+   use asperity_base_kinds, only: wp
+   use asperity_base_memory, only: check_work
+   use asperity_base_number_text, only: to_text
+   use asperity_hysteresis_cycles, only: find_peaks, measure_cycles
+   use asperity_hysteresis_record_kinds, only: classify
+   use asperity_hysteresis_samples, only: displacement_noise, find_gaps, find_outliers, &
+      find_zeros, leave_out
+   use asperity_hysteresis_skeletons, only: evaluate_skeleton, new_skeleton
+   use asperity_hysteresis_turning_points, only: cut_cycles, find_turning_points
+   use asperity_hysteresis_types, only: check_hysteresis_settings, hysteresis_cycle, &
+      hysteresis_result, hysteresis_settings, hysteresis_skeleton, largest_value, negative_side, &
+      not_known, positive_side, record_gap, record_outlier, round_off_share
    implicit none
    private
    public :: analyse_hysteresis, leave_out
@@ -210,4 +211,4 @@ contains
       end if
    end subroutine check_signs
 
-end module hysteresis_analysis
+end module asperity_hysteresis_analysis

@@ -1,8 +1,9 @@
 !> What one cycle of a record says: peaks, stiffness, energy, damping, pinching.
-module hysteresis_cycles
-   use asperity_kinds, only: wp
-   use asperity_properties, only: pi
-   use hysteresis_types, only: hysteresis_cycle, negative_side, not_known, positive_side, side_sign
+module asperity_hysteresis_cycles
+   use asperity_base_kinds, only: wp
+   use asperity_hysteresis_types, only: hysteresis_cycle, negative_side, not_known, positive_side, &
+      side_sign
+   use asperity_law_normal_properties, only: pi
    implicit none
    private
    public :: find_peaks, measure_cycles
@@ -181,4 +182,4 @@ contains
       end do
    end subroutine force_at_zero
 
-end module hysteresis_cycles
+end module asperity_hysteresis_cycles

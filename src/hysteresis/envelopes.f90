@@ -13,9 +13,9 @@
 !> first excursion, a straight line from the origin takes the place of that excursion up to the
 !> outermost sample with 0.98 of its largest force, which is the tip unless the force peaks before
 !> it.
-module hysteresis_envelopes
-   use asperity_kinds, only: wp
-   use hysteresis_types, only: hysteresis_cycle, side_sign
+module asperity_hysteresis_envelopes
+   use asperity_base_kinds, only: wp
+   use asperity_hysteresis_types, only: hysteresis_cycle, side_sign
    implicit none
    private
    public :: find_envelope
@@ -167,4 +167,4 @@ contains
       n = n - drop
    end subroutine drop_reloading
 
-end module hysteresis_envelopes
+end module asperity_hysteresis_envelopes

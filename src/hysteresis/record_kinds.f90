@@ -13,9 +13,9 @@
 !>   a fifth of the way: a test that is unloaded once or early (EN 26891, ISO 6891) is no such one;
 !> - monotonic otherwise, and one cycle; with unloading if there is any reversal above the
 !>   threshold.
-module hysteresis_record_kinds
-   use asperity_kinds, only: wp
-   use hysteresis_types, only: name_length, negative_side, positive_side, side_sign
+module asperity_hysteresis_record_kinds
+   use asperity_base_kinds, only: wp
+   use asperity_hysteresis_types, only: name_length, negative_side, positive_side, side_sign
    implicit none
    private
    public :: classify
@@ -144,4 +144,4 @@ contains
       returns_often = loads_again .and. returns > 1
    end function returns_often
 
-end module hysteresis_record_kinds
+end module asperity_hysteresis_record_kinds

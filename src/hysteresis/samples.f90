@@ -6,9 +6,9 @@
 !> after it, or 0.3 of the largest of the nearest, whichever is larger. Noise moves medians and
 !> steps alike, ringing makes several large steps, and a brittle drop does not come back, so none of
 !> them is taken for an outlier.
-module hysteresis_samples
-   use asperity_kinds, only: wp
-   use hysteresis_types, only: record_gap, record_outlier
+module asperity_hysteresis_samples
+   use asperity_base_kinds, only: wp
+   use asperity_hysteresis_types, only: record_gap, record_outlier
    implicit none
    private
    public :: displacement_noise, find_outliers, find_gaps, find_zeros, leave_out
@@ -254,4 +254,4 @@ contains
       end if
    end subroutine find_zeros
 
-end module hysteresis_samples
+end module asperity_hysteresis_samples

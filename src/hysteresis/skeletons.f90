@@ -1,9 +1,9 @@
 !> Skeleton of one side of a record, and its stiffness, yield and ultimate point.
-module hysteresis_skeletons
-   use asperity_kinds, only: wp
-   use hysteresis_envelopes, only: find_envelope
-   use hysteresis_types, only: hysteresis_cycle, hysteresis_settings, hysteresis_skeleton, &
-      initial_fraction, not_known, side_sign
+module asperity_hysteresis_skeletons
+   use asperity_base_kinds, only: wp
+   use asperity_hysteresis_envelopes, only: find_envelope
+   use asperity_hysteresis_types, only: hysteresis_cycle, hysteresis_settings, &
+      hysteresis_skeleton, initial_fraction, not_known, side_sign
    implicit none
    private
    public :: new_skeleton, evaluate_skeleton
@@ -217,4 +217,4 @@ contains
       skeleton%ductility = last_x*skeleton%elastic_stiffness/yield
    end subroutine find_yield
 
-end module hysteresis_skeletons
+end module asperity_hysteresis_skeletons

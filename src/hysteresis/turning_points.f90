@@ -1,7 +1,7 @@
 !> Turning points of a record, and the cycles between them.
-module hysteresis_turning_points
-   use asperity_kinds, only: wp
-   use hysteresis_types, only: hysteresis_cycle
+module asperity_hysteresis_turning_points
+   use asperity_base_kinds, only: wp
+   use asperity_hysteresis_types, only: hysteresis_cycle
    implicit none
    private
    public :: find_turning_points, cut_cycles
@@ -153,4 +153,4 @@ contains
       call cut_at_sample(before, after, nearest, displacement, force)
    end subroutine cut_near_zero
 
-end module hysteresis_turning_points
+end module asperity_hysteresis_turning_points

@@ -1,10 +1,10 @@
 !> What the post-processing of displacement-force records takes and gives. Units are those of the
 !> record: stiffness is force over displacement, energy force times displacement. Rotation and
 !> moment may stand for displacement and force.
-module hysteresis_types
-   use asperity_error, only: error_type, fatal_error
-   use asperity_kinds, only: wp
-   use asperity_properties, only: check_range
+module asperity_hysteresis_types
+   use asperity_base_error, only: error_type, fatal_error
+   use asperity_base_kinds, only: wp
+   use asperity_law_normal_properties, only: check_range
    implicit none
    private
    public :: hysteresis_settings, hysteresis_cycle, hysteresis_skeleton, hysteresis_result
@@ -186,4 +186,4 @@ contains
       end if
    end subroutine check_hysteresis_settings
 
-end module hysteresis_types
+end module asperity_hysteresis_types

@@ -6,15 +6,15 @@
 !> exp(-h^2/2). Values and slopes are exact at four points of an interval, its ends among them. The
 !> stiffness is the derivative of the polynomial of the pressure. Outside -8 <= h < 38 the law is
 !> evaluated directly, and beyond 39 it is zero.
-module asperity_compiled_law
-   use asperity_error, only: error_type, fatal_error
-   use asperity_gaussian_tail, only: tail_moments
-   use asperity_hermite_polynomial, only: degree, hermite_points, hermite_polynomial
-   use asperity_kinds, only: wp
-   use asperity_normal_law, only: evaluate_normal_law, evaluate_scaled_law, normal_response, &
+module asperity_law_compiled_law
+   use asperity_base_error, only: error_type, fatal_error
+   use asperity_base_kinds, only: wp
+   use asperity_law_gaussian_tail, only: tail_moments
+   use asperity_law_hermite_polynomial, only: degree, hermite_points, hermite_polynomial
+   use asperity_law_normal_law, only: evaluate_normal_law, evaluate_scaled_law, normal_response, &
       vanishing_separation
-   use asperity_properties, only: normal_properties
-   use asperity_validity, only: area_above_nominal, closure_above_half_radius, &
+   use asperity_law_normal_properties, only: normal_properties
+   use asperity_law_validity, only: area_above_nominal, closure_above_half_radius, &
       pressure_above_hardness
    implicit none
    private
@@ -175,7 +175,7 @@ contains
       !> Real area over nominal area; summits in contact per nominal area, 1/mm^2; stored energy
       !> per nominal area, N/mm
       real(wp), intent(out), optional :: area_fraction, contact_density, energy
-      !> `valid`, or flags (see `asperity_validity`)
+      !> `valid`, or flags (see `asperity_law_validity`)
       integer, intent(out), optional :: validity
       real(wp) :: found(2)
       integer :: column
@@ -373,4 +373,4 @@ contains
       flags_at = ior(law%properties%validity, sum(flags, mask=h < law%limits))
    end function flags_at
 
-end module asperity_compiled_law
+end module asperity_law_compiled_law

@@ -1,7 +1,7 @@
 !> The exponential function of many arguments at once, in a form that compilers turn into vector
 !> instructions; the intrinsic is a call for each argument.
-module asperity_exponential
-   use asperity_kinds, only: wp
+module asperity_law_exponential
+   use asperity_base_kinds, only: wp
    implicit none
    private
    public :: exponentials
@@ -53,4 +53,4 @@ contains
       end do
    end subroutine exponentials
 
-end module asperity_exponential
+end module asperity_law_exponential

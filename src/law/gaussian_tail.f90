@@ -1,7 +1,7 @@
 !> Moments of the upper tail of the standard normal density phi without loss of digits:
 !> F_n(y) = integral_0^inf t^n phi(t + y) dt for n = 0, 1, 2.
-module asperity_gaussian_tail
-   use asperity_kinds, only: wp
+module asperity_law_gaussian_tail
+   use asperity_base_kinds, only: wp
    implicit none
    private
    public :: tail_moments, density_reach
@@ -89,4 +89,4 @@ contains
       density_reach = 2.0_wp*cut/(sqrt(y*y + 2.0_wp*cut) + abs(y))
    end function density_reach
 
-end module asperity_gaussian_tail
+end module asperity_law_gaussian_tail

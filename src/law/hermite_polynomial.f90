@@ -1,7 +1,7 @@
 !> The polynomial of degree seven that has given values and slopes at four points of an interval:
 !> both ends and the inner Gauss-Lobatto points. Neighbours share values and slopes at their ends.
-module asperity_hermite_polynomial
-   use asperity_kinds, only: wp
+module asperity_law_hermite_polynomial
+   use asperity_base_kinds, only: wp
    implicit none
    private
    public :: hermite_polynomial
@@ -57,4 +57,4 @@ contains
       c(0) = value(1) - inner*slope(1) + inner**2*bend - twist*inner**2*outer
    end function cubic
 
-end module asperity_hermite_polynomial
+end module asperity_law_hermite_polynomial

@@ -1,11 +1,11 @@
 !> Inverse of the normal law: the separation at which it gives a pressure.
-module asperity_normal_inverse
-   use asperity_error, only: error_type, fatal_error
-   use asperity_finite, only: is_finite
-   use asperity_kinds, only: wp
-   use asperity_normal_law, only: evaluate_normal_law, normal_response
-   use asperity_properties, only: normal_properties
-   use asperity_text, only: to_text
+module asperity_law_normal_inverse
+   use asperity_base_error, only: error_type, fatal_error
+   use asperity_base_finite, only: is_finite
+   use asperity_base_kinds, only: wp
+   use asperity_base_number_text, only: to_text
+   use asperity_law_normal_law, only: evaluate_normal_law, normal_response
+   use asperity_law_normal_properties, only: normal_properties
    implicit none
    private
    public :: separation_for_pressure
@@ -101,4 +101,4 @@ contains
          ' MPa has no separation: it must be a finite number above zero (2.3e-308 or more)')
    end subroutine check_pressure
 
-end module asperity_normal_inverse
+end module asperity_law_normal_inverse

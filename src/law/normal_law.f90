@@ -6,13 +6,14 @@
 !> Three pieces, in the summit deformation t = w/sigma: elastic on (0, w1), elasto-plastic on
 !> (w1, w2), plastic beyond. Each integral is scaled by the density at its largest point, so
 !> that no piece underflows before the result does.
-module asperity_normal_law
-   use asperity_fixed_pieces, only: evaluate_fixed_pieces, fixed_pieces_serve
-   use asperity_gaussian_tail, only: tail_moments
-   use asperity_kinds, only: wp
-   use asperity_law_pieces, only: elastic_piece, elastoplastic_piece, piece_type, plastic_piece
-   use asperity_properties, only: normal_properties, pi
-   use asperity_validity, only: area_above_nominal, closure_above_half_radius, &
+module asperity_law_normal_law
+   use asperity_base_kinds, only: wp
+   use asperity_law_gaussian_tail, only: tail_moments
+   use asperity_law_normal_properties, only: normal_properties, pi
+   use asperity_law_quadrature_pieces_by_fixed_rule, only: evaluate_fixed_pieces, fixed_pieces_serve
+   use asperity_law_quadrature_pieces_by_quadrature, only: elastic_piece, elastoplastic_piece, &
+      piece_type, plastic_piece
+   use asperity_law_validity, only: area_above_nominal, closure_above_half_radius, &
       pressure_above_hardness, valid
    implicit none
    private
@@ -37,7 +38,7 @@ module asperity_normal_law
       !> Shares of the pressure carried by elastic, elasto-plastic and plastic summits; they sum
       !> to one, also where the pressure itself underflows to zero
       real(wp) :: elastic_share = 1.0_wp, elastoplastic_share = 0.0_wp, plastic_share = 0.0_wp
-      !> `valid`, or flags (see `asperity_validity`)
+      !> `valid`, or flags (see `asperity_law_validity`)
       integer :: validity = valid
    end type normal_response
 
@@ -120,4 +121,4 @@ contains
       end associate
    end subroutine evaluate_scaled_law
 
-end module asperity_normal_law
+end module asperity_law_normal_law

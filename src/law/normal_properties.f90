@@ -1,15 +1,15 @@
 !> Properties of one pair of rough faces for the normal law: checked once, with all constants
 !> that follow from them. N-mm-MPa, or N-m-Pa for a face like timber's; in any other consistent
 !> units with `accept_unphysical`, as values are then taken for slips of units.
-module asperity_properties
-   use asperity_constants, only: pi
-   use asperity_double_double, only: assignment(=), double_double, operator(*), quotient
-   use asperity_error, only: error_type, fatal_error
-   use asperity_finite, only: is_finite
-   use asperity_kinds, only: wp
-   use asperity_plausibility, only: check_plausible
-   use asperity_text, only: to_text
-   use asperity_validity, only: stiffer_than_hertz, valid
+module asperity_law_normal_properties
+   use asperity_base_constants, only: pi
+   use asperity_base_double_double, only: assignment(=), double_double, operator(*), quotient
+   use asperity_base_error, only: error_type, fatal_error
+   use asperity_base_finite, only: is_finite
+   use asperity_base_kinds, only: wp
+   use asperity_base_number_text, only: to_text
+   use asperity_law_plausibility, only: check_plausible
+   use asperity_law_validity, only: stiffer_than_hertz, valid
    implicit none
    private
    public :: normal_properties, new_normal_properties, equivalent_modulus, check_positive, &
@@ -58,7 +58,7 @@ module asperity_properties
       real(wp) :: n1 = 0.0_wp
       !> Work of one summit's force up to w2, N mm
       real(wp) :: energy_2 = 0.0_wp
-      !> Flags that hold for every result of these properties (see `asperity_validity`)
+      !> Flags that hold for every result of these properties (see `asperity_law_validity`)
       integer :: validity = valid
    end type normal_properties
 
@@ -67,7 +67,7 @@ contains
    !> Check the properties of the normal law and derive its constants.
    !> `error` is set, and `properties` unusable, when a value is not above zero (1e-20 to 1e20),
    !> the yield factor is outside 0.05 to 1, or a value is one that no face or solid has, such as
-   !> an eta R sigma below 0.0158 (see `asperity_plausibility`).
+   !> an eta R sigma below 0.0158 (see `asperity_law_plausibility`).
    pure subroutine new_normal_properties(properties, eta, modulus, radius, hardness, &
          yield_factor, sigma, error, accept_unphysical)
       !> Result
@@ -186,4 +186,4 @@ contains
          ' is not allowed: it must lie between 0.05 and 1; the paper uses 0.4')
    end subroutine check_yield_factor
 
-end module asperity_properties
+end module asperity_law_normal_properties

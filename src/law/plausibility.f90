@@ -1,12 +1,12 @@
 !> Ranges outside which no solid and no face is: a property there is, as a rule, a slip of units,
 !> and the message names the likeliest. Each range has its reason. N-mm-MPa; a usual face all in
 !> N-m-Pa is known for what it is and passes as well.
-module asperity_plausibility
-   use asperity_constants, only: pi
-   use asperity_error, only: error_type, fatal_error
-   use asperity_kinds, only: wp
-   use asperity_text, only: to_text
-   use asperity_validity, only: implausible_property, roughness_number_high, &
+module asperity_law_plausibility
+   use asperity_base_constants, only: pi
+   use asperity_base_error, only: error_type, fatal_error
+   use asperity_base_kinds, only: wp
+   use asperity_base_number_text, only: to_text
+   use asperity_law_validity, only: implausible_property, roughness_number_high, &
       roughness_number_low, valid
    implicit none
    private
@@ -259,4 +259,4 @@ contains
       end select
    end function unit_of
 
-end module asperity_plausibility
+end module asperity_law_plausibility

@@ -1,9 +1,9 @@
 !> One spherical summit against a rigid plane: elastic, elasto-plastic, fully plastic
 !> (Eqs 1-3, 10-22). Force is continuous; its derivative jumps at w1 and w2.
-module asperity_single_asperity
-   use asperity_kinds, only: wp
-   use asperity_properties, only: normal_properties, pi
-   use asperity_validity, only: closure_above_half_radius, valid
+module asperity_law_single_asperity
+   use asperity_base_kinds, only: wp
+   use asperity_law_normal_properties, only: normal_properties, pi
+   use asperity_law_validity, only: closure_above_half_radius, valid
    implicit none
    private
    public :: asperity_response, evaluate_asperity
@@ -26,7 +26,7 @@ module asperity_single_asperity
       real(wp) :: mean_pressure = 0.0_wp, mean_pressure_slope = 0.0_wp
       !> Work of the force from first touch, N mm; its derivative by w is the force
       real(wp) :: energy = 0.0_wp
-      !> `valid`, or flags (see `asperity_validity`)
+      !> `valid`, or flags (see `asperity_law_validity`)
       integer :: validity = valid
    end type asperity_response
 
@@ -81,4 +81,4 @@ contains
       end associate
    end function evaluate_asperity
 
-end module asperity_single_asperity
+end module asperity_law_single_asperity

@@ -1,6 +1,6 @@
 !> Limits past which a result is still computed but no longer means what the law assumes.
 !> Validity is part of every result: a sum of the flags below, `valid` (zero) when none is set.
-module asperity_validity
+module asperity_law_validity
    implicit none
    private
    public :: validity_text, validity_remark
@@ -90,4 +90,4 @@ contains
       end do
    end function joined
 
-end module asperity_validity
+end module asperity_law_validity

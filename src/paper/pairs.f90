@@ -1,8 +1,8 @@
 !> Pairs and surfaces of the paper in N-mm-MPa. Table 2 mixes units: only asperity density in
 !> 1/um^2, radius in mm and sigma in um is physically admissible, and that is what was converted.
-module asperity_presets
-   use asperity_error, only: error_type, fatal_error
-   use asperity_kinds, only: wp
+module asperity_paper_pairs
+   use asperity_base_error, only: error_type, fatal_error
+   use asperity_base_kinds, only: wp
    implicit none
    private
    public :: surface_preset, pair_preset, find_surface, find_pair
@@ -126,4 +126,4 @@ contains
       call fatal_error(error, kind//" = '"//name//"' is unknown; known "//kind//'s: '//list)
    end subroutine refuse_name
 
-end module asperity_presets
+end module asperity_paper_pairs

@@ -1,31 +1,32 @@
 !> Does what a parsed command line asks for.
-module app_driver
+module asperity_program_driver
    use asperity, only: error_type
-   use app_cli, only: command_line_type
-   use app_config, only: config_type, new_config
-   use app_curve, only: report_curve
-   use app_deck, only: report_shear_deck, report_tenon_deck
-   use app_delivery, only: deliver, delivery_type, prepare_delivery
-   use app_effective, only: case_settings, locate, settled
-   use app_help, only: citation_text, help_text, version_text
-   use app_hysteresis, only: report_hysteresis
-   use app_keys, only: belongs, command_citation, command_curve, command_deck_shear, &
-      command_deck_tenon, command_help, command_hysteresis, command_pairs, command_press, &
-      command_shear, command_surface, command_table, command_tenon, command_version, find_key
-   use app_law_table, only: report_law_table
-   use app_output, only: write_standard_output
-   use app_pairs, only: report_pairs
-   use app_press, only: report_press
-   use app_print_case, only: case_text
-   use app_report, only: report_type
-   use app_shear, only: report_shear
-   use app_settings, only: settings_type, take_defaults
-   use app_surface, only: report_surface
-   use app_sweep_file, only: close_partial, partial_type
-   use app_tenon, only: report_tenon
-   use app_tenon_history, only: follow_history, forget_reading, history_type, &
-      read_history
-   use app_tenon_sweep, only: check_sweep, report_sweep
+   use asperity_program_commands_config, only: config_type, new_config
+   use asperity_program_commands_curve, only: report_curve
+   use asperity_program_commands_deck, only: report_shear_deck, report_tenon_deck
+   use asperity_program_commands_hysteresis_command, only: report_hysteresis
+   use asperity_program_commands_pairs, only: report_pairs
+   use asperity_program_commands_press, only: report_press
+   use asperity_program_commands_shear, only: report_shear
+   use asperity_program_commands_surface_command, only: report_surface
+   use asperity_program_commands_table, only: report_law_table
+   use asperity_program_commands_tenon_command, only: report_tenon
+   use asperity_program_commands_tenon_history, only: follow_history, forget_reading, &
+      history_type, read_history
+   use asperity_program_commands_tenon_sweep, only: check_sweep, report_sweep
+   use asperity_program_commands_tenon_sweeps_file, only: close_partial, partial_type
+   use asperity_program_input_command_line, only: command_line_type
+   use asperity_program_input_help, only: citation_text, help_text, version_text
+   use asperity_program_input_keys, only: belongs, command_citation, command_curve, &
+      command_deck_shear, command_deck_tenon, command_help, command_hysteresis, command_pairs, &
+      command_press, command_shear, command_surface, command_table, command_tenon, &
+      command_version, find_key
+   use asperity_program_input_print_case, only: case_text
+   use asperity_program_input_resolve, only: case_settings, locate, settled
+   use asperity_program_input_settings, only: settings_type, take_defaults
+   use asperity_program_outputs, only: deliver, delivery_type, prepare_delivery
+   use asperity_program_report_report, only: report_type
+   use asperity_program_system_atomic_files, only: write_standard_output
    implicit none
    private
    public :: drive
@@ -127,4 +128,4 @@ contains
       if (allocated(partial%path) .and. .not. allocated(error)) call close_partial(partial)
    end subroutine run
 
-end module app_driver
+end module asperity_program_driver

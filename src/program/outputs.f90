@@ -1,22 +1,23 @@
 !> Brings a report to where the user wants it: terminal, CSV, JSON, picture.
-module app_delivery
+module asperity_program_outputs
    use, intrinsic :: iso_fortran_env, only: int64
    use asperity, only: error_type, file_error
-   use asperity_error, only: fatal_error
-   use asperity_memory, only: check_work
-   use app_cli, only: command_line_type
-   use app_csv, only: write_csv
-   use app_gnuplot, only: check_picture, draw
-   use app_json, only: write_json
-   use app_html, only: count_svg
-   use app_output, only: open_target, output_file, write_files, write_standard_output
-   use app_path, only: resolved_path
-   use app_plots, only: plot_script
-   use app_system, only: standard_error, write_text
-   use app_report, only: report_type
-   use app_tenon_page, only: page_script, page_text
-   use app_terminal, only: terminal_text, warning_text
-   use app_utf8, only: make_utf8, utf8_text
+   use asperity_base_error, only: fatal_error
+   use asperity_base_memory, only: check_work
+   use asperity_program_commands_plots, only: plot_script
+   use asperity_program_commands_tenon_page, only: page_script, page_text
+   use asperity_program_input_command_line, only: command_line_type
+   use asperity_program_plot_gnuplot, only: check_picture, draw
+   use asperity_program_report_csv, only: write_csv
+   use asperity_program_report_html, only: count_svg
+   use asperity_program_report_json, only: write_json
+   use asperity_program_report_report, only: report_type
+   use asperity_program_report_terminal, only: terminal_text, warning_text
+   use asperity_program_system_atomic_files, only: open_target, output_file, write_files, &
+      write_standard_output
+   use asperity_program_system_files, only: standard_error, write_text
+   use asperity_program_system_path, only: resolved_path
+   use asperity_program_system_utf8, only: make_utf8, utf8_text
    implicit none
    private
    public :: delivery_type, prepare_delivery, deliver
@@ -217,4 +218,4 @@ contains
       if (allocated(error)) error%message = option//': '//error%message
    end subroutine take_text
 
-end module app_delivery
+end module asperity_program_outputs

@@ -1,14 +1,14 @@
 !> A host that plays ABAQUS for one contact point: it calls UINTER several times an increment from
 !> the values at its start, with every output poisoned beforehand, accepts or cuts back, and keeps
 !> the history of everything that UINTER returned.
-module replay_host
+module asperity_replay_abaqus_host
    use, intrinsic :: ieee_arithmetic, only: ieee_is_nan, ieee_quiet_nan, ieee_value
    use asperity, only: computation_error, contact_properties, error_type, no_opposite_surface, &
       no_rotation, no_surface_limit, wp
-   use asperity_error, only: fatal_error
-   use asperity_text, only: to_text
-   use uinter_signature, only: uinter_interface
-   use uinter_slots, only: n_statev, props_from_properties
+   use asperity_abaqus_props_and_statev, only: n_statev, props_from_properties
+   use asperity_abaqus_uinter_signature, only: uinter_interface
+   use asperity_base_error, only: fatal_error
+   use asperity_base_number_text, only: to_text
    implicit none
    private
    public :: host_point, host_record, new_host_point, try_increment, accept_increment, &
@@ -294,4 +294,4 @@ contains
          'unset, at overclosure = '//to_text(record%rdisp(1))//' mm', computation_error)
    end subroutine check_outputs
 
-end module replay_host
+end module asperity_replay_abaqus_host

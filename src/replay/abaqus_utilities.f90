@@ -4,7 +4,7 @@
 !> A caller that links its own is served first.
 subroutine stdb_abqerr(lop, string, intv, realv, charv)
    use, intrinsic :: iso_fortran_env, only: error_unit
-   use asperity_kinds, only: wp
+   use asperity_base_kinds, only: wp
    implicit none
    !> 1 information, -1 warning, -2 error, -3 error and stop
    integer, intent(in) :: lop

@@ -1,17 +1,17 @@
 !> Press: one contact point closed and opened again through UINTER, by a ramp of pressure or of
 !> overclosure (the paper's Fig. 17).
-module replay_press
+module asperity_replay_press
    use, intrinsic :: iso_fortran_env, only: int64
    use asperity, only: computation_error, contact_properties, error_type, evaluate_normal_law, &
       normal_response, separation_for_pressure, wp
-   use asperity_error, only: fatal_error
-   use asperity_memory, only: check_work
-   use asperity_properties, only: check_positive
-   use asperity_text, only: to_text
-   use replay_sizes, only: check_between
-   use replay_host, only: accept_increment, host_point, new_host_point, refuse_cut, &
-      try_increment
-   use uinter_signature, only: uinter_interface
+   use asperity_abaqus_uinter_signature, only: uinter_interface
+   use asperity_base_error, only: fatal_error
+   use asperity_base_memory, only: check_work
+   use asperity_base_number_text, only: to_text
+   use asperity_law_normal_properties, only: check_positive
+   use asperity_replay_abaqus_host, only: accept_increment, host_point, new_host_point, &
+      refuse_cut, try_increment
+   use asperity_replay_sizes, only: check_between
    implicit none
    private
    public :: press_settings, press_step, run_press
@@ -184,4 +184,4 @@ contains
       end if
    end subroutine check_settings
 
-end module replay_press
+end module asperity_replay_press

@@ -1,20 +1,21 @@
 !> Direct shear of two discs under dead weight (the paper's Figs 13-18), every step through
 !> UINTER. The weight fixes the pressure, so the box tests friction, not the normal law; the
 !> closure under load is what the normal law says.
-module replay_shear_box
+module asperity_replay_shear_box
    use, intrinsic :: iso_fortran_env, only: int64
    use asperity, only: computation_error, contact_properties, error_type, evaluate_normal_law, &
       normal_response, separation_for_pressure, wp
+   use asperity_abaqus_props_and_statev, only: state_elastic_slip_1, state_normal_energy, &
+      state_pressure_coupling
+   use asperity_abaqus_uinter_signature, only: uinter_interface
+   use asperity_base_error, only: fatal_error
+   use asperity_base_memory, only: check_work
+   use asperity_base_number_text, only: to_text
    use asperity_contact_properties, only: close_pressure_ratio
-   use asperity_error, only: fatal_error
-   use asperity_memory, only: check_work
-   use asperity_text, only: to_text
-   use replay_host, only: accept_increment, host_point, new_host_point, refuse_cut, &
-      try_increment
-   use replay_shear_settings, only: box_path, check_shear_settings, current_area, &
+   use asperity_replay_abaqus_host, only: accept_increment, host_point, new_host_point, &
+      refuse_cut, try_increment
+   use asperity_replay_shear_settings, only: box_path, check_shear_settings, current_area, &
       overlap_area, shear_settings
-   use uinter_signature, only: uinter_interface
-   use uinter_slots, only: state_elastic_slip_1, state_normal_energy, state_pressure_coupling
    implicit none
    private
    public :: shear_settings, shear_step, run_shear_box, overlap_area
@@ -199,4 +200,4 @@ contains
          point%start%statev(state_pressure_coupling))
    end subroutine add_energies
 
-end module replay_shear_box
+end module asperity_replay_shear_box

@@ -1,10 +1,10 @@
 !> Settings of the shear box: specimen, load and path.
-module replay_shear_settings
+module asperity_replay_shear_settings
    use asperity, only: error_type, wp
-   use asperity_error, only: fatal_error
-   use asperity_properties, only: check_positive, check_range
-   use asperity_text, only: to_text
-   use replay_sizes, only: check_between, check_size, slip_text
+   use asperity_base_error, only: fatal_error
+   use asperity_base_number_text, only: to_text
+   use asperity_law_normal_properties, only: check_positive, check_range
+   use asperity_replay_sizes, only: check_between, check_size, slip_text
    implicit none
    private
    public :: shear_settings, check_shear_settings, box_path, overlap_area, current_area
@@ -25,7 +25,7 @@ module replay_shear_settings
       logical :: shrinking_overlap = .true.
       !> Shear compliance of the two specimens together, mm/N
       real(wp) :: shear_compliance = 0.0_wp
-      !> Let sizes outside the ranges of `replay_sizes` pass
+      !> Let sizes outside the ranges of `asperity_replay_sizes` pass
       logical :: accept_sizes = .false.
    end type shear_settings
 
@@ -153,4 +153,4 @@ contains
       steps_between = ceiling(min(abs(turns(i) - from)/increment*(1.0_wp - 1.0e-12_wp), 1.0e9_wp))
    end function steps_between
 
-end module replay_shear_settings
+end module asperity_replay_shear_settings

@@ -6,10 +6,10 @@
 !> of the woods there are, from balsa to the hardest. All are chosen, and no range spans a factor
 !> of 1000, so that no value within one passes in a unit of 1000 or 1/1000 times the size: metres or
 !> micrometres for mm, kPa or GPa for MPa. Zero, where it is allowed, means none and passes.
-module replay_sizes
+module asperity_replay_sizes
    use asperity, only: error_type, wp
-   use asperity_error, only: fatal_error
-   use asperity_text, only: to_text
+   use asperity_base_error, only: fatal_error
+   use asperity_base_number_text, only: to_text
    implicit none
    private
    public :: size_range, check_size, check_between, range_of, slip_text
@@ -148,4 +148,4 @@ contains
       range = ranges(findloc(ranges%name == name, .true., 1))
    end function range_of
 
-end module replay_sizes
+end module asperity_replay_sizes

@@ -1,22 +1,22 @@
 !> What is done with a height map: prepared once, then everything is found from it.
-module surface_analysis
+module asperity_surface_analysis
    use, intrinsic :: iso_fortran_env, only: int64
-   use asperity_error, only: error_type, fatal_error
-   use asperity_kinds, only: wp
-   use asperity_text, only: to_text
-   use surface_evaluate, only: no_parameter, parameters_of
-   use surface_gaussian_filter, only: filter_long, filter_short
-   use surface_height_map, only: check_height_map, fewest_points, height_map, missing_height, &
-      missing_points
-   use surface_holes, only: fill_missing, missing_share
-   use surface_level, only: level_plane, remove_form
-   use asperity_memory, only: check_room
-   use surface_parameters, only: n_parameters
-   use surface_sum_map, only: sum_map
-   use surface_summits, only: find_summits, summit_set
-   use surface_sums, only: summed, surface_sums_type
-   use surface_thin, only: thinned
-   use surface_uncertainty, only: uncertainties
+   use asperity_base_error, only: error_type, fatal_error
+   use asperity_base_kinds, only: wp
+   use asperity_base_memory, only: check_room
+   use asperity_base_number_text, only: to_text
+   use asperity_height_map_type, only: check_height_map, fewest_points, height_map, &
+      missing_height, missing_points
+   use asperity_surface_parameters_from_sums, only: no_parameter, parameters_of
+   use asperity_surface_parameters_parameters, only: n_parameters
+   use asperity_surface_parameters_sum_tiles, only: sum_map
+   use asperity_surface_parameters_tile_sums, only: summed, surface_sums_type
+   use asperity_surface_parameters_uncertainty, only: uncertainties
+   use asperity_surface_prepare_every_nth, only: thinned
+   use asperity_surface_prepare_fill_holes, only: fill_missing, missing_share
+   use asperity_surface_prepare_gaussian_filter, only: filter_long, filter_short
+   use asperity_surface_prepare_level, only: level_plane, remove_form
+   use asperity_surface_summits_find, only: find_summits, summit_set
    implicit none
    private
    public :: preparation_settings, analysis_settings, surface_analysis_type, prepare_surface, &
@@ -232,4 +232,4 @@ contains
          to_text(size(map%heights, 1))//' x '//to_text(size(map%heights, 2))//' points')
    end subroutine check_tiles
 
-end module surface_analysis
+end module asperity_surface_analysis

@@ -1,8 +1,8 @@
 !> Small symmetric positive definite systems by Cholesky's method: the normal equations of a form
 !> have at most 45 unknowns. LAPACK would do, but a library of threads that every command of the
 !> program then loads at its start is too much for so few.
-module surface_cholesky
-   use asperity_kinds, only: wp
+module asperity_surface_cholesky
+   use asperity_base_kinds, only: wp
    implicit none
    private
    public :: factorize, solve, reciprocal_condition
@@ -66,4 +66,4 @@ contains
       condition = 1.0_wp/(norm*norm_of_inverse)
    end function reciprocal_condition
 
-end module surface_cholesky
+end module asperity_surface_cholesky

@@ -1,10 +1,10 @@
 !> Discrete Fourier transforms by FFTW, of maps and of many lines at once. None is normalised:
 !> forward and backward multiplies by the number of points. Plans are estimated, not measured, so
 !> that the same input gives the same numbers in every run.
-module surface_fourier
+module asperity_surface_fourier
    use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_double_complex, c_int, &
       c_null_ptr, c_ptr
-   use asperity_kinds, only: wp
+   use asperity_base_kinds, only: wp
    implicit none
    private
    public :: delete_line_transform, easy_length, line_transform, new_line_transform, &
@@ -191,4 +191,4 @@ contains
       end do
    end function easy_length
 
-end module surface_fourier
+end module asperity_surface_fourier

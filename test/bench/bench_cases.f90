@@ -3,12 +3,12 @@
 module bench_cases
    use asperity, only: contact_properties, contact_response, contact_state, no_rotation, &
       rule_abaqus, slip_exact, status_slip, status_stick, update_contact_point, wp
-   use asperity_properties, only: pi
-   use asperity_validity, only: all_flags
+   use asperity_abaqus_props_and_statev, only: n_props, n_statev, props_from_properties, &
+      state_warned, statev_from_state
+   use asperity_law_normal_properties, only: pi
+   use asperity_law_validity, only: all_flags
    use contact_cases, only: pair_properties, random_contact
    use random_inputs, only: random_stream
-   use uinter_slots, only: n_props, n_statev, props_from_properties, state_warned, &
-      statev_from_state
    implicit none
    private
    public :: contact_set, new_contact_set, both

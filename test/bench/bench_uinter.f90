@@ -2,11 +2,11 @@
 !> VUINTER as ABAQUS/Explicit does, all points of a pair in one call through its 49.
 module bench_uinter
    use asperity, only: contact_properties, error_type, no_rotation, wp
+   use asperity_abaqus_props_and_statev, only: n_props, n_statev, properties_from_props
+   use asperity_abaqus_uinter_signature, only: uinter_interface
+   use asperity_abaqus_vuinter_signature, only: vuinter_interface
    use bench_cases, only: contact_set
    use bench_timing, only: contender
-   use uinter_signature, only: uinter_interface
-   use uinter_slots, only: n_props, n_statev, properties_from_props
-   use vuinter_signature, only: vuinter_interface
    implicit none
    private
    public :: props_reader, uinter_caller, vuinter_caller, new_vuinter_caller

@@ -1,7 +1,7 @@
 !> Slave surfaces that are given by nodes: which faces of an element count. Faces are found here by
 !> where the nodes of a unit element lie, nothing is taken from the tables that are tested.
 module test_areas
-   use asperity_kinds, only: wp
+   use asperity_base_kinds, only: wp
    use calculix_areas, only: leave_out_sides
    use funit, only: assertEqual, TestMethod, TestSuite
    implicit none

@@ -1,7 +1,7 @@
 !> The keyword line of a UINTER in a CalculiX deck, as the solver passes it: without blanks, in
 !> capitals, word by word.
 module test_keyword
-   use asperity_kinds, only: wp
+   use asperity_base_kinds, only: wp
    use calculix_interactions, only: interaction_type
    use calculix_keyword, only: is_uinter, read_parameters, read_property
    use funit, only: assertEqual, assertFalse, assertTrue, TestMethod, TestSuite

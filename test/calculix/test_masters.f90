@@ -1,6 +1,6 @@
 !> The master face of a spring is left only by a margin.
 module test_masters
-   use asperity_kinds, only: wp
+   use asperity_base_kinds, only: wp
    use calculix_host, only: know_pairs
    use calculix_interactions, only: add_interaction, interaction_type
    use calculix_masters, only: keep_faces, margin

@@ -1,6 +1,6 @@
 !> What a poisoned call of UINTER tells.
 module test_outputs
-   use asperity_kinds, only: wp
+   use asperity_base_kinds, only: wp
    use calculix_outputs, only: new_outputs, note_optional, optional_left, outputs_type, &
       unset_outputs
    use funit, only: assertEqual, assertTrue, TestMethod, TestSuite

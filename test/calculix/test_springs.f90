@@ -2,7 +2,7 @@
 !> against differences.
 module test_springs
    use, intrinsic :: iso_c_binding, only: c_char, c_int, c_loc, c_null_ptr, c_ptr
-   use asperity_kinds, only: wp
+   use asperity_base_kinds, only: wp
    use calculix_faces, only: face_point, most_nodes, project_onto_face, shape_functions
    use calculix_host, only: before_results, know_pairs
    use calculix_interactions, only: add_interaction, find_interaction, interaction_type

@@ -4,12 +4,12 @@
 !>     asperity_fuzz [files for each reader [seed]]
 program fuzz_main
    use, intrinsic :: iso_fortran_env, only: int64, output_unit
-   use asperity_error, only: error_type
-   use asperity_kinds, only: wp
+   use asperity_base_error, only: error_type
+   use asperity_base_kinds, only: wp
+   use asperity_height_map_read, only: map_hints, read_height_map_bytes
+   use asperity_height_map_type, only: check_height_map, height_map
    use fuzz_mutate, only: dice, mutate
    use fuzz_seeds, only: add_file, add_written, seed_type
-   use map_file_read, only: map_hints, read_height_map_bytes
-   use surface_height_map, only: check_height_map, height_map
    use x3p_cases, only: x3p_members
    use zip_writer, only: zip_member_text, zip_of
    implicit none

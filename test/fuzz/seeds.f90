@@ -1,9 +1,9 @@
 !> Sound files of every format, which the fuzzing damages.
 module fuzz_seeds
-   use asperity_error, only: error_type
-   use asperity_kinds, only: wp
-   use map_file_write, only: height_map_bytes
-   use surface_height_map, only: height_map, missing_height
+   use asperity_base_error, only: error_type
+   use asperity_base_kinds, only: wp
+   use asperity_height_map_type, only: height_map, missing_height
+   use asperity_height_map_write, only: height_map_bytes
    implicit none
    private
    public :: add_file, add_written, seed_type

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Constants of asperity_fixed_rule: Gauss-Legendre points over the elastic range, even in
+"""Constants of asperity_law_quadrature_fixed_points: Gauss-Legendre points over the elastic range, even in
 sqrt(w/w1) on 0..1, and over the elasto-plastic range, even in ln(w/w1) on 0..ln 110, to 35
 digits. Prints Fortran arrays. Needs mpmath."""
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Coefficients of asperity_gaussian_tail: the ratio F_2/F_1 of the tail's moments, to 35 digits.
+"""Coefficients of asperity_law_gaussian_tail: the ratio F_2/F_1 of the tail's moments, to 35 digits.
 
 With u = 1/(y + 4), (y + 4) F_2(y)/F_1(y) is approximated on each of 6 equal intervals of
 0 <= u <= 1/4 by a polynomial of degree 12 in the local variable -1..1: interpolation at the

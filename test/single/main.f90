@@ -1,9 +1,9 @@
 !> Runs VUINTER's suites against asperity_vuinter_single.f90, the build for single precision.
 program test_single
+   use asperity_abaqus_vuinter_precision, only: vp
    use funit, only: SerialContext, TestResult, TestRunner, TestSuite
    use test_vuinter, only: suite_vuinter
    use test_vuinter_agreement, only: suite_vuinter_agreement
-   use vuinter_precision, only: vp
    implicit none
    type(TestSuite) :: all_suites
    type(TestRunner) :: runner

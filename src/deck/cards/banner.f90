@@ -1,9 +1,9 @@
 !> First lines of every deck: what made it, units, what was and was not run.
-module deck_head
-   use asperity_text, only: to_text
-   use asperity_version, only: version
-   use deck_choices, only: deck_choice, element_kind, for_calculix
-   use deck_writer, only: writer_type
+module asperity_deck_cards_banner
+   use asperity_base_number_text, only: to_text
+   use asperity_base_version, only: version
+   use asperity_deck_cards_card_writer, only: writer_type
+   use asperity_deck_options, only: deck_choice, element_kind, for_calculix
    implicit none
    private
    public :: write_head
@@ -45,4 +45,4 @@ contains
       call deck%comment('')
    end subroutine write_head
 
-end module deck_head
+end module asperity_deck_cards_banner

@@ -1,10 +1,10 @@
 !> Writes comments and numbers as decks of ABAQUS and of CalculiX have them.
 !>
 !> Both read numbers in fields of at most 20 characters and sets with 16 numbers a line.
-module deck_writer
+module asperity_deck_cards_card_writer
    use asperity, only: wp
-   use asperity_text, only: to_text
-   use deck_growing_text, only: growing_text
+   use asperity_base_number_text, only: to_text
+   use asperity_base_text_builder, only: growing_text
    implicit none
    private
    public :: writer_type
@@ -128,4 +128,4 @@ contains
       call self%add(to_text(value, n))
    end subroutine real
 
-end module deck_writer
+end module asperity_deck_cards_card_writer

@@ -1,14 +1,15 @@
 !> Contact as decks say it: UINTER with its properties, the law as a table, or hard contact, each
 !> for ABAQUS and for CalculiX.
-module deck_interaction
+module asperity_deck_cards_interaction
    use asperity, only: contact_properties, error_type, separation_for_pressure, wp
-   use asperity_error, only: fatal_error
-   use asperity_text, only: to_text
-   use deck_choices, only: deck_choice, for_calculix
-   use deck_law_table, only: law_table, new_law_table, stick_slope
-   use deck_table_text, only: calculix_rows
-   use deck_writer, only: writer_type
-   use uinter_slots, only: n_props, n_statev, properties_from_props, props_from_properties
+   use asperity_abaqus_props_and_statev, only: n_props, n_statev, properties_from_props, &
+      props_from_properties
+   use asperity_base_error, only: fatal_error
+   use asperity_base_number_text, only: to_text
+   use asperity_deck_cards_card_writer, only: writer_type
+   use asperity_deck_law_rows, only: law_table, new_law_table, stick_slope
+   use asperity_deck_law_rows_text, only: calculix_rows
+   use asperity_deck_options, only: deck_choice, for_calculix
    implicit none
    private
    public :: interaction_type, new_interaction, overclosure_for, write_interaction, write_pair
@@ -227,4 +228,4 @@ contains
       call deck%line(slave//', '//master)
    end subroutine write_pair
 
-end module deck_interaction
+end module asperity_deck_cards_interaction

@@ -1,9 +1,9 @@
 !> Static steps and output requests, as ABAQUS and CalculiX write them.
-module deck_steps
+module asperity_deck_cards_load_steps
    use asperity, only: wp
-   use asperity_text, only: to_text
-   use deck_choices, only: deck_choice, for_calculix
-   use deck_writer, only: writer_type
+   use asperity_base_number_text, only: to_text
+   use asperity_deck_cards_card_writer, only: writer_type
+   use asperity_deck_options, only: deck_choice, for_calculix
    implicit none
    private
    public :: step_type, open_step, close_step, write_boundary
@@ -130,4 +130,4 @@ contains
       names = 'S, PEEQ'
    end function stresses
 
-end module deck_steps
+end module asperity_deck_cards_load_steps

@@ -1,10 +1,10 @@
 !> Writes the parts of a model as decks of ABAQUS and of CalculiX share them: nodes, elements, sets,
 !> surfaces, equations, sections, springs.
-module deck_model_writer
+module asperity_deck_cards_mesh_writer
    use asperity, only: wp
-   use asperity_text, only: to_text
-   use deck_hex_mesh, only: faces_in_box, hex_mesh
-   use deck_writer, only: writer_type
+   use asperity_base_number_text, only: to_text
+   use asperity_deck_cards_card_writer, only: writer_type
+   use asperity_deck_mesh_hexahedra, only: faces_in_box, hex_mesh
    implicit none
    private
    public :: model_writer
@@ -161,4 +161,4 @@ contains
       call self%reals([stiffness])
    end subroutine grounded_spring
 
-end module deck_model_writer
+end module asperity_deck_cards_mesh_writer

@@ -14,9 +14,9 @@
 !>   may be complex.
 !>
 !> The mean pressure is -V(a)/a, in proportion to the interference d.
-module deck_side_fit
+module asperity_deck_mesh_cheek_interference
    use asperity, only: wp
-   use deck_wood, only: wood_type
+   use asperity_deck_cards_wood_cards, only: wood_type
    implicit none
    private
    public :: side_interference
@@ -64,4 +64,4 @@ contains
       interference = -pressure*a/real(sum(part*shear_force), wp)
    end function side_interference
 
-end module deck_side_fit
+end module asperity_deck_mesh_cheek_interference

@@ -1,8 +1,8 @@
 !> Mesh of a disc: a square in the middle, whose sides bulge, and rings of cells around it, so that
 !> no cell is flat at the rim. Layers of it make the disc.
-module deck_disc_mesh
+module asperity_deck_mesh_disc
    use asperity, only: wp
-   use deck_hex_mesh, only: even_cuts, hex_mesh
+   use asperity_deck_mesh_hexahedra, only: even_cuts, hex_mesh
    implicit none
    private
    public :: new_disc_mesh
@@ -124,4 +124,4 @@ contains
       end select
    end function edge_node
 
-end module deck_disc_mesh
+end module asperity_deck_mesh_disc

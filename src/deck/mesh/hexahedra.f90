@@ -1,11 +1,11 @@
 !> Meshes of eight-node hexahedra, and what is found on them by place: nodes and faces.
 !>
 !> Corners and faces are numbered as in C3D8 of ABAQUS and CalculiX.
-module deck_hex_mesh
+module asperity_deck_mesh_hexahedra
    use, intrinsic :: iso_fortran_env, only: int64
    use asperity, only: error_type, wp
-   use asperity_memory, only: check_work
-   use asperity_text, only: to_text
+   use asperity_base_memory, only: check_work
+   use asperity_base_number_text, only: to_text
    implicit none
    private
    public :: hex_mesh, check_mesh_room, new_grid_mesh, nodes_in_box, faces_in_box, face_area, &
@@ -251,4 +251,4 @@ contains
          + m(1, 3)*(m(2, 1)*m(3, 2) - m(3, 1)*m(2, 2))
    end function jacobian
 
-end module deck_hex_mesh
+end module asperity_deck_mesh_hexahedra

@@ -1,17 +1,17 @@
 !> Deck of the direct shear test: two discs, one upon the other; the lower one moves, the upper one
 !> is loaded by a cap that cannot tilt.
-module deck_shear_deck
+module asperity_deck_shear_deck
    use asperity, only: contact_properties, error_type, wp
-   use asperity_error, only: fatal_error
-   use asperity_properties, only: check_positive, pi
-   use asperity_text, only: to_text
-   use deck_choices, only: check_deck_choice, check_mesh_size, deck_choice, for_calculix
-   use deck_disc_mesh, only: new_disc_mesh
-   use deck_hex_mesh, only: check_mesh_room, hex_mesh
-   use deck_interaction, only: interaction_type, new_interaction, overclosure_for
-   use deck_wood, only: check_wood, wood_type
-   use replay_sizes, only: check_size
-   use replay_shear_settings, only: check_shear_settings, shear_settings
+   use asperity_base_error, only: fatal_error
+   use asperity_base_number_text, only: to_text
+   use asperity_deck_cards_interaction, only: interaction_type, new_interaction, overclosure_for
+   use asperity_deck_cards_wood_cards, only: check_wood, wood_type
+   use asperity_deck_mesh_disc, only: new_disc_mesh
+   use asperity_deck_mesh_hexahedra, only: check_mesh_room, hex_mesh
+   use asperity_deck_options, only: check_deck_choice, check_mesh_size, deck_choice, for_calculix
+   use asperity_law_normal_properties, only: check_positive, pi
+   use asperity_replay_shear_settings, only: check_shear_settings, shear_settings
+   use asperity_replay_sizes, only: check_size
    implicit none
    private
    public :: shear_deck, new_shear_deck
@@ -82,4 +82,4 @@ contains
          disc_height - deck%overclosure, choice%mesh_size)
    end subroutine new_shear_deck
 
-end module deck_shear_deck
+end module asperity_deck_shear_deck

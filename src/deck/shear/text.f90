@@ -1,15 +1,15 @@
 !> The text of the shear test's deck.
-module deck_shear_text
+module asperity_deck_shear_text
    use asperity, only: error_type, wp
-   use asperity_text, only: to_text
-   use deck_choices, only: element_kind
-   use deck_head, only: write_head
-   use deck_hex_mesh, only: hex_mesh, nodes_in_box
-   use deck_interaction, only: write_interaction, write_pair
-   use deck_shear_deck, only: shear_deck
-   use deck_steps, only: close_step, open_step, step_type, write_boundary
-   use deck_wood, only: write_axes, write_wood
-   use deck_model_writer, only: model_writer
+   use asperity_base_number_text, only: to_text
+   use asperity_deck_cards_banner, only: write_head
+   use asperity_deck_cards_interaction, only: write_interaction, write_pair
+   use asperity_deck_cards_load_steps, only: close_step, open_step, step_type, write_boundary
+   use asperity_deck_cards_mesh_writer, only: model_writer
+   use asperity_deck_cards_wood_cards, only: write_axes, write_wood
+   use asperity_deck_mesh_hexahedra, only: hex_mesh, nodes_in_box
+   use asperity_deck_options, only: element_kind
+   use asperity_deck_shear_deck, only: shear_deck
    implicit none
    private
    public :: write_shear_deck
@@ -196,4 +196,4 @@ contains
       end do
    end subroutine write_steps
 
-end module deck_shear_text
+end module asperity_deck_shear_text

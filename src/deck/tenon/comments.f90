@@ -1,11 +1,11 @@
 !> The first lines of the tenon joint's deck: what the model is, and what of it is chosen.
-module deck_tenon_words
+module asperity_deck_tenon_comments
    use asperity, only: wp
-   use asperity_text, only: to_text
-   use deck_head, only: write_head
-   use deck_tenon_deck, only: tenon_deck
-   use deck_writer, only: writer_type
-   use replay_tenon_settings, only: tenon_face_arm
+   use asperity_base_number_text, only: to_text
+   use asperity_deck_cards_banner, only: write_head
+   use asperity_deck_cards_card_writer, only: writer_type
+   use asperity_deck_tenon_deck, only: tenon_deck
+   use asperity_replay_tenon_settings, only: tenon_face_arm
    implicit none
    private
    public :: write_words
@@ -82,4 +82,4 @@ contains
       end if
    end function gap_words
 
-end module deck_tenon_words
+end module asperity_deck_tenon_comments

@@ -1,17 +1,18 @@
-!> Deck of the straight tenon joint: sizes and programme as in `replay_tenon`, in three dimensions.
-module deck_tenon_deck
+!> Deck of the straight tenon joint: sizes and programme as in the replay (src/replay/tenon), in
+!> three dimensions.
+module asperity_deck_tenon_deck
    use asperity, only: contact_properties, error_type, wp
-   use asperity_error, only: fatal_error
-   use asperity_properties, only: check_range
-   use asperity_text, only: to_text
-   use deck_choices, only: check_deck_choice, deck_choice, for_calculix
-   use deck_hex_mesh, only: check_mesh_room, hex_mesh
-   use deck_interaction, only: interaction_type, new_interaction, overclosure_for
-   use deck_tenon_parts, only: check_tenon_sizes, new_beam, new_column, tenon_sizes
-   use deck_side_fit, only: side_interference
-   use deck_wood, only: check_wood, wood_type
-   use replay_tenon_programme, only: tenon_programme
-   use replay_tenon_settings, only: check_tenon_settings, tenon_face_arm, tenon_settings
+   use asperity_base_error, only: fatal_error
+   use asperity_base_number_text, only: to_text
+   use asperity_deck_cards_interaction, only: interaction_type, new_interaction, overclosure_for
+   use asperity_deck_cards_wood_cards, only: check_wood, wood_type
+   use asperity_deck_mesh_cheek_interference, only: side_interference
+   use asperity_deck_mesh_hexahedra, only: check_mesh_room, hex_mesh
+   use asperity_deck_options, only: check_deck_choice, deck_choice, for_calculix
+   use asperity_deck_tenon_parts, only: check_tenon_sizes, new_beam, new_column, tenon_sizes
+   use asperity_law_normal_properties, only: check_range
+   use asperity_replay_tenon_load_path, only: tenon_programme
+   use asperity_replay_tenon_settings, only: check_tenon_settings, tenon_face_arm, tenon_settings
    implicit none
    private
    public :: tenon_deck, new_tenon_deck
@@ -165,4 +166,4 @@ contains
       end do
    end subroutine find_turns
 
-end module deck_tenon_deck
+end module asperity_deck_tenon_deck

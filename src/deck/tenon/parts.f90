@@ -2,15 +2,15 @@
 !>
 !> x runs along the beam, 0 at the column face; z up, 0 at the middle of the beam; y across it, 0 in
 !> the plane of symmetry.
-module deck_tenon_parts
+module asperity_deck_tenon_parts
    use asperity, only: error_type, wp
-   use asperity_error, only: fatal_error
-   use asperity_properties, only: check_positive, check_range
-   use asperity_text, only: to_text
-   use deck_choices, only: check_mesh_size, deck_choice
-   use deck_hex_mesh, only: add_cut, even_cuts, hex_mesh, joined_cuts, new_grid_mesh
-   use replay_sizes, only: check_size
-   use replay_tenon_settings, only: tenon_face_arm, tenon_settings
+   use asperity_base_error, only: fatal_error
+   use asperity_base_number_text, only: to_text
+   use asperity_deck_mesh_hexahedra, only: add_cut, even_cuts, hex_mesh, joined_cuts, new_grid_mesh
+   use asperity_deck_options, only: check_mesh_size, deck_choice
+   use asperity_law_normal_properties, only: check_positive, check_range
+   use asperity_replay_sizes, only: check_size
+   use asperity_replay_tenon_settings, only: tenon_face_arm, tenon_settings
    implicit none
    private
    public :: tenon_sizes, default_tenon_sizes, default_mesh_size, check_tenon_sizes, new_column, &
@@ -173,4 +173,4 @@ contains
       node_near = minloc(sum((mesh%nodes - spread(place, 2, size(mesh%nodes, 2)))**2, 1), 1)
    end function node_near
 
-end module deck_tenon_parts
+end module asperity_deck_tenon_parts

@@ -1,17 +1,17 @@
 !> The text of the tenon joint's deck.
-module deck_tenon_text
+module asperity_deck_tenon_text
    use asperity, only: error_type, wp
-   use asperity_text, only: to_text
-   use deck_choices, only: element_kind, for_calculix
-   use deck_hex_mesh, only: nodes_in_box
-   use deck_interaction, only: write_interaction, write_pair
-   use deck_steps, only: close_step, open_step, step_type, write_boundary
-   use deck_tenon_deck, only: tenon_deck
-   use deck_tenon_parts, only: node_near
-   use deck_tenon_words, only: holding_stiffness, write_words
-   use deck_wood, only: write_axes, write_wood
-   use deck_model_writer, only: model_writer
-   use replay_tenon_settings, only: tenon_face_arm
+   use asperity_base_number_text, only: to_text
+   use asperity_deck_cards_interaction, only: write_interaction, write_pair
+   use asperity_deck_cards_load_steps, only: close_step, open_step, step_type, write_boundary
+   use asperity_deck_cards_mesh_writer, only: model_writer
+   use asperity_deck_cards_wood_cards, only: write_axes, write_wood
+   use asperity_deck_mesh_hexahedra, only: nodes_in_box
+   use asperity_deck_options, only: element_kind, for_calculix
+   use asperity_deck_tenon_comments, only: holding_stiffness, write_words
+   use asperity_deck_tenon_deck, only: tenon_deck
+   use asperity_deck_tenon_parts, only: node_near
+   use asperity_replay_tenon_settings, only: tenon_face_arm
    implicit none
    private
    public :: write_tenon_deck
@@ -222,4 +222,4 @@ contains
       end if
    end subroutine write_vanishing
 
-end module deck_tenon_text
+end module asperity_deck_tenon_text

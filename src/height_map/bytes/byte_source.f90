@@ -1,14 +1,14 @@
 !> The bytes of a file, or of a memory that stands for one, without holding more than a block of
 !> them: in pieces at any offset, or line by line.
-module map_file_byte_source
+module asperity_height_map_bytes_byte_source
    use, intrinsic :: iso_c_binding, only: c_associated, c_f_pointer, c_int, c_intptr_t, c_loc, &
       c_long, c_null_char, c_null_ptr, c_ptr, c_size_t
    use, intrinsic :: iso_fortran_env, only: int64
-   use asperity_error, only: error_type, fatal_error, file_error
-   use asperity_kinds, only: wp
-   use map_file_c_files, only: c_fclose, c_fopen, c_fread, c_fseek, c_ftell, c_memchr, c_memmove, &
-      from_end, from_start
-   use asperity_memory, only: check_memory
+   use asperity_base_error, only: error_type, fatal_error, file_error
+   use asperity_base_kinds, only: wp
+   use asperity_base_memory, only: check_memory
+   use asperity_height_map_bytes_libc, only: c_fclose, c_fopen, c_fread, c_fseek, c_ftell, &
+      c_memchr, c_memmove, from_end, from_start
    implicit none
    private
    public :: byte_source, close_source, memory_of, next_line, open_source, progress_report, &
@@ -280,4 +280,4 @@ contains
          int(added, int64), error)
    end subroutine refill
 
-end module map_file_byte_source
+end module asperity_height_map_bytes_byte_source

@@ -1,11 +1,11 @@
 !> Unpacks a zlib stream out of a file piece by piece.
-module map_file_inflate
+module asperity_height_map_bytes_inflate
    use, intrinsic :: iso_c_binding, only: c_char, c_int, c_loc, c_long, c_null_char, c_null_ptr, &
       c_ptr, c_sizeof
    use, intrinsic :: iso_fortran_env, only: int64, int8
-   use asperity_error, only: error_type
-   use map_file_byte_source, only: byte_source, read_at
-   use map_file_places, only: byte_error
+   use asperity_base_error, only: error_type
+   use asperity_height_map_bytes_byte_source, only: byte_source, read_at
+   use asperity_height_map_file_errors, only: byte_error
    implicit none
    private
    public :: end_inflate, finish_inflate, inflate_bytes, inflater, start_inflate
@@ -147,4 +147,4 @@ contains
       self%is_open = .false.
    end subroutine end_inflate
 
-end module map_file_inflate
+end module asperity_height_map_bytes_inflate

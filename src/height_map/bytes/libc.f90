@@ -1,6 +1,6 @@
 !> Interfaces of the functions of C that read files and search bytes. Fortran's own stream
 !> input would copy every block once more, and opens folders with some compilers.
-module map_file_c_files
+module asperity_height_map_bytes_libc
    use, intrinsic :: iso_c_binding, only: c_char, c_int, c_long, c_ptr, c_size_t
    implicit none
    private
@@ -46,4 +46,4 @@ module map_file_c_files
       end function c_memmove
    end interface
 
-end module map_file_c_files
+end module asperity_height_map_bytes_libc

@@ -1,11 +1,11 @@
 !> Numbers whose count is not known beforehand, in chunks: nothing is ever copied to grow, and what
 !> has been used can be given back chunk by chunk, so that numbers and map are hardly ever both
 !> there as a whole.
-module map_file_number_store
+module asperity_height_map_bytes_number_chunks
    use, intrinsic :: iso_fortran_env, only: int32, int64
-   use asperity_error, only: error_type
-   use asperity_kinds, only: wp
-   use asperity_memory, only: check_memory
+   use asperity_base_error, only: error_type
+   use asperity_base_kinds, only: wp
+   use asperity_base_memory, only: check_memory
    implicit none
    private
    public :: number_store
@@ -127,4 +127,4 @@ contains
       if (number == self%chunks) length = self%used
    end subroutine take
 
-end module map_file_number_store
+end module asperity_height_map_bytes_number_chunks

@@ -1,14 +1,14 @@
 !> Reads an XML member of a zip archive as a stream of elements with their texts, by libxml2's
 !> reader: without network, without document types, and so without entities to expand.
-module map_file_xml
+module asperity_height_map_bytes_xml
    use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_f_pointer, c_funloc, c_funptr, &
       c_int, c_null_funptr, c_null_ptr, c_ptr, c_size_t
    use, intrinsic :: iso_fortran_env, only: int64
-   use asperity_error, only: error_type, fatal_error
-   use asperity_text, only: to_text
-   use map_file_byte_source, only: byte_source
-   use map_file_places, only: map_error
-   use map_file_zip, only: handle_of, read_handle, zip_member
+   use asperity_base_error, only: error_type, fatal_error
+   use asperity_base_number_text, only: to_text
+   use asperity_height_map_bytes_byte_source, only: byte_source
+   use asperity_height_map_bytes_zip, only: handle_of, read_handle, zip_member
+   use asperity_height_map_file_errors, only: map_error
    implicit none
    private
    public :: close_xml, next_text, open_xml, xml_reader
@@ -248,4 +248,4 @@ contains
       call c_set_print_handler(c_null_ptr, c_null_funptr)
    end subroutine close_xml
 
-end module map_file_xml
+end module asperity_height_map_bytes_xml

@@ -1,11 +1,11 @@
 !> Reads members of a zip archive by libzip: a file's, or that of a memory.
-module map_file_zip
+module asperity_height_map_bytes_zip
    use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_int, c_int16_t, c_int32_t, &
       c_int64_t, c_null_char, c_null_ptr, c_ptr
    use, intrinsic :: iso_fortran_env, only: int64
-   use asperity_error, only: error_type
-   use map_file_byte_source, only: byte_source
-   use map_file_places, only: count_text, map_error
+   use asperity_base_error, only: error_type
+   use asperity_height_map_bytes_byte_source, only: byte_source
+   use asperity_height_map_file_errors, only: count_text, map_error
    implicit none
    private
    public :: close_member, close_zip, find_member, handle_of, open_member, open_zip, read_handle, &
@@ -257,4 +257,4 @@ contains
       member%handle = c_null_ptr
    end subroutine close_member
 
-end module map_file_zip
+end module asperity_height_map_bytes_zip

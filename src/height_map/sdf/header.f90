@@ -5,19 +5,19 @@
 !> profiles, 2 bytes each, 4 in version 2.0; scales of x, y and z and the resolution of z, doubles;
 !> compression, type of the data and kind of check, 1 byte each. Lengths are in metres. A missing
 !> point is the least number of a type, in the proposal the largest.
-module map_file_sdf_header
+module asperity_height_map_sdf_header
    use, intrinsic :: iso_c_binding, only: c_loc
    use, intrinsic :: iso_fortran_env, only: int64
-   use asperity_error, only: error_type
-   use asperity_finite, only: is_finite
-   use asperity_kinds, only: wp
-   use asperity_text, only: to_text
-   use map_file_byte_source, only: byte_source, read_at
-   use map_file_heights, only: byte_buffer, decode, float32, float64, is_allowed_scale, sint16, &
-      sint32, sint8, uint16, uint32, uint8
-   use map_file_places, only: byte_error, map_error
-   use map_file_units, only: map_hints, settle_step, settle_unit
-   use surface_height_map, only: height_map, missing_height
+   use asperity_base_error, only: error_type
+   use asperity_base_finite, only: is_finite
+   use asperity_base_kinds, only: wp
+   use asperity_base_number_text, only: to_text
+   use asperity_height_map_bytes_byte_source, only: byte_source, read_at
+   use asperity_height_map_decode_heights, only: byte_buffer, decode, float32, float64, &
+      is_allowed_scale, sint16, sint32, sint8, uint16, uint32, uint8
+   use asperity_height_map_file_errors, only: byte_error, map_error
+   use asperity_height_map_type, only: height_map, missing_height
+   use asperity_height_map_units, only: map_hints, settle_step, settle_unit
    implicit none
    private
    public :: check_sdf_header, drop_markers, read_binary_header, sdf_header
@@ -198,4 +198,4 @@ contains
       where ((values <= low .or. values >= high) .and. is_finite(values)) values = missing_height
    end subroutine drop_markers
 
-end module map_file_sdf_header
+end module asperity_height_map_sdf_header

@@ -1,20 +1,22 @@
 !> Reads surface data files of ISO 25178-71: heights by rows of x, the first at y = 0. The BCR
 !> proposal left open where the first one is; MountainsMap takes the largest y, and so it is here.
-module map_file_sdf
+module asperity_height_map_sdf_read
    use, intrinsic :: iso_c_binding, only: c_loc
    use, intrinsic :: iso_fortran_env, only: int64, int8
-   use asperity_error, only: error_type
-   use asperity_kinds, only: wp
-   use map_file_byte_source, only: byte_source, next_line, read_at, start_lines
-   use map_file_fields, only: field_error, field_missing, field_too_large, read_field, skip_field
-   use map_file_heights, only: byte_buffer, bytes_of, decode, float64, height_message, &
-      scale_heights
-   use map_file_new_map, only: allocate_heights
-   use map_file_places, only: byte_error, count_text, fits_memory, line_error
-   use map_file_sdf_header, only: check_sdf_header, drop_markers, read_binary_header, sdf_header
-   use map_file_sdf_text_header, only: read_text_header
-   use map_file_units, only: map_hints
-   use surface_height_map, only: height_map, missing_height
+   use asperity_base_error, only: error_type
+   use asperity_base_kinds, only: wp
+   use asperity_height_map_allocate_map, only: allocate_heights
+   use asperity_height_map_bytes_byte_source, only: byte_source, next_line, read_at, start_lines
+   use asperity_height_map_decode_heights, only: byte_buffer, bytes_of, decode, float64, &
+      height_message, scale_heights
+   use asperity_height_map_file_errors, only: byte_error, count_text, fits_memory, line_error
+   use asperity_height_map_sdf_header, only: check_sdf_header, drop_markers, read_binary_header, &
+      sdf_header
+   use asperity_height_map_sdf_text_header, only: read_text_header
+   use asperity_height_map_text_fields, only: field_error, field_missing, field_too_large, &
+      read_field, skip_field
+   use asperity_height_map_type, only: height_map, missing_height
+   use asperity_height_map_units, only: map_hints
    implicit none
    private
    public :: read_binary_sdf, read_text_sdf
@@ -205,4 +207,4 @@ contains
          'header is wrong')
    end subroutine read_points
 
-end module map_file_sdf
+end module asperity_height_map_sdf_read

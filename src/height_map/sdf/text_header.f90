@@ -1,13 +1,13 @@
 !> The header of the text form of ISO 25178-71: lines `name = value`, closed by a star.
-module map_file_sdf_text_header
+module asperity_height_map_sdf_text_header
    use, intrinsic :: iso_fortran_env, only: int64
-   use asperity_error, only: error_type
-   use asperity_kinds, only: wp
-   use map_file_byte_source, only: byte_source, next_line
-   use map_file_heights, only: float64, uint8
-   use map_file_places, only: line_error, line_text, map_error
-   use map_file_sdf_header, only: sdf_header
-   use map_file_words, only: number_in, plain_key, split_at
+   use asperity_base_error, only: error_type
+   use asperity_base_kinds, only: wp
+   use asperity_height_map_bytes_byte_source, only: byte_source, next_line
+   use asperity_height_map_decode_heights, only: float64, uint8
+   use asperity_height_map_file_errors, only: line_error, line_text, map_error
+   use asperity_height_map_sdf_header, only: sdf_header
+   use asperity_height_map_text_header_fields, only: number_in, plain_key, split_at
    implicit none
    private
    public :: read_text_header
@@ -127,4 +127,4 @@ contains
          'point, sizes and types whole ones')
    end subroutine read_value
 
-end module map_file_sdf_text_header
+end module asperity_height_map_sdf_text_header

@@ -7,19 +7,19 @@
 !> lines; 116 points, 120 to 131 spacings of x, y and z, singles; 180, 196 and 212 their units,
 !> 16 bytes each; 290 inversion; 324 bytes of compressed data; 334 and 336 lengths of comment and
 !> private zone, which follow the header; 474 offset of z, a single.
-module map_file_sur_header
+module asperity_height_map_sur_header
    use, intrinsic :: iso_c_binding, only: c_loc
    use, intrinsic :: iso_fortran_env, only: int64
-   use asperity_error, only: error_type
-   use asperity_finite, only: is_finite
-   use asperity_kinds, only: wp
-   use asperity_text, only: to_text
-   use map_file_byte_source, only: byte_source, read_at
-   use map_file_heights, only: byte_buffer, decode, float32, is_allowed_scale, sint16, sint32, &
-      uint16, uint32
-   use map_file_places, only: byte_error, count_text, plain_excerpt
-   use map_file_units, only: map_hints, plain_unit, settle_step, settle_unit
-   use surface_height_map, only: height_map
+   use asperity_base_error, only: error_type
+   use asperity_base_finite, only: is_finite
+   use asperity_base_kinds, only: wp
+   use asperity_base_number_text, only: to_text
+   use asperity_height_map_bytes_byte_source, only: byte_source, read_at
+   use asperity_height_map_decode_heights, only: byte_buffer, decode, float32, is_allowed_scale, &
+      sint16, sint32, uint16, uint32
+   use asperity_height_map_file_errors, only: byte_error, count_text, plain_excerpt
+   use asperity_height_map_type, only: height_map
+   use asperity_height_map_units, only: map_hints, plain_unit, settle_step, settle_unit
    implicit none
    private
    public :: check_sur_header, read_sur_header, sur_header
@@ -205,4 +205,4 @@ contains
       end do
    end subroutine check_lengths
 
-end module map_file_sur_header
+end module asperity_height_map_sur_header

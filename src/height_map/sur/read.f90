@@ -2,21 +2,22 @@
 !>
 !> Compressed data are: the number of streams, then for each its length unpacked and packed, 4 bytes
 !> each, then the zlib streams.
-module map_file_sur
+module asperity_height_map_sur_read
    use, intrinsic :: iso_c_binding, only: c_loc
    use, intrinsic :: iso_fortran_env, only: int64
-   use asperity_error, only: error_type
-   use asperity_kinds, only: wp
-   use asperity_text, only: to_text
-   use map_file_byte_source, only: byte_source, read_at
-   use map_file_heights, only: byte_buffer, bytes_of, decode, height_message, scale_heights, &
-      sint16, sint32, uint32
-   use map_file_inflate, only: end_inflate, finish_inflate, inflate_bytes, inflater, start_inflate
-   use map_file_new_map, only: allocate_heights
-   use map_file_places, only: byte_error, count_text, fits_memory
-   use map_file_sur_header, only: check_sur_header, read_sur_header, sur_header
-   use map_file_units, only: map_hints
-   use surface_height_map, only: add_note, height_map, missing_height
+   use asperity_base_error, only: error_type
+   use asperity_base_kinds, only: wp
+   use asperity_base_number_text, only: to_text
+   use asperity_height_map_allocate_map, only: allocate_heights
+   use asperity_height_map_bytes_byte_source, only: byte_source, read_at
+   use asperity_height_map_bytes_inflate, only: end_inflate, finish_inflate, inflate_bytes, &
+      inflater, start_inflate
+   use asperity_height_map_decode_heights, only: byte_buffer, bytes_of, decode, height_message, &
+      scale_heights, sint16, sint32, uint32
+   use asperity_height_map_file_errors, only: byte_error, count_text, fits_memory
+   use asperity_height_map_sur_header, only: check_sur_header, read_sur_header, sur_header
+   use asperity_height_map_type, only: add_note, height_map, missing_height
+   use asperity_height_map_units, only: map_hints
    implicit none
    private
    public :: read_sur
@@ -224,4 +225,4 @@ contains
          to_text(number)//': '//message)
    end subroutine put_row
 
-end module map_file_sur
+end module asperity_height_map_sur_read

@@ -1,9 +1,9 @@
 !> Names of columns, as the line before the numbers of a text has them: which column is x, which y
 !> and which z, and their units, such as `y [um],x [um],z [nm]`, `"X_mm";"Y_mm";"Height/um"`.
-module map_file_column_names
-   use map_file_fields, only: choose_separator
-   use map_file_units, only: is_other_unit, plain_unit
-   use map_file_words, only: plain_key
+module asperity_height_map_text_column_names
+   use asperity_height_map_text_fields, only: choose_separator
+   use asperity_height_map_text_header_fields, only: plain_key
+   use asperity_height_map_units, only: is_other_unit, plain_unit
    implicit none
    private
    public :: column_names, read_column_names
@@ -135,4 +135,4 @@ contains
       if (key == 'height' .or. key == 'heights' .or. key == 'elevation') axis_of = 3
    end function axis_of
 
-end module map_file_column_names
+end module asperity_height_map_text_column_names

@@ -1,7 +1,7 @@
 !> The different coordinates along an axis, each with a number, found again fast.
-module map_file_axis
+module asperity_height_map_text_distinct_values
    use, intrinsic :: iso_fortran_env, only: int64
-   use asperity_kinds, only: wp
+   use asperity_base_kinds, only: wp
    implicit none
    private
    public :: axis_type, number_of_coordinate
@@ -106,4 +106,4 @@ contains
       end do
    end subroutine make_room
 
-end module map_file_axis
+end module asperity_height_map_text_distinct_values

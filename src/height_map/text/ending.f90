@@ -1,8 +1,8 @@
 !> Lines of a text that are no numbers: blank ones, and comments, which end the numbers.
-module map_file_text_end
-   use asperity_error, only: error_type
-   use map_file_byte_source, only: byte_source, next_line
-   use map_file_places, only: line_error
+module asperity_height_map_text_ending
+   use asperity_base_error, only: error_type
+   use asperity_height_map_bytes_byte_source, only: byte_source, next_line
+   use asperity_height_map_file_errors, only: line_error
    implicit none
    private
    public :: check_text_end, line_type
@@ -44,4 +44,4 @@ contains
       end do
    end subroutine check_text_end
 
-end module map_file_text_end
+end module asperity_height_map_text_ending

@@ -1,11 +1,12 @@
 !> Fields of a line of text: numbers and words that stand for missing ones, between separators.
-module map_file_fields
-   use asperity_error, only: error_type
-   use asperity_kinds, only: wp
-   use map_file_byte_source, only: byte_source
-   use map_file_numbers, only: number_absent, number_found, number_too_large, read_number
-   use map_file_places, only: excerpt, line_error
-   use surface_height_map, only: missing_height
+module asperity_height_map_text_fields
+   use asperity_base_error, only: error_type
+   use asperity_base_kinds, only: wp
+   use asperity_height_map_bytes_byte_source, only: byte_source
+   use asperity_height_map_file_errors, only: excerpt, line_error
+   use asperity_height_map_text_numbers, only: number_absent, number_found, number_too_large, &
+      read_number
+   use asperity_height_map_type, only: missing_height
    implicit none
    private
    public :: choose_separator, field_error, read_field, skip_field
@@ -272,4 +273,4 @@ contains
       is_of_number = scan(c, '0123456789.+-') > 0
    end function is_of_number
 
-end module map_file_fields
+end module asperity_height_map_text_fields

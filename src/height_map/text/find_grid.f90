@@ -1,7 +1,7 @@
 !> Finds the regular grid that coordinates are on, in any order and with rounded figures.
-module map_file_grid
-   use asperity_kinds, only: wp
-   use asperity_text, only: to_text
+module asperity_height_map_text_find_grid
+   use asperity_base_kinds, only: wp
+   use asperity_base_number_text, only: to_text
    implicit none
    private
    public :: find_grid
@@ -115,4 +115,4 @@ contains
       order(root) = moved
    end subroutine sift
 
-end module map_file_grid
+end module asperity_height_map_text_find_grid

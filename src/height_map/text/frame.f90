@@ -6,13 +6,13 @@
 !> NaN in the corner they must stand off the heights behind them as well, as heights do not; and one
 !> of them alone must count from 0 or 1. What looks like an axis and is not taken for one is in
 !> doubt.
-module map_file_frame
+module asperity_height_map_text_frame
    use, intrinsic :: iso_fortran_env, only: int64
-   use asperity_error, only: error_type
-   use asperity_kinds, only: wp
-   use map_file_byte_source, only: byte_source
-   use surface_height_map, only: fewest_points, missing_height
-   use asperity_memory, only: check_memory
+   use asperity_base_error, only: error_type
+   use asperity_base_kinds, only: wp
+   use asperity_base_memory, only: check_memory
+   use asperity_height_map_bytes_byte_source, only: byte_source
+   use asperity_height_map_type, only: fewest_points, missing_height
    implicit none
    private
    public :: border_type, find_frame, frame_type
@@ -173,4 +173,4 @@ contains
       end do
    end subroutine equal_steps
 
-end module map_file_frame
+end module asperity_height_map_text_frame

@@ -1,18 +1,18 @@
 !> What a line before the numbers of a text file says: sizes, steps, units, a factor of heights, the
 !> number that marks missing points, names of columns. Known are Esri's ASCII grid, Gwyddion's text
 !> export, pixel sizes and factors as holography exports have them, and the lines that
-!> `map_file_write` writes. What was not understood is kept, to be told.
-module map_file_text_header
+!> `asperity_height_map_write` writes. What was not understood is kept, to be told.
+module asperity_height_map_text_header
    use, intrinsic :: iso_fortran_env, only: int64
-   use asperity_error, only: error_type
-   use asperity_kinds, only: wp
-   use asperity_text, only: to_text
-   use map_file_byte_source, only: byte_source
-   use map_file_column_names, only: column_names, read_column_names
-   use map_file_heights, only: is_allowed_scale
-   use map_file_places, only: line_error, plain_excerpt
-   use map_file_units, only: plain_unit, unit_length
-   use map_file_words, only: next_pair, number_in, split_at
+   use asperity_base_error, only: error_type
+   use asperity_base_kinds, only: wp
+   use asperity_base_number_text, only: to_text
+   use asperity_height_map_bytes_byte_source, only: byte_source
+   use asperity_height_map_decode_heights, only: is_allowed_scale
+   use asperity_height_map_file_errors, only: line_error, plain_excerpt
+   use asperity_height_map_text_column_names, only: column_names, read_column_names
+   use asperity_height_map_text_header_fields, only: next_pair, number_in, split_at
+   use asperity_height_map_units, only: plain_unit, unit_length
    implicit none
    private
    public :: header_remark, marks_missing, note_unknown, read_header_line, text_header
@@ -288,4 +288,4 @@ contains
       text = text//'.'
    end subroutine header_remark
 
-end module map_file_text_header
+end module asperity_height_map_text_header

@@ -1,7 +1,7 @@
 !> Keys and values of headers.
-module map_file_words
-   use asperity_kinds, only: wp
-   use map_file_numbers, only: number_found, read_number
+module asperity_height_map_text_header_fields
+   use asperity_base_kinds, only: wp
+   use asperity_height_map_text_numbers, only: number_found, read_number
    implicit none
    private
    public :: next_pair, number_in, plain_key, split_at
@@ -85,4 +85,4 @@ contains
       if (place <= len(text)) value = trim(text(place:))
    end subroutine split_at
 
-end module map_file_words
+end module asperity_height_map_text_header_fields

@@ -1,21 +1,22 @@
 !> Reads a matrix of heights from text: a line for each row of x, the first at y = 0; in Esri's
 !> grid, and below an axis of falling y, the last. Numbers and axes around the heights are left out.
-module map_file_matrix
+module asperity_height_map_text_matrix
    use, intrinsic :: iso_fortran_env, only: int64
-   use asperity_error, only: error_type
-   use asperity_kinds, only: wp
-   use map_file_byte_source, only: byte_source, next_line
-   use map_file_fields, only: field_error, field_missing, field_number, read_field, skip_field
-   use map_file_frame, only: border_type, find_frame, frame_type
-   use map_file_heights, only: height_message, scale_heights
-   use map_file_matrix_steps, only: check_size, check_units, settle_steps
-   use map_file_new_map, only: allocate_heights
-   use map_file_number_store, only: number_store
-   use map_file_places, only: count_text, fits_memory, line_error
-   use map_file_text_end, only: check_text_end, line_type, line_blank, line_comment
-   use map_file_text_header, only: marks_missing, text_header
-   use map_file_units, only: map_hints
-   use surface_height_map, only: height_map, missing_height
+   use asperity_base_error, only: error_type
+   use asperity_base_kinds, only: wp
+   use asperity_height_map_allocate_map, only: allocate_heights
+   use asperity_height_map_bytes_byte_source, only: byte_source, next_line
+   use asperity_height_map_bytes_number_chunks, only: number_store
+   use asperity_height_map_decode_heights, only: height_message, scale_heights
+   use asperity_height_map_file_errors, only: count_text, fits_memory, line_error
+   use asperity_height_map_text_ending, only: check_text_end, line_type, line_blank, line_comment
+   use asperity_height_map_text_fields, only: field_error, field_missing, field_number, &
+      read_field, skip_field
+   use asperity_height_map_text_frame, only: border_type, find_frame, frame_type
+   use asperity_height_map_text_header, only: marks_missing, text_header
+   use asperity_height_map_text_matrix_steps, only: check_size, check_units, settle_steps
+   use asperity_height_map_type, only: height_map, missing_height
+   use asperity_height_map_units, only: map_hints
    implicit none
    private
    public :: read_matrix
@@ -259,4 +260,4 @@ contains
       end do
    end subroutine unload
 
-end module map_file_matrix
+end module asperity_height_map_text_matrix

@@ -1,16 +1,16 @@
 !> The steps of a matrix: those that its header says, or that follow from the lengths of the whole
 !> map or from axes around the heights, or what the user says.
-module map_file_matrix_steps
+module asperity_height_map_text_matrix_steps
    use, intrinsic :: iso_fortran_env, only: int64
-   use asperity_error, only: error_type
-   use asperity_kinds, only: wp
-   use asperity_text, only: to_text
-   use map_file_byte_source, only: byte_source
-   use map_file_frame, only: frame_type
-   use map_file_places, only: count_text, line_error, map_error
-   use map_file_text_header, only: text_header
-   use map_file_units, only: map_hints, settle_step, settle_unit, unit_of_length
-   use surface_height_map, only: add_note, height_map
+   use asperity_base_error, only: error_type
+   use asperity_base_kinds, only: wp
+   use asperity_base_number_text, only: to_text
+   use asperity_height_map_bytes_byte_source, only: byte_source
+   use asperity_height_map_file_errors, only: count_text, line_error, map_error
+   use asperity_height_map_text_frame, only: frame_type
+   use asperity_height_map_text_header, only: text_header
+   use asperity_height_map_type, only: add_note, height_map
+   use asperity_height_map_units, only: map_hints, settle_step, settle_unit, unit_of_length
    implicit none
    private
    public :: check_size, check_units, settle_steps
@@ -192,4 +192,4 @@ contains
          error)
    end subroutine find_unit
 
-end module map_file_matrix_steps
+end module asperity_height_map_text_matrix_steps

@@ -3,10 +3,10 @@
 !> A whole number below 2^53 times or over a power of ten up to 10^22 takes one operation, which
 !> rounds once (Clinger 1990). Others are computed to 30 digits, which settles the rounding unless
 !> the number is that close to the middle of two doubles; those few are left to Fortran's own read.
-module map_file_numbers
+module asperity_height_map_text_numbers
    use, intrinsic :: iso_fortran_env, only: int64
-   use asperity_double_double, only: double_double, quotient, operator(*)
-   use asperity_kinds, only: wp
+   use asperity_base_double_double, only: double_double, quotient, operator(*)
+   use asperity_base_kinds, only: wp
    implicit none
    private
    public :: read_number
@@ -213,4 +213,4 @@ contains
       ratio%low = ratio%low + low%high
    end function ratio
 
-end module map_file_numbers
+end module asperity_height_map_text_numbers

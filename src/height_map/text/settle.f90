@@ -1,14 +1,14 @@
 !> What is settled about the heights of a text: mm of a number, and the number that marks missing
 !> points, by its header or by the user.
-module map_file_text_settle
-   use asperity_error, only: error_type
-   use asperity_kinds, only: wp
-   use asperity_text, only: to_text
-   use map_file_byte_source, only: byte_source
-   use map_file_places, only: map_error
-   use map_file_text_header, only: header_remark, text_header
-   use map_file_units, only: map_hints, settle_unit, unit_length
-   use surface_height_map, only: add_note, height_map
+module asperity_height_map_text_settle
+   use asperity_base_error, only: error_type
+   use asperity_base_kinds, only: wp
+   use asperity_base_number_text, only: to_text
+   use asperity_height_map_bytes_byte_source, only: byte_source
+   use asperity_height_map_file_errors, only: map_error
+   use asperity_height_map_text_header, only: header_remark, text_header
+   use asperity_height_map_type, only: add_note, height_map
+   use asperity_height_map_units, only: map_hints, settle_unit, unit_length
    implicit none
    private
    public :: settle_heights
@@ -67,4 +67,4 @@ contains
       end if
    end subroutine settle_heights
 
-end module map_file_text_settle
+end module asperity_height_map_text_settle

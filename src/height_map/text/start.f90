@@ -1,15 +1,15 @@
 !> Finds the first line of numbers of a text file, and reads the lines before it.
-module map_file_text_start
+module asperity_height_map_text_start
    use, intrinsic :: iso_fortran_env, only: int64
-   use asperity_error, only: error_type
-   use asperity_kinds, only: wp
-   use map_file_byte_source, only: byte_source, next_line
-   use map_file_fields, only: choose_separator, field_error, field_missing, field_number, &
-      field_text, read_field, skip_field
-   use map_file_places, only: count_text, line_error, line_text, map_error
-   use map_file_text_end, only: line_other, line_type
-   use map_file_text_header, only: note_unknown, read_header_line, text_header
-   use surface_height_map, only: fewest_points
+   use asperity_base_error, only: error_type
+   use asperity_base_kinds, only: wp
+   use asperity_height_map_bytes_byte_source, only: byte_source, next_line
+   use asperity_height_map_file_errors, only: count_text, line_error, line_text, map_error
+   use asperity_height_map_text_ending, only: line_other, line_type
+   use asperity_height_map_text_fields, only: choose_separator, field_error, field_missing, &
+      field_number, field_text, read_field, skip_field
+   use asperity_height_map_text_header, only: note_unknown, read_header_line, text_header
+   use asperity_height_map_type, only: fewest_points
    implicit none
    private
    public :: read_text_start
@@ -185,4 +185,4 @@ contains
       end do
    end subroutine count_fields
 
-end module map_file_text_start
+end module asperity_height_map_text_start

@@ -3,24 +3,26 @@
 !> While reading, a point takes 12 bytes: its height and the numbers of its x and y among those
 !> that differ. They are given back while the map fills, so that both together stay below three
 !> times the map.
-module map_file_xyz
+module asperity_height_map_text_xyz
    use, intrinsic :: iso_fortran_env, only: int32, int64
-   use asperity_error, only: error_type
-   use asperity_kinds, only: wp
-   use asperity_text, only: to_text
-   use map_file_axis, only: axis_type, most_coordinates, number_of_coordinate
-   use map_file_byte_source, only: byte_source, next_line
-   use map_file_fields, only: field_error, field_missing, field_number, read_field, skip_field
-   use map_file_grid, only: find_grid
-   use map_file_heights, only: height_message, scale_heights
-   use map_file_new_map, only: allocate_heights
-   use map_file_number_store, only: number_store
-   use map_file_places, only: count_text, line_error, map_error
-   use map_file_text_end, only: check_text_end, line_blank, line_comment, line_type
-   use map_file_text_header, only: marks_missing, text_header
-   use map_file_units, only: map_hints, settle_step, settle_unit
-   use surface_height_map, only: height_map, missing_height
-   use asperity_memory, only: check_room
+   use asperity_base_error, only: error_type
+   use asperity_base_kinds, only: wp
+   use asperity_base_memory, only: check_room
+   use asperity_base_number_text, only: to_text
+   use asperity_height_map_allocate_map, only: allocate_heights
+   use asperity_height_map_bytes_byte_source, only: byte_source, next_line
+   use asperity_height_map_bytes_number_chunks, only: number_store
+   use asperity_height_map_decode_heights, only: height_message, scale_heights
+   use asperity_height_map_file_errors, only: count_text, line_error, map_error
+   use asperity_height_map_text_distinct_values, only: axis_type, most_coordinates, &
+      number_of_coordinate
+   use asperity_height_map_text_ending, only: check_text_end, line_blank, line_comment, line_type
+   use asperity_height_map_text_fields, only: field_error, field_missing, field_number, &
+      read_field, skip_field
+   use asperity_height_map_text_find_grid, only: find_grid
+   use asperity_height_map_text_header, only: marks_missing, text_header
+   use asperity_height_map_type, only: height_map, missing_height
+   use asperity_height_map_units, only: map_hints, settle_step, settle_unit
    implicit none
    private
    public :: read_xyz
@@ -248,4 +250,4 @@ contains
       end do
    end subroutine unload
 
-end module map_file_xyz
+end module asperity_height_map_text_xyz

@@ -1,19 +1,19 @@
 !> The description of an X3P file (ISO 25178-72): its member main.xml.
-module map_file_x3p_header
+module asperity_height_map_x3p_header
    use, intrinsic :: iso_fortran_env, only: int64
-   use asperity_error, only: error_type
-   use asperity_finite, only: is_finite
-   use asperity_kinds, only: wp
-   use asperity_text, only: to_text
-   use map_file_byte_source, only: byte_source
-   use map_file_heights, only: float32, float64, is_allowed_scale, sint16, sint32
-   use map_file_number_store, only: number_store
-   use map_file_places, only: count_text, map_error
-   use map_file_units, only: map_hints, settle_step, settle_unit
-   use map_file_words, only: number_in, plain_key
-   use map_file_xml, only: close_xml, next_text, open_xml, xml_reader
-   use map_file_zip, only: zip_member
-   use surface_height_map, only: height_map, missing_height
+   use asperity_base_error, only: error_type
+   use asperity_base_finite, only: is_finite
+   use asperity_base_kinds, only: wp
+   use asperity_base_number_text, only: to_text
+   use asperity_height_map_bytes_byte_source, only: byte_source
+   use asperity_height_map_bytes_number_chunks, only: number_store
+   use asperity_height_map_bytes_xml, only: close_xml, next_text, open_xml, xml_reader
+   use asperity_height_map_bytes_zip, only: zip_member
+   use asperity_height_map_decode_heights, only: float32, float64, is_allowed_scale, sint16, sint32
+   use asperity_height_map_file_errors, only: count_text, map_error
+   use asperity_height_map_text_header_fields, only: number_in, plain_key
+   use asperity_height_map_type, only: height_map, missing_height
+   use asperity_height_map_units, only: map_hints, settle_step, settle_unit
    implicit none
    private
    public :: check_x3p_header, read_x3p_header, x3p_header
@@ -272,4 +272,4 @@ contains
       end do
    end function plain
 
-end module map_file_x3p_header
+end module asperity_height_map_x3p_header

@@ -1,20 +1,21 @@
 !> Reads X3P files (ISO 25178-72): a zip archive with main.xml, a member with the numbers, x
 !> fastest and their little end first, and maybe one with a bit for each that says whether it is
 !> valid, the lowest bit first. zip's own checksums are verified, those in main.xml are not needed.
-module map_file_x3p
+module asperity_height_map_x3p_read
    use, intrinsic :: iso_c_binding, only: c_loc
    use, intrinsic :: iso_fortran_env, only: int64, int8
-   use asperity_error, only: error_type
-   use asperity_kinds, only: wp
-   use map_file_byte_source, only: byte_source, memory_of, report_progress
-   use map_file_heights, only: byte_buffer, bytes_of, decode, height_message, scale_heights
-   use map_file_new_map, only: allocate_heights
-   use map_file_places, only: count_text, fits_memory, map_error
-   use map_file_units, only: map_hints
-   use map_file_x3p_header, only: check_x3p_header, read_x3p_header, x3p_header
-   use map_file_zip, only: close_member, close_zip, find_member, open_member, open_zip, &
-      read_member, zip_archive, zip_member
-   use surface_height_map, only: height_map, missing_height
+   use asperity_base_error, only: error_type
+   use asperity_base_kinds, only: wp
+   use asperity_height_map_allocate_map, only: allocate_heights
+   use asperity_height_map_bytes_byte_source, only: byte_source, memory_of, report_progress
+   use asperity_height_map_bytes_zip, only: close_member, close_zip, find_member, open_member, &
+      open_zip, read_member, zip_archive, zip_member
+   use asperity_height_map_decode_heights, only: byte_buffer, bytes_of, decode, height_message, &
+      scale_heights
+   use asperity_height_map_file_errors, only: count_text, fits_memory, map_error
+   use asperity_height_map_type, only: height_map, missing_height
+   use asperity_height_map_units, only: map_hints
+   use asperity_height_map_x3p_header, only: check_x3p_header, read_x3p_header, x3p_header
    implicit none
    private
    public :: read_x3p
@@ -236,4 +237,4 @@ contains
       end do
    end subroutine read_list
 
-end module map_file_x3p
+end module asperity_height_map_x3p_read

@@ -2,9 +2,9 @@
 !> small against sigma. As w2/w1 is always 110, they are constants in w/w1: Gauss-Legendre, even in
 !> sqrt(w/w1) on the elastic range and in ln(w/w1) on the elasto-plastic one. Numbers from
 !> test/reference/fixed_rule_constants.py.
-module asperity_fixed_rule
-   use asperity_exponential, only: exponentials
-   use asperity_kinds, only: wp
+module asperity_law_quadrature_fixed_points
+   use asperity_base_kinds, only: wp
+   use asperity_law_exponential, only: exponentials
    implicit none
    private
    public :: force_powers
@@ -72,4 +72,4 @@ contains
       powers(n_lower + 1:) = upper/powers(n_elastoplastic - n_lower:1:-1)
    end function force_powers
 
-end module asperity_fixed_rule
+end module asperity_law_quadrature_fixed_points

@@ -1,7 +1,7 @@
 !> Gauss-Legendre rule of 48 points on [-1, 1]: enough for a Gaussian cut at exp(-45) of its
 !> peak times a smooth factor, to round-off.
-module asperity_gauss_legendre
-   use asperity_kinds, only: wp
+module asperity_law_quadrature_gauss_legendre
+   use asperity_base_kinds, only: wp
    implicit none
    private
    public :: pairwise_sum
@@ -51,4 +51,4 @@ contains
       pairwise_sum = sum(halves(:n))
    end function pairwise_sum
 
-end module asperity_gauss_legendre
+end module asperity_law_quadrature_gauss_legendre

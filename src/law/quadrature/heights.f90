@@ -1,12 +1,12 @@
 !> Quadrature over summit heights: Gauss points and weights for integrals of functions that are
 !> smooth in sqrt(w) or in ln(w), times the Gaussian density of heights, over a range of
 !> deformations w.
-module asperity_height_quadrature
-   use asperity_exponential, only: exponentials
-   use asperity_gauss_legendre, only: n_points, nodes, weights
-   use asperity_gaussian_tail, only: density_reach, phi_0
-   use asperity_kinds, only: wp
-   use asperity_properties, only: normal_properties
+module asperity_law_quadrature_heights
+   use asperity_base_kinds, only: wp
+   use asperity_law_exponential, only: exponentials
+   use asperity_law_gaussian_tail, only: density_reach, phi_0
+   use asperity_law_normal_properties, only: normal_properties
+   use asperity_law_quadrature_gauss_legendre, only: n_points, nodes, weights
    implicit none
    private
    public :: quadrature_type, new_quadrature, new_log_quadrature, relative_exponent
@@ -201,4 +201,4 @@ contains
       end if
    end function relative_exponent
 
-end module asperity_height_quadrature
+end module asperity_law_quadrature_heights

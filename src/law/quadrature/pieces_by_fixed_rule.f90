@@ -1,14 +1,14 @@
 !> The elastic and the elasto-plastic piece of the normal law on the points of the fixed rule: few,
 !> constant, without a power function. Ten times faster than the quadrature of law_pieces, and as
 !> accurate where it serves.
-module asperity_fixed_pieces
-   use asperity_exponential, only: exponentials
-   use asperity_fixed_rule, only: elastic_weight, elastoplastic_ratio, elastoplastic_weight, &
-      force_powers, log_ratio, n_elastic, n_elastoplastic, root_ratio
-   use asperity_gaussian_tail, only: phi_0
-   use asperity_kinds, only: wp
-   use asperity_law_pieces, only: piece_type
-   use asperity_properties, only: normal_properties, plastic_area_exponent
+module asperity_law_quadrature_pieces_by_fixed_rule
+   use asperity_base_kinds, only: wp
+   use asperity_law_exponential, only: exponentials
+   use asperity_law_gaussian_tail, only: phi_0
+   use asperity_law_normal_properties, only: normal_properties, plastic_area_exponent
+   use asperity_law_quadrature_fixed_points, only: elastic_weight, elastoplastic_ratio, &
+      elastoplastic_weight, force_powers, log_ratio, n_elastic, n_elastoplastic, root_ratio
+   use asperity_law_quadrature_pieces_by_quadrature, only: piece_type
    implicit none
    private
    public :: fixed_pieces_serve, evaluate_fixed_pieces
@@ -101,4 +101,4 @@ contains
       weighted = (parts(1) + parts(3)) + (parts(2) + parts(4))
    end function weighted
 
-end module asperity_fixed_pieces
+end module asperity_law_quadrature_pieces_by_fixed_rule

@@ -1,13 +1,13 @@
 !> The three pieces of the normal law: integrals over elastic, elasto-plastic and plastic summits,
 !> the first two by quadrature that fits any properties and separation, the last in closed form.
-module asperity_law_pieces
-   use asperity_exponential, only: exponentials
-   use asperity_gauss_legendre, only: n_points, pairwise_sum
-   use asperity_gaussian_tail, only: tail_moments
-   use asperity_height_quadrature, only: new_log_quadrature, new_quadrature, quadrature_type, &
+module asperity_law_quadrature_pieces_by_quadrature
+   use asperity_base_kinds, only: wp
+   use asperity_law_exponential, only: exponentials
+   use asperity_law_gaussian_tail, only: tail_moments
+   use asperity_law_normal_properties, only: normal_properties
+   use asperity_law_quadrature_gauss_legendre, only: n_points, pairwise_sum
+   use asperity_law_quadrature_heights, only: new_log_quadrature, new_quadrature, quadrature_type, &
       relative_exponent
-   use asperity_kinds, only: wp
-   use asperity_properties, only: normal_properties
    implicit none
    private
    public :: piece_type, elastic_piece, elastoplastic_piece, plastic_piece
@@ -99,4 +99,4 @@ contains
          + 0.5_wp*slope*(moments(2) + 2.0_wp*b*moments(1))/(a*a)
    end function plastic_piece
 
-end module asperity_law_pieces
+end module asperity_law_quadrature_pieces_by_quadrature

@@ -1,17 +1,19 @@
 !> Turns settings into what a command runs on: checked properties and the settings of its test.
-module app_config
+module asperity_program_commands_config
    use asperity, only: contact_properties, error_type, new_contact_properties, &
       new_normal_properties, normal_properties, rule_abaqus, rule_dissipative, &
       slip_backward_euler, slip_exact, wp
-   use asperity_error, only: fatal_error
-   use asperity_text, only: to_text
-   use replay_press, only: press_settings
-   use replay_shear_box, only: shear_settings
-   use replay_tenon_settings, only: tenon_settings
-   use app_effective, only: locate
-   use app_keys, only: command_curve, command_table, command_tenon, find_key, shears, tenons
-   use app_settings, only: settings_type
-   use app_tenon_config, only: new_side_properties, new_tenon_settings, whole_list
+   use asperity_base_error, only: fatal_error
+   use asperity_base_number_text, only: to_text
+   use asperity_program_commands_tenon_config, only: new_side_properties, new_tenon_settings, &
+      whole_list
+   use asperity_program_input_keys, only: command_curve, command_table, command_tenon, find_key, &
+      shears, tenons
+   use asperity_program_input_resolve, only: locate
+   use asperity_program_input_settings, only: settings_type
+   use asperity_replay_press, only: press_settings
+   use asperity_replay_shear_box, only: shear_settings
+   use asperity_replay_tenon_settings, only: tenon_settings
    implicit none
    private
    public :: config_type, new_config
@@ -120,4 +122,4 @@ contains
          ' mm is not allowed: it must be below 1e100 sigma in size')
    end subroutine check_separation
 
-end module app_config
+end module asperity_program_commands_config

@@ -1,13 +1,13 @@
 !> `asperity curve`: the normal law at a list of separations.
-module app_curve
+module asperity_program_commands_curve
    use, intrinsic :: iso_fortran_env, only: int64
    use asperity, only: error_type, evaluate_normal_law, normal_response
-   use asperity_memory, only: check_work
-   use asperity_text, only: to_text
-   use app_config, only: config_type
-   use app_progress, only: progress_type
-   use app_report, only: report_type, turning_points
-   use app_table, only: column_validity, new_table
+   use asperity_base_memory, only: check_work
+   use asperity_base_number_text, only: to_text
+   use asperity_program_commands_config, only: config_type
+   use asperity_program_report_report, only: report_type, turning_points
+   use asperity_program_report_table, only: column_validity, new_table
+   use asperity_program_system_progress, only: progress_type
    implicit none
    private
    public :: report_curve
@@ -64,4 +64,4 @@ contains
       report%important = turning_points(config%separation)
    end subroutine report_curve
 
-end module app_curve
+end module asperity_program_commands_curve

@@ -1,21 +1,21 @@
 !> `asperity deck`: input decks of the shear test and of the tenon joint for ABAQUS and CalculiX.
-module app_deck
+module asperity_program_commands_deck
    use asperity, only: error_type, wp
-   use asperity_error, only: fatal_error
-   use asperity_text, only: to_text
-   use deck_choices, only: deck_choice
-   use deck_hex_mesh, only: hex_mesh, mesh_volume
-   use deck_shear_deck, only: new_shear_deck, shear_deck
-   use deck_shear_text, only: write_shear_deck
-   use deck_tenon_deck, only: new_tenon_deck, tenon_deck
-   use deck_tenon_parts, only: tenon_sizes
-   use deck_tenon_text, only: write_tenon_deck
-   use replay_shear_settings, only: shear_settings
-   use app_config, only: config_type
-   use app_report, only: report_type
-   use app_settings, only: settings_type
-   use app_strings, only: string_type
-   use app_table, only: column_counts, new_table
+   use asperity_base_error, only: fatal_error
+   use asperity_base_number_text, only: to_text
+   use asperity_deck_mesh_hexahedra, only: hex_mesh, mesh_volume
+   use asperity_deck_options, only: deck_choice
+   use asperity_deck_shear_deck, only: new_shear_deck, shear_deck
+   use asperity_deck_shear_text, only: write_shear_deck
+   use asperity_deck_tenon_deck, only: new_tenon_deck, tenon_deck
+   use asperity_deck_tenon_parts, only: tenon_sizes
+   use asperity_deck_tenon_text, only: write_tenon_deck
+   use asperity_program_commands_config, only: config_type
+   use asperity_program_input_settings, only: settings_type
+   use asperity_program_report_report, only: report_type
+   use asperity_program_report_table, only: column_counts, new_table
+   use asperity_program_system_strings, only: string_type
+   use asperity_replay_shear_settings, only: shear_settings
    implicit none
    private
    public :: report_shear_deck, report_tenon_deck
@@ -169,4 +169,4 @@ contains
       end if
    end subroutine remark
 
-end module app_deck
+end module asperity_program_commands_deck

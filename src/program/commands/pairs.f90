@@ -1,8 +1,8 @@
 !> `asperity pairs`: the pairs of faces and the surfaces of the paper.
-module app_pairs
+module asperity_program_commands_pairs
    use asperity, only: pairs, surfaces, wp
-   use app_report, only: report_type
-   use app_table, only: new_table, no_value
+   use asperity_program_report_report, only: report_type
+   use asperity_program_report_table, only: new_table, no_value
    implicit none
    private
    public :: report_pairs
@@ -41,4 +41,4 @@ contains
       allocate (report%important(report%table%rows), source=.true.)
    end subroutine report_pairs
 
-end module app_pairs
+end module asperity_program_commands_pairs

@@ -1,14 +1,14 @@
 !> Pictures as gnuplot scripts with their data inside.
-module app_plots
+module asperity_program_commands_plots
    use asperity, only: wp
-   use asperity_text, only: to_text
-   use app_keys, only: command_curve, command_hysteresis, command_press, &
+   use asperity_base_number_text, only: to_text
+   use asperity_program_commands_tenon_plots, only: picture_sheet
+   use asperity_program_input_keys, only: command_curve, command_hysteresis, command_press, &
       command_surface, command_table
-   use app_presets, only: faces_text
-   use app_report, only: report_type
-   use app_strings, only: backslash, string_type
-   use app_tenon_plots, only: picture_sheet
-   use app_text_buffer, only: text_buffer
+   use asperity_program_input_presets, only: faces_text
+   use asperity_program_report_report, only: report_type
+   use asperity_program_system_strings, only: backslash, string_type
+   use asperity_program_system_text_buffer, only: text_buffer
    implicit none
    private
    public :: plot_script
@@ -262,4 +262,4 @@ contains
       call b%line('EOD')
    end subroutine add_data
 
-end module app_plots
+end module asperity_program_commands_plots

@@ -1,14 +1,14 @@
 !> `asperity press`: press and release, replayed through UINTER.
-module app_press
+module asperity_program_commands_press
    use, intrinsic :: iso_fortran_env, only: int64
    use asperity, only: error_type
-   use asperity_memory, only: check_work
-   use asperity_text, only: to_text
-   use replay_press, only: press_step, run_press
-   use app_config, only: config_type
-   use app_progress, only: progress_type
-   use app_report, only: report_type, turning_points
-   use app_table, only: column_status, column_validity, new_table
+   use asperity_base_memory, only: check_work
+   use asperity_base_number_text, only: to_text
+   use asperity_program_commands_config, only: config_type
+   use asperity_program_report_report, only: report_type, turning_points
+   use asperity_program_report_table, only: column_status, column_validity, new_table
+   use asperity_program_system_progress, only: progress_type
+   use asperity_replay_press, only: press_step, run_press
    implicit none
    private
    public :: report_press
@@ -63,4 +63,4 @@ contains
       report%important = turning_points((s%overclosure))
    end subroutine report_press
 
-end module app_press
+end module asperity_program_commands_press

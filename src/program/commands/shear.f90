@@ -1,15 +1,16 @@
 !> `asperity shear`: the direct shear box, one replay per normal stress.
-module app_shear
+module asperity_program_commands_shear
    use, intrinsic :: iso_fortran_env, only: int64
    use asperity, only: error_type, status_slip, wp
-   use asperity_memory, only: check_work
-   use asperity_text, only: to_text
-   use replay_shear_box, only: run_shear_box, shear_settings, shear_step
-   use app_config, only: config_type
-   use app_progress, only: progress_type
-   use app_report, only: report_type, turning_points
-   use app_table, only: column_status, column_validity, new_table, no_value, table_type
-   use app_units, only: joule
+   use asperity_base_memory, only: check_work
+   use asperity_base_number_text, only: to_text
+   use asperity_program_commands_config, only: config_type
+   use asperity_program_report_report, only: report_type, turning_points
+   use asperity_program_report_table, only: column_status, column_validity, new_table, no_value, &
+      table_type
+   use asperity_program_report_units, only: joule
+   use asperity_program_system_progress, only: progress_type
+   use asperity_replay_shear_box, only: run_shear_box, shear_settings, shear_step
    implicit none
    private
    public :: report_shear
@@ -158,4 +159,4 @@ contains
       first_turn = findloc(turns, .true., 1)
    end function first_turn
 
-end module app_shear
+end module asperity_program_commands_shear

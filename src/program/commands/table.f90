@@ -1,14 +1,14 @@
 !> `asperity table`: the law as rows of pressure and overclosure, for programs that interpolate.
-module app_law_table
+module asperity_program_commands_table
    use asperity, only: contact_properties, error_type, evaluate_normal_law, normal_response, wp
-   use asperity_properties, only: check_positive
-   use asperity_text, only: to_text
-   use deck_law_table, only: law_table, new_law_table, stick_slope
-   use deck_table_text, only: host_abaqus, host_calculix, table_interaction
-   use app_config, only: config_type
-   use app_law_table_plot, only: law_table_script
-   use app_report, only: report_type, turning_points
-   use app_table, only: column_counts, column_validity, new_table, no_value
+   use asperity_base_number_text, only: to_text
+   use asperity_deck_law_rows, only: law_table, new_law_table, stick_slope
+   use asperity_deck_law_rows_text, only: host_abaqus, host_calculix, table_interaction
+   use asperity_law_normal_properties, only: check_positive
+   use asperity_program_commands_config, only: config_type
+   use asperity_program_commands_table_plot, only: law_table_script
+   use asperity_program_report_report, only: report_type, turning_points
+   use asperity_program_report_table, only: column_counts, column_validity, new_table, no_value
    implicit none
    private
    public :: report_law_table
@@ -117,4 +117,4 @@ contains
          'The deck says more.'
    end subroutine add_remark
 
-end module app_law_table
+end module asperity_program_commands_table

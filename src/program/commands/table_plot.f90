@@ -1,12 +1,12 @@
 !> Picture of a table of the law as a gnuplot script: rows and law, and the error between them.
-module app_law_table_plot
+module asperity_program_commands_table_plot
    use asperity, only: contact_properties, evaluate_normal_law, normal_response, wp
-   use asperity_text, only: to_text
-   use deck_law_table, only: law_table
-   use app_presets, only: faces_text
-   use app_settings, only: settings_type
-   use app_strings, only: backslash
-   use app_text_buffer, only: text_buffer
+   use asperity_base_number_text, only: to_text
+   use asperity_deck_law_rows, only: law_table
+   use asperity_program_input_presets, only: faces_text
+   use asperity_program_input_settings, only: settings_type
+   use asperity_program_system_strings, only: backslash
+   use asperity_program_system_text_buffer, only: text_buffer
    implicit none
    private
    public :: law_table_script
@@ -68,4 +68,4 @@ contains
       script = b%text()
    end function law_table_script
 
-end module app_law_table_plot
+end module asperity_program_commands_table_plot

@@ -1,16 +1,16 @@
 !> Reads a case file: one group `&asperity ... /` of keys and values, in Fortran's namelist
 !> form, which Fortran's own READ could not check by key and line.
-module app_case_file
+module asperity_program_input_case_file
    use asperity, only: error_type, file_error
-   use asperity_error, only: fatal_error
-   use asperity_text, only: to_text
-   use app_keys, only: find_key, keys, kind_file, n_keys, option_name
-   use app_system, only: read_file
-   use app_scanner, only: new_scanner, scanner_type, token_comma, token_group, &
+   use asperity_base_error, only: fatal_error
+   use asperity_base_number_text, only: to_text
+   use asperity_program_input_keys, only: find_key, keys, kind_file, n_keys, option_name
+   use asperity_program_input_scanner, only: new_scanner, scanner_type, token_comma, token_group, &
       token_none, token_quoted, token_slash, token_type, token_word
-   use app_settings, only: assign_words, settings_type
-   use app_strings, only: lower_case, nearest_name, newline, quoted
-   use app_words, only: word_type
+   use asperity_program_input_settings, only: assign_words, settings_type
+   use asperity_program_input_values, only: word_type
+   use asperity_program_system_files, only: read_file
+   use asperity_program_system_strings, only: lower_case, nearest_name, newline, quoted
    implicit none
    private
    public :: read_case
@@ -227,4 +227,4 @@ contains
       if (token%kind == token_group) text = quoted('&'//token%text)
    end function shown
 
-end module app_case_file
+end module asperity_program_input_case_file

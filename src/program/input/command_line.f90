@@ -1,22 +1,22 @@
 !> Parses the command line, and nothing else, into one type.
-module app_cli
+module asperity_program_input_command_line
    use asperity, only: error_type
-   use asperity_error, only: fatal_error
-   use app_help, only: usage_text
-   use app_keys, only: belongs, command_citation, command_curve, command_deck_shear, &
-      command_deck_tenon, command_help, command_hysteresis, command_names, command_pairs, &
-      command_press, command_shear, command_surface, command_table, command_tenon, &
+   use asperity_base_error, only: fatal_error
+   use asperity_program_input_help, only: usage_text
+   use asperity_program_input_keys, only: belongs, command_citation, command_curve, &
+      command_deck_shear, command_deck_tenon, command_help, command_hysteresis, command_names, &
+      command_pairs, command_press, command_shear, command_surface, command_table, command_tenon, &
       command_version, find_key
-   use app_option, only: parse_option
-   use app_settings, only: settings_type
-   use app_strings, only: nearest_name, quoted, starts_with, string_type
+   use asperity_program_input_option, only: parse_option
+   use asperity_program_input_settings, only: settings_type
+   use asperity_program_system_strings, only: nearest_name, quoted, starts_with, string_type
    implicit none
    private
    public :: command_line_type, parse_command_line
 
    !> What the command line asks for.
    type :: command_line_type
-      !> One of the commands of `app_keys`
+      !> One of the commands of `asperity_program_input_keys`
       integer :: command = 0
       !> Command that help is asked about, zero for all
       integer :: topic = 0
@@ -205,4 +205,4 @@ contains
       end associate
    end subroutine take_file
 
-end module app_cli
+end module asperity_program_input_command_line

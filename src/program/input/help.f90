@@ -1,12 +1,12 @@
 !> Help texts, made from the table of keys.
-module app_help
-   use asperity_version, only: version
-   use app_keys, only: belongs, command_curve, command_deck_shear, command_deck_tenon, &
-      command_hysteresis, command_pairs, command_press, command_shear, command_surface, &
-      command_table, command_tenon, keys, kind_choice, kind_file, kind_integer, kind_list, &
-      kind_logical, kind_real, kind_sweep, kind_text, n_keys, option_name
-   use app_strings, only: escaped, newline
-   use app_text_buffer, only: text_buffer
+module asperity_program_input_help
+   use asperity_base_version, only: version
+   use asperity_program_input_keys, only: belongs, command_curve, command_deck_shear, &
+      command_deck_tenon, command_hysteresis, command_pairs, command_press, command_shear, &
+      command_surface, command_table, command_tenon, keys, kind_choice, kind_file, kind_integer, &
+      kind_list, kind_logical, kind_real, kind_sweep, kind_text, n_keys, option_name
+   use asperity_program_system_strings, only: escaped, newline
+   use asperity_program_system_text_buffer, only: text_buffer
    implicit none
    private
    public :: usage_text, help_text, version_text, citation_text
@@ -238,4 +238,4 @@ contains
          '}'//newline
    end function citation_text
 
-end module app_help
+end module asperity_program_input_help

@@ -1,5 +1,5 @@
 !> What a row of the table of keys is, which commands there are, which kinds of values.
-module app_key_table
+module asperity_program_input_key_table
    implicit none
    private
 
@@ -72,4 +72,4 @@ module app_key_table
       character(len=help_length) :: help
    end type key_type
 
-end module app_key_table
+end module asperity_program_input_key_table

@@ -1,13 +1,13 @@
 !> The one table of everything a user can set. The case-file scanner, the options, the help
 !> texts and `--print-case` all read it, so that none of them can disagree.
-module app_keys
-   use app_key_table, only: all_drawn, all_laws, all_runs, all_tables, command_citation, &
-      command_curve, command_deck_shear, command_deck_tenon, command_help, command_hysteresis, &
-      command_pairs, command_press, command_shear, command_surface, command_table, &
-      command_tenon, command_version, decks, everything, key_type, kind_choice, kind_file, &
-      kind_integer, kind_list, kind_logical, kind_real, kind_request, kind_sweep, kind_text, &
-      moves, records, shears, sized, slides, tabulates, tenons, with_friction
-   use app_surface_keys, only: surface_keys
+module asperity_program_input_keys
+   use asperity_program_input_key_table, only: all_drawn, all_laws, all_runs, all_tables, &
+      command_citation, command_curve, command_deck_shear, command_deck_tenon, command_help, &
+      command_hysteresis, command_pairs, command_press, command_shear, command_surface, &
+      command_table, command_tenon, command_version, decks, everything, key_type, kind_choice, &
+      kind_file, kind_integer, kind_list, kind_logical, kind_real, kind_request, kind_sweep, &
+      kind_text, moves, records, shears, sized, slides, tabulates, tenons, with_friction
+   use asperity_program_input_surface_keys, only: surface_keys
    implicit none
    private
    public :: find_key, option_name, command_names, belongs
@@ -323,4 +323,4 @@ contains
       end do
    end function command_names
 
-end module app_keys
+end module asperity_program_input_keys

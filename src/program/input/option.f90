@@ -1,13 +1,14 @@
 !> One option of the command line: which key it means, and its value.
-module app_option
+module asperity_program_input_option
    use asperity, only: error_type, wp
-   use asperity_error, only: fatal_error
-   use app_keys, only: belongs, command_names, keys, kind_choice, kind_file, kind_list, &
-      kind_logical, kind_request, kind_sweep, kind_text, n_keys, option_name
-   use app_lists, only: read_range, split_words
-   use app_settings, only: assign_values, assign_words, setting_type, settings_type
-   use app_strings, only: nearest_name, starts_with, string_type
-   use app_words, only: word_type
+   use asperity_base_error, only: fatal_error
+   use asperity_program_input_keys, only: belongs, command_names, keys, kind_choice, kind_file, &
+      kind_list, kind_logical, kind_request, kind_sweep, kind_text, n_keys, option_name
+   use asperity_program_input_ranges, only: read_range, split_words
+   use asperity_program_input_settings, only: assign_values, assign_words, setting_type, &
+      settings_type
+   use asperity_program_input_values, only: word_type
+   use asperity_program_system_strings, only: nearest_name, starts_with, string_type
    implicit none
    private
    public :: parse_option
@@ -140,4 +141,4 @@ contains
       call assign_words(setting, keys(key), words, error)
    end subroutine assign_list
 
-end module app_option
+end module asperity_program_input_option

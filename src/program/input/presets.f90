@@ -1,9 +1,9 @@
 !> Fills in the properties that a pair of faces or a surface of the paper gives.
-module app_presets
+module asperity_program_input_presets
    use asperity, only: error_type, find_pair, find_surface, pair_preset, surface_preset, wp
-   use asperity_error, only: fatal_error
-   use app_keys, only: belongs, find_key, keys, kind_real, n_keys
-   use app_settings, only: assign_values, forget, settings_type
+   use asperity_base_error, only: fatal_error
+   use asperity_program_input_keys, only: belongs, find_key, keys, kind_real, n_keys
+   use asperity_program_input_settings, only: assign_values, forget, settings_type
    implicit none
    private
    public :: drop_overridden, apply_presets, check_presets_used, fill, faces_text
@@ -194,4 +194,4 @@ contains
       if (changed) text = text//', changed'
    end function faces_text
 
-end module app_presets
+end module asperity_program_input_presets

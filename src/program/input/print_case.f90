@@ -1,12 +1,12 @@
 !> The effective input as a case file that gives the same run.
-module app_print_case
-   use asperity_text, only: to_text
-   use asperity_version, only: version
-   use app_keys, only: belongs, command_names, keys, kind_choice, kind_file, kind_integer, &
-      kind_list, kind_logical, kind_real, kind_text, n_keys
-   use app_settings, only: settings_type
-   use app_strings, only: escaped, newline, string_type
-   use app_text_buffer, only: text_buffer
+module asperity_program_input_print_case
+   use asperity_base_number_text, only: to_text
+   use asperity_base_version, only: version
+   use asperity_program_input_keys, only: belongs, command_names, keys, kind_choice, kind_file, &
+      kind_integer, kind_list, kind_logical, kind_real, kind_text, n_keys
+   use asperity_program_input_settings, only: settings_type
+   use asperity_program_system_strings, only: escaped, newline, string_type
+   use asperity_program_system_text_buffer, only: text_buffer
    implicit none
    private
    public :: case_text
@@ -110,4 +110,4 @@ contains
       text = buffer%text()
    end function list_text
 
-end module app_print_case
+end module asperity_program_input_print_case

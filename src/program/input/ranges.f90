@@ -1,9 +1,9 @@
 !> Lists of words and numbers as options and defaults write them: `a,b,c` or `start:stop:count`.
-module app_lists
+module asperity_program_input_ranges
    use asperity, only: error_type, wp
-   use asperity_text, only: to_text
-   use app_strings, only: quoted
-   use app_words, only: read_integer, read_real, refuse, word_type
+   use asperity_base_number_text, only: to_text
+   use asperity_program_input_values, only: read_integer, read_real, refuse, word_type
+   use asperity_program_system_strings, only: quoted
    implicit none
    private
    public :: split_words, read_range, linear_range
@@ -122,4 +122,4 @@ contains
       end do
    end function linear_range
 
-end module app_lists
+end module asperity_program_input_ranges

@@ -1,20 +1,22 @@
 !> Settings in effect: options over the case file over presets over defaults, and the place of
 !> each in messages.
-module app_effective
+module asperity_program_input_resolve
    use asperity, only: error_type
+   use asperity_base_error, only: fatal_error
+   use asperity_base_kinds, only: wp
    use asperity_contact_properties, only: default_initial_separation
-   use asperity_error, only: fatal_error
-   use deck_tenon_parts, only: default_mesh_size, default_tenon_sizes, tenon_sizes
-   use replay_tenon_settings, only: complete_tenon_settings, tenon_settings
-   use app_case_file, only: read_case
-   use app_cli, only: command_line_type
-   use app_keys, only: belongs, command_deck_shear, command_deck_tenon, command_hysteresis, &
-      command_press, command_table, command_tenon, decks, find_key, n_keys, tenons
-   use app_lists, only: linear_range
-   use app_presets, only: apply_presets, check_presets_used, drop_overridden, fill
-   use app_settings, only: default_settings, settings_type
-   use app_strings, only: starts_with
-   use asperity_kinds, only: wp
+   use asperity_deck_tenon_parts, only: default_mesh_size, default_tenon_sizes, tenon_sizes
+   use asperity_program_input_case_file, only: read_case
+   use asperity_program_input_command_line, only: command_line_type
+   use asperity_program_input_keys, only: belongs, command_deck_shear, command_deck_tenon, &
+      command_hysteresis, command_press, command_table, command_tenon, decks, find_key, n_keys, &
+      tenons
+   use asperity_program_input_presets, only: apply_presets, check_presets_used, drop_overridden, &
+      fill
+   use asperity_program_input_ranges, only: linear_range
+   use asperity_program_input_settings, only: default_settings, settings_type
+   use asperity_program_system_strings, only: starts_with
+   use asperity_replay_tenon_settings, only: complete_tenon_settings, tenon_settings
    implicit none
    private
    public :: case_settings, settled, leader_of, locate, mark_unused
@@ -244,4 +246,4 @@ contains
       if (leader == 0) leader = key
    end function leader_of
 
-end module app_effective
+end module asperity_program_input_resolve

@@ -1,10 +1,10 @@
 !> Splits the text of a case file into words, quoted texts and marks, each with its line.
 !> What it accepts is a subset of Fortran's namelist input.
-module app_scanner
+module asperity_program_input_scanner
    use asperity, only: error_type
-   use asperity_error, only: fatal_error
-   use asperity_text, only: to_text
-   use app_strings, only: newline, quoted
+   use asperity_base_error, only: fatal_error
+   use asperity_base_number_text, only: to_text
+   use asperity_program_system_strings, only: newline, quoted
    implicit none
    private
    public :: scanner_type, token_type, new_scanner
@@ -251,4 +251,4 @@ contains
       place = self%name//':'//to_text(line)
    end function place
 
-end module app_scanner
+end module asperity_program_input_scanner

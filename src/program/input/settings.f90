@@ -1,11 +1,11 @@
-!> Values of the keys of `app_keys`: what was given, where, and its conversion from text.
-module app_settings
+!> Values of the keys (see keys.f90): what was given, where, and its conversion from text.
+module asperity_program_input_settings
    use asperity, only: error_type, wp
-   use app_keys, only: find_key, key_type, keys, kind_choice, kind_file, kind_integer, &
-      kind_list, kind_logical, kind_real, kind_sweep, kind_text, n_keys
-   use app_lists, only: longest_list, split_words
-   use app_strings, only: escaped, lower_case, quoted
-   use app_words, only: read_integer, read_logical, read_real, refuse, word_type
+   use asperity_program_input_keys, only: find_key, key_type, keys, kind_choice, kind_file, &
+      kind_integer, kind_list, kind_logical, kind_real, kind_sweep, kind_text, n_keys
+   use asperity_program_input_ranges, only: longest_list, split_words
+   use asperity_program_input_values, only: read_integer, read_logical, read_real, refuse, word_type
+   use asperity_program_system_strings, only: escaped, lower_case, quoted
    implicit none
    private
    public :: setting_type, settings_type, assign_words, assign_values, forget, default_settings, &
@@ -251,4 +251,4 @@ contains
          unit = trim(merge('mm ', 'MPa', self%text_of('control') == 'overclosure'))
    end function unit_of
 
-end module app_settings
+end module asperity_program_input_settings

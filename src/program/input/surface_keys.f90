@@ -1,7 +1,7 @@
 !> Keys of `asperity surface` that no other command has.
-module app_surface_keys
-   use app_key_table, only: command_surface, key_type, kind_choice, kind_file, kind_integer, &
-      kind_list, kind_logical, kind_real, kind_text
+module asperity_program_input_surface_keys
+   use asperity_program_input_key_table, only: command_surface, key_type, kind_choice, kind_file, &
+      kind_integer, kind_list, kind_logical, kind_real, kind_text
    implicit none
    private
 
@@ -75,4 +75,4 @@ module app_surface_keys
       key_type('map', kind_file, '', command_surface, no, '', '', &
       'write the map as it was analysed, .sdf, .xyz or .csv')]
 
-end module app_surface_keys
+end module asperity_program_input_surface_keys

@@ -1,9 +1,9 @@
 !> Words of the user, as they stand in a case file or in an option, and what they mean.
-module app_words
+module asperity_program_input_values
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use asperity, only: error_type, wp
-   use asperity_error, only: fatal_error
-   use app_strings, only: lower_case, quoted
+   use asperity_base_error, only: fatal_error
+   use asperity_program_system_strings, only: lower_case, quoted
    implicit none
    private
    public :: word_type, read_integer, read_logical, read_real, refuse
@@ -160,4 +160,4 @@ contains
       call fatal_error(error, word%source//': '//message)
    end subroutine refuse
 
-end module app_words
+end module asperity_program_input_values

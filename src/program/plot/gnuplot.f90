@@ -1,15 +1,15 @@
 !> Draws pictures with gnuplot, which reads its script from a pipe and writes the picture into a
 !> temporary file.
-module app_gnuplot
+module asperity_program_plot_gnuplot
    use asperity, only: computation_error, error_type, file_error
-   use asperity_error, only: fatal_error
-   use app_output, only: output_file
-   use app_part_file, only: close_part, create_part, free_name, part_file
-   use app_process, only: close_shell, held_interrupts, hold_interrupts, open_shell, &
-      release_interrupts, run_shell, shell_type
-   use app_strings, only: backslash, escaped, lower_case, newline
-   use app_system, only: read_file, remove_file
-   use app_utf8, only: utf8_text
+   use asperity_base_error, only: fatal_error
+   use asperity_program_system_atomic_files, only: output_file
+   use asperity_program_system_files, only: read_file, remove_file
+   use asperity_program_system_part_file, only: close_part, create_part, free_name, part_file
+   use asperity_program_system_process, only: close_shell, held_interrupts, hold_interrupts, &
+      open_shell, release_interrupts, run_shell, shell_type
+   use asperity_program_system_strings, only: backslash, escaped, lower_case, newline
+   use asperity_program_system_utf8, only: utf8_text
    implicit none
    private
    public :: check_picture, draw
@@ -140,4 +140,4 @@ contains
       word = "'"//escaped(text, "'", "'"//backslash//"''")//"'"
    end function shell_word
 
-end module app_gnuplot
+end module asperity_program_plot_gnuplot

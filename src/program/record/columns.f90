@@ -1,23 +1,23 @@
 !> Which columns of a record are taken: those asked for by name or number, else those whose names
 !> and units say that they hold what is looked for.
-module app_record_columns
+module asperity_program_record_columns
    use asperity, only: error_type, wp
-   use asperity_error, only: fatal_error
-   use asperity_text, only: to_text
-   use app_record_headings, only: rank_of, rank_unit
-   use app_record_layout, only: headings_text, layout_type
-   use app_record_lines, only: place_text
-   use app_record_names, only: holds_unknown, quantity_name
-   use app_record_units, only: unit_time, unit_unknown
-   use app_strings, only: lower_case, nearest_name, quoted
-   use app_utf8, only: utf8_text
+   use asperity_base_error, only: fatal_error
+   use asperity_base_number_text, only: to_text
+   use asperity_program_record_headings, only: rank_of, rank_unit
+   use asperity_program_record_layout, only: headings_text, layout_type
+   use asperity_program_record_lines, only: place_text
+   use asperity_program_record_names, only: holds_unknown, quantity_name
+   use asperity_program_record_units, only: unit_time, unit_unknown
+   use asperity_program_system_strings, only: lower_case, nearest_name, quoted
+   use asperity_program_system_utf8, only: utf8_text
    implicit none
    private
    public :: record_column, choose_columns, number_of, column_with_name
 
    !> One column to read.
    type :: record_column
-      !> What it holds, one of `app_record_names`, and its name for messages
+      !> What it holds, one of `asperity_program_record_names`, and its name for messages
       integer :: holds = holds_unknown
       character(len=:), allocatable :: name
       !> Its name in the file or its number, from one; empty if it is to be found
@@ -253,4 +253,4 @@ contains
       call fatal_error(error, layout%path//': '//message//'; '//headings_text(layout))
    end subroutine refuse
 
-end module app_record_columns
+end module asperity_program_record_columns

@@ -1,19 +1,21 @@
 !> Reads columns of numbers from a text file as loggers and spreadsheets write them: separated by
 !> commas, semicolons, tabs or blanks; with or without column names, units and comments; one test,
 !> or several below each other.
-module app_record_file
+module asperity_program_record_file
    use, intrinsic :: iso_fortran_env, only: int64
    use asperity, only: error_type, file_error, wp
-   use asperity_error, only: fatal_error
-   use asperity_memory, only: check_memory, check_work
-   use asperity_text, only: to_text
-   use app_record_columns, only: choose_columns, record_column
-   use app_record_layout, only: find_layout, headings_text, layout_type
-   use app_record_lines, only: field_count, find_field, next_line, place_text, place_type
-   use app_record_numbers, only: decimal_of, looks_like_number, read_number
-   use app_record_tests, only: condition_type, find_tests, is_wanted, read_conditions, test_type
-   use app_strings, only: newline, quoted
-   use app_system, only: read_file
+   use asperity_base_error, only: fatal_error
+   use asperity_base_memory, only: check_memory, check_work
+   use asperity_base_number_text, only: to_text
+   use asperity_program_record_columns, only: choose_columns, record_column
+   use asperity_program_record_layout, only: find_layout, headings_text, layout_type
+   use asperity_program_record_lines, only: field_count, find_field, next_line, place_text, &
+      place_type
+   use asperity_program_record_numbers, only: decimal_of, looks_like_number, read_number
+   use asperity_program_record_tests, only: condition_type, find_tests, is_wanted, &
+      read_conditions, test_type
+   use asperity_program_system_files, only: read_file
+   use asperity_program_system_strings, only: newline, quoted
    implicit none
    private
    public :: record_format, read_record
@@ -192,4 +194,4 @@ contains
       end associate
    end subroutine check_time
 
-end module app_record_file
+end module asperity_program_record_file

@@ -1,10 +1,10 @@
 !> What the headings of a record's columns say: name, unit, and what a column holds by them.
-module app_record_headings
-   use app_record_names, only: find_meaning, holds_displacement, holds_drift, holds_force, &
-      holds_moment, holds_rotation, holds_time, holds_unknown
-   use app_record_units, only: find_unit, unit_angle, unit_force, unit_length, unit_moment, &
-      unit_share, unit_time, unit_unknown
-   use app_utf8, only: utf8_text
+module asperity_program_record_headings
+   use asperity_program_record_names, only: find_meaning, holds_displacement, holds_drift, &
+      holds_force, holds_moment, holds_rotation, holds_time, holds_unknown
+   use asperity_program_record_units, only: find_unit, unit_angle, unit_force, unit_length, &
+      unit_moment, unit_share, unit_time, unit_unknown
+   use asperity_program_system_utf8, only: utf8_text
    implicit none
    private
    public :: heading_type, is_unit_of, read_heading, rank_of
@@ -15,9 +15,9 @@ module app_record_headings
       character(len=:), allocatable :: text, name
       !> Unit, empty if there is none
       character(len=:), allocatable :: unit
-      !> What it holds by its name, and how sure that is (`app_record_names`)
+      !> What it holds by its name, and how sure that is (`asperity_program_record_names`)
       integer :: holds = holds_unknown, rank = 0
-      !> What its unit measures (`app_record_units`)
+      !> What its unit measures (`asperity_program_record_units`)
       integer :: measures = unit_unknown
    end type heading_type
 
@@ -110,7 +110,7 @@ contains
    pure integer function rank_of(heading, holds) result(rank)
       !> The heading
       type(heading_type), intent(in) :: heading
-      !> The quantity, one of `app_record_names`
+      !> The quantity, one of `asperity_program_record_names`
       integer, intent(in) :: holds
 
       rank = 0
@@ -142,4 +142,4 @@ contains
       end select
    end function unit_of
 
-end module app_record_headings
+end module asperity_program_record_headings

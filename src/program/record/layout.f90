@@ -1,17 +1,17 @@
 !> How a record is written: what separates its columns, their names and units, and where its numbers
 !> begin.
-module app_record_layout
+module asperity_program_record_layout
    use asperity, only: error_type
-   use asperity_error, only: fatal_error
-   use asperity_text, only: to_text
-   use app_record_headings, only: heading_type, is_unit_of, read_heading
-   use app_record_lines, only: field, field_count, next_line, place_text, place_type, &
+   use asperity_base_error, only: fatal_error
+   use asperity_base_number_text, only: to_text
+   use asperity_program_record_headings, only: heading_type, is_unit_of, read_heading
+   use asperity_program_record_lines, only: field, field_count, next_line, place_text, place_type, &
       separator_of, start_reading
-   use app_record_names, only: holds_unknown
-   use app_record_numbers, only: looks_like_number
-   use app_record_units, only: find_unit, unit_type, unit_unknown
-   use app_strings, only: quoted, string_type
-   use app_utf8, only: utf8_text
+   use asperity_program_record_names, only: holds_unknown
+   use asperity_program_record_numbers, only: looks_like_number
+   use asperity_program_record_units, only: find_unit, unit_type, unit_unknown
+   use asperity_program_system_strings, only: quoted, string_type
+   use asperity_program_system_utf8, only: utf8_text
    implicit none
    private
    public :: layout_type, find_layout, headings_text
@@ -278,4 +278,4 @@ contains
          to_text(size(layout%columns))
    end function headings_text
 
-end module app_record_layout
+end module asperity_program_record_layout

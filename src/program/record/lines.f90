@@ -1,7 +1,7 @@
 !> Lines and fields of a text file of numbers.
-module app_record_lines
-   use asperity_text, only: to_text
-   use app_strings, only: newline
+module asperity_program_record_lines
+   use asperity_base_number_text, only: to_text
+   use asperity_program_system_strings, only: newline
    implicit none
    private
    public :: place_type, start_reading, next_line, separator_of, find_field, field, field_count, &
@@ -212,4 +212,4 @@ contains
       text = place%path//':'//to_text(place%line)
    end function place_text
 
-end module app_record_lines
+end module asperity_program_record_lines

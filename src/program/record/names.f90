@@ -1,6 +1,6 @@
 !> Names of columns as laboratories write them, in English and German: what a column holds.
-module app_record_names
-   use app_strings, only: lower_case
+module asperity_program_record_names
+   use asperity_program_system_strings, only: lower_case
    implicit none
    private
    public :: find_meaning, quantity_name
@@ -175,4 +175,4 @@ contains
       end select
    end function quantity_name
 
-end module app_record_names
+end module asperity_program_record_names

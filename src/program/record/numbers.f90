@@ -1,9 +1,9 @@
 !> Numbers as loggers and spreadsheets write them, with a decimal point or a decimal comma.
-module app_record_numbers
+module asperity_program_record_numbers
    use asperity, only: error_type, wp
-   use app_record_lines, only: find_field, next_line, place_type
-   use app_strings, only: lower_case
-   use app_words, only: read_real, word_type
+   use asperity_program_input_values, only: read_real, word_type
+   use asperity_program_record_lines, only: find_field, next_line, place_type
+   use asperity_program_system_strings, only: lower_case
    implicit none
    private
    public :: decimal_of, looks_like_number, read_number
@@ -106,4 +106,4 @@ contains
       is_thousands = modulo(len(text) - comma, 4) == 3
    end function is_thousands
 
-end module app_record_numbers
+end module asperity_program_record_numbers

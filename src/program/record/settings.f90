@@ -1,12 +1,12 @@
 !> How a record is read, as the settings say it.
-module app_record_settings
+module asperity_program_record_settings
    use asperity, only: error_type
-   use asperity_error, only: fatal_error
-   use asperity_text, only: to_text
-   use app_keys, only: find_key, option_name
-   use app_record_columns, only: record_column
-   use app_record_file, only: record_format
-   use app_settings, only: settings_type
+   use asperity_base_error, only: fatal_error
+   use asperity_base_number_text, only: to_text
+   use asperity_program_input_keys, only: find_key, option_name
+   use asperity_program_input_settings, only: settings_type
+   use asperity_program_record_columns, only: record_column
+   use asperity_program_record_file, only: record_format
    implicit none
    private
    public :: get_format, ask_for_column, tell_column, tell_decimal
@@ -81,4 +81,4 @@ contains
       end associate
    end subroutine tell_column
 
-end module app_record_settings
+end module asperity_program_record_settings

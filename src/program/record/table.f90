@@ -1,7 +1,7 @@
 !> Which columns of a record were taken, as a table.
-module app_record_table
-   use app_record_columns, only: record_column
-   use app_table, only: column_counts, new_table, table_type
+module asperity_program_record_table
+   use asperity_program_record_columns, only: record_column
+   use asperity_program_report_table, only: column_counts, new_table, table_type
    implicit none
    private
    public :: columns_table
@@ -41,4 +41,4 @@ contains
       if (text == '') shown = '-'
    end function shown
 
-end module app_record_table
+end module asperity_program_record_table

@@ -1,16 +1,16 @@
 !> Several tests in one file: rows that a condition chooses, and leading columns that tell one test
 !> from another.
-module app_record_tests
+module asperity_program_record_tests
    use asperity, only: error_type, wp
-   use asperity_error, only: fatal_error
-   use asperity_text, only: to_text
-   use app_record_columns, only: column_with_name, number_of
-   use app_record_layout, only: layout_type
-   use app_record_lines, only: field, next_line, place_type
-   use app_record_names, only: holds_other, holds_unknown
-   use app_record_numbers, only: looks_like_number, read_number
-   use app_strings, only: quoted, string_type
-   use app_utf8, only: utf8_text
+   use asperity_base_error, only: fatal_error
+   use asperity_base_number_text, only: to_text
+   use asperity_program_record_columns, only: column_with_name, number_of
+   use asperity_program_record_layout, only: layout_type
+   use asperity_program_record_lines, only: field, next_line, place_type
+   use asperity_program_record_names, only: holds_other, holds_unknown
+   use asperity_program_record_numbers, only: looks_like_number, read_number
+   use asperity_program_system_strings, only: quoted, string_type
+   use asperity_program_system_utf8, only: utf8_text
    implicit none
    private
    public :: condition_type, test_type, read_conditions, find_tests, is_wanted, test_text
@@ -270,4 +270,4 @@ contains
       if (.not. allocated(error)) text = to_text(number)
    end function shown
 
-end module app_record_tests
+end module asperity_program_record_tests

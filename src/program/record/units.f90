@@ -1,7 +1,7 @@
 !> Units as laboratories write them: what they measure, and how much they are.
-module app_record_units
+module asperity_program_record_units
    use asperity, only: wp
-   use app_strings, only: lower_case
+   use asperity_program_system_strings, only: lower_case
    implicit none
    private
    public :: unit_type, find_unit
@@ -142,4 +142,4 @@ contains
       starts = index(text, beginning) == 1
    end function starts
 
-end module app_record_units
+end module asperity_program_record_units

@@ -1,9 +1,9 @@
 !> A table as CSV: one line of column names with units, one line per row, numbers with 17 figures.
-module app_csv
+module asperity_program_report_csv
    use asperity, only: error_type
-   use app_strings, only: escaped, newline
-   use app_table, only: column_texts, column_type, table_type
-   use app_text_buffer, only: text_buffer
+   use asperity_program_report_table, only: column_texts, column_type, table_type
+   use asperity_program_system_strings, only: escaped, newline
+   use asperity_program_system_text_buffer, only: text_buffer
    implicit none
    private
    public :: write_csv
@@ -58,4 +58,4 @@ contains
       if (scan(text, ',"'//newline) > 0) quoted = '"'//escaped(text, '"', '""')//'"'
    end function in_quotes
 
-end module app_csv
+end module asperity_program_report_csv

@@ -1,9 +1,9 @@
 !> Pieces of a page in HTML: escaped text, tables, pictures in SVG.
-module app_html
-   use app_strings, only: escaped
-   use app_table, only: table_type
-   use app_text_buffer, only: text_buffer
-   use app_text_table, only: printed_type, printed_columns
+module asperity_program_report_html
+   use asperity_program_report_table, only: table_type
+   use asperity_program_report_text_table, only: printed_type, printed_columns
+   use asperity_program_system_strings, only: escaped
+   use asperity_program_system_text_buffer, only: text_buffer
    implicit none
    private
    public :: html_text, add_html_table, split_svg, count_svg
@@ -119,4 +119,4 @@ contains
       changed = b%text()
    end function replaced
 
-end module app_html
+end module asperity_program_report_html

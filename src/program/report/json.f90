@@ -1,16 +1,17 @@
 !> A report as JSON: input, units, one list per column. Never holds NaN or infinity: what has no
 !> value is null.
-module app_json
+module asperity_program_report_json
    use asperity, only: error_type, validity_remark
-   use asperity_text, only: to_text
-   use asperity_version, only: version
-   use app_keys, only: belongs, command_names, keys, kind_file, kind_integer, kind_list, &
-      kind_logical, kind_real, n_keys
-   use app_report, only: report_type
-   use app_settings, only: setting_type
-   use app_strings, only: backslash, string_type
-   use app_table, only: column_counts, column_numbers, column_type, full_figures, table_type
-   use app_text_buffer, only: text_buffer
+   use asperity_base_number_text, only: to_text
+   use asperity_base_version, only: version
+   use asperity_program_input_keys, only: belongs, command_names, keys, kind_file, kind_integer, &
+      kind_list, kind_logical, kind_real, n_keys
+   use asperity_program_input_settings, only: setting_type
+   use asperity_program_report_report, only: report_type
+   use asperity_program_report_table, only: column_counts, column_numbers, column_type, &
+      full_figures, table_type
+   use asperity_program_system_strings, only: backslash, string_type
+   use asperity_program_system_text_buffer, only: text_buffer
    implicit none
    private
    public :: write_json
@@ -251,4 +252,4 @@ contains
       quoted = quoted//'"'
    end function json_string
 
-end module app_json
+end module asperity_program_report_json

@@ -1,9 +1,9 @@
 !> What a run has to say: its input, its results, which rows deserve to be shown.
-module app_report
+module asperity_program_report_report
    use asperity, only: wp
-   use app_settings, only: settings_type
-   use app_strings, only: string_type
-   use app_table, only: table_type
+   use asperity_program_input_settings, only: settings_type
+   use asperity_program_report_table, only: table_type
+   use asperity_program_system_strings, only: string_type
    implicit none
    private
    public :: report_type, deck_type, named_table, picture_type, turning_points
@@ -38,7 +38,7 @@ module app_report
 
    !> Result of one command.
    type :: report_type
-      !> One of the commands of `app_keys`
+      !> One of the commands of `asperity_program_input_keys`
       integer :: command = 0
       !> Settings in effect
       type(settings_type) :: settings
@@ -52,7 +52,8 @@ module app_report
       type(named_table), allocatable :: more(:)
       !> Every contact point, no columns when there is none
       type(table_type) :: points
-      !> Pictures, and the data blocks that they draw; not allocated where `app_plots` draws columns
+      !> Pictures, and the data blocks that they draw; not allocated where columns are
+      !> drawn (see ../commands/plots.f90)
       type(picture_type), allocatable :: pictures(:)
       character(len=:), allocatable :: picture_data
       !> Input for other programs, none when not allocated
@@ -157,4 +158,4 @@ contains
          text = 'the faces touch in no step, so that the law was not used.'
    end function valid_text
 
-end module app_report
+end module asperity_program_report_report

@@ -1,10 +1,10 @@
 !> A table of results: named columns with units, of numbers or of texts.
-module app_table
+module asperity_program_report_table
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use asperity, only: computation_error, error_type, status_text, validity_text, wp
-   use asperity_error, only: fatal_error
-   use asperity_text, only: to_text
-   use app_strings, only: string_type
+   use asperity_base_error, only: fatal_error
+   use asperity_base_number_text, only: to_text
+   use asperity_program_system_strings, only: string_type
    implicit none
    private
    public :: column_type, table_type, new_table, full_figures
@@ -217,4 +217,4 @@ contains
       text = trim(adjustl(buffer))
    end function full_figures
 
-end module app_table
+end module asperity_program_report_table

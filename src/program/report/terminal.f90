@@ -1,16 +1,16 @@
 !> A report as text for a terminal: header, table with units, remarks.
-module app_terminal
+module asperity_program_report_terminal
    use asperity, only: error_type, find_pair, pair_preset, validity_remark, wp
-   use asperity_text, only: to_text
-   use asperity_version, only: version
-   use app_keys, only: belongs, command_names, command_pairs, command_surface, keys, kind_file, &
-      kind_integer, kind_list, kind_logical, kind_real, n_keys
-   use app_report, only: report_type
-   use app_settings, only: settings_type
-   use app_strings, only: newline
-   use app_table, only: table_type
-   use app_text_table, only: add_table, validity_mark
-   use app_text_buffer, only: text_buffer
+   use asperity_base_number_text, only: to_text
+   use asperity_base_version, only: version
+   use asperity_program_input_keys, only: belongs, command_names, command_pairs, command_surface, &
+      keys, kind_file, kind_integer, kind_list, kind_logical, kind_real, n_keys
+   use asperity_program_input_settings, only: settings_type
+   use asperity_program_report_report, only: report_type
+   use asperity_program_report_table, only: table_type
+   use asperity_program_report_text_table, only: add_table, validity_mark
+   use asperity_program_system_strings, only: newline
+   use asperity_program_system_text_buffer, only: text_buffer
    implicit none
    private
    public :: terminal_text, warning_text, input_text
@@ -245,4 +245,4 @@ contains
       text = to_text(value, 6)
    end function short
 
-end module app_terminal
+end module asperity_program_report_terminal

@@ -1,11 +1,11 @@
 !> A table as aligned text: names over units over values.
-module app_text_table
+module asperity_program_report_text_table
    use asperity, only: wp
-   use asperity_text, only: to_text
-   use app_strings, only: string_type
-   use app_table, only: column_counts, column_numbers, column_type, column_validity, no_value, &
-      table_type
-   use app_text_buffer, only: text_buffer
+   use asperity_base_number_text, only: to_text
+   use asperity_program_report_table, only: column_counts, column_numbers, column_type, &
+      column_validity, no_value, table_type
+   use asperity_program_system_strings, only: string_type
+   use asperity_program_system_text_buffer, only: text_buffer
    implicit none
    private
    public :: add_table, printed_type, printed_columns, validity_mark
@@ -252,4 +252,4 @@ contains
       if (text == '') text = 'valid'
    end function marks
 
-end module app_text_table
+end module asperity_program_report_text_table

@@ -1,6 +1,6 @@
 !> Units of what the program writes, in those that it computes with (N, mm): one unit for one
 !> quantity in every file.
-module app_units
+module asperity_program_report_units
    use asperity, only: wp
    implicit none
    private
@@ -10,4 +10,4 @@ module app_units
    !> Energies are written in J: that many of them are 1 N mm
    real(wp), parameter, public :: joule = 1.0e-3_wp
 
-end module app_units
+end module asperity_program_report_units

@@ -1,17 +1,18 @@
 !> Writes results so that a file is either complete or not there: everything goes to temporary files
 !> in the same folders first, then all of them are renamed. Devices, pipes and open descriptors are
 !> written directly, since renaming would replace them.
-module app_output
+module asperity_program_system_atomic_files
    use, intrinsic :: iso_c_binding, only: c_int
    use asperity, only: error_type, file_error
-   use asperity_error, only: fatal_error
-   use app_file_facts, only: facts_of, facts_of_descriptor, file_facts
-   use app_part_file, only: close_part, create_part, free_name, part_file, write_part
-   use app_path, only: find_target, may_write, resolved_path
-   use app_process, only: held_interrupts, hold_interrupts, release_interrupts
-   use app_strings, only: starts_with
-   use app_system, only: close_file, open_file, remove_file, rename_file, standard_error, &
-      standard_output, write_text
+   use asperity_base_error, only: fatal_error
+   use asperity_program_system_file_facts, only: facts_of, facts_of_descriptor, file_facts
+   use asperity_program_system_files, only: close_file, open_file, remove_file, rename_file, &
+      standard_error, standard_output, write_text
+   use asperity_program_system_part_file, only: close_part, create_part, free_name, part_file, &
+      write_part
+   use asperity_program_system_path, only: find_target, may_write, resolved_path
+   use asperity_program_system_process, only: held_interrupts, hold_interrupts, release_interrupts
+   use asperity_program_system_strings, only: starts_with
    implicit none
    private
    public :: output_file, open_target, write_files, write_standard_output
@@ -186,4 +187,4 @@ contains
          file_error)
    end subroutine refuse
 
-end module app_output
+end module asperity_program_system_atomic_files

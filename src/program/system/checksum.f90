@@ -1,5 +1,5 @@
 !> Checksum of numbers, to see whether they have changed: CRC-32 of their bytes, of zlib.
-module app_checksum
+module asperity_program_system_checksum
    use, intrinsic :: iso_c_binding, only: c_int, c_loc, c_long, c_null_ptr, c_ptr, c_sizeof
    use asperity, only: wp
    implicit none
@@ -34,4 +34,4 @@ contains
       write (text, '(z8.8)') crc
    end function checksum
 
-end module app_checksum
+end module asperity_program_system_checksum

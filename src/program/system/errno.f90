@@ -1,7 +1,7 @@
 !> Why the last call of the operating system failed.
-module app_errno
+module asperity_program_system_errno
    use, intrinsic :: iso_c_binding, only: c_char, c_f_pointer, c_int, c_ptr
-   use app_posix, only: c_errno_location, c_strerror, c_strlen
+   use asperity_program_system_posix, only: c_errno_location, c_strerror, c_strlen
    implicit none
    private
    public :: last_error, last_reason
@@ -35,4 +35,4 @@ contains
       end do
    end function last_reason
 
-end module app_errno
+end module asperity_program_system_errno

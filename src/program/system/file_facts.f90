@@ -1,7 +1,7 @@
 !> What the operating system knows of a file: whether it is there, its kind, its rights.
-module app_file_facts
+module asperity_program_system_file_facts
    use, intrinsic :: iso_c_binding, only: c_int, c_int32_t, c_int64_t, c_null_char
-   use app_posix, only: c_statx, statx_type
+   use asperity_program_system_posix, only: c_statx, statx_type
    implicit none
    private
    public :: file_facts, facts_of, facts_of_descriptor, facts_of_link
@@ -68,4 +68,4 @@ contains
       facts%identity = [int([status%device_major, status%device_minor], c_int64_t), status%inode]
    end function facts_by
 
-end module app_file_facts
+end module asperity_program_system_file_facts

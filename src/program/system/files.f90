@@ -1,12 +1,12 @@
 !> Files by the operating system (POSIX, Linux), because Fortran's own output neither reports a
 !> full disk reliably nor renames. Every return value is checked. A subroutine sets `reason` to the
 !> system's words on failure and leaves it unallocated else.
-module app_system
+module asperity_program_system_files
    use, intrinsic :: iso_c_binding, only: c_associated, c_int, c_null_char, c_ptr, c_size_t
-   use asperity_memory, only: memory_remedy
-   use app_errno, only: eintr, last_error, last_reason
-   use app_posix, only: c_close, c_creat, c_fclose, c_ferror, c_fopen, c_fread, c_isatty, &
-      c_rename, c_unlink, c_write
+   use asperity_base_memory, only: memory_remedy
+   use asperity_program_system_errno, only: eintr, last_error, last_reason
+   use asperity_program_system_posix, only: c_close, c_creat, c_fclose, c_ferror, c_fopen, &
+      c_fread, c_isatty, c_rename, c_unlink, c_write
    implicit none
    private
    public :: open_file, write_text, close_file, rename_file, remove_file, read_file, is_terminal
@@ -146,4 +146,4 @@ contains
       is_terminal = c_isatty(file) == 1
    end function is_terminal
 
-end module app_system
+end module asperity_program_system_files

@@ -1,12 +1,12 @@
 !> A file that grows and belongs to one process at a time. The lock is the system's: it ends with
 !> the process, however that ends.
-module app_locked_file
+module asperity_program_system_locked_file
    use, intrinsic :: iso_c_binding, only: c_associated, c_int, c_long, c_null_char, &
       c_null_ptr, c_ptr
-   use app_errno, only: ewouldblock, last_error, last_reason
-   use app_file_facts, only: facts_of, facts_of_descriptor, file_facts
-   use app_posix, only: c_fclose, c_fileno, c_flock, c_fopen, c_ftruncate
-   use app_system, only: remove_file, write_text
+   use asperity_program_system_errno, only: ewouldblock, last_error, last_reason
+   use asperity_program_system_file_facts, only: facts_of, facts_of_descriptor, file_facts
+   use asperity_program_system_files, only: remove_file, write_text
+   use asperity_program_system_posix, only: c_fclose, c_fileno, c_flock, c_fopen, c_ftruncate
    implicit none
    private
    public :: locked_file, open_locked, shorten, append_text, remove_locked
@@ -97,4 +97,4 @@ contains
       if (status /= 0) return
    end subroutine close_stream
 
-end module app_locked_file
+end module asperity_program_system_locked_file

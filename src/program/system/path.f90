@@ -1,9 +1,9 @@
 !> Where paths lead.
-module app_path
+module asperity_program_system_path
    use, intrinsic :: iso_c_binding, only: c_associated, c_int, c_null_char, c_size_t
-   use app_errno, only: last_reason
-   use app_posix, only: c_access, c_readlink, c_realpath
-   use app_strings, only: starts_with
+   use asperity_program_system_errno, only: last_reason
+   use asperity_program_system_posix, only: c_access, c_readlink, c_realpath
+   use asperity_program_system_strings, only: starts_with
    implicit none
    private
    public :: resolved_path, find_target, may_write
@@ -77,4 +77,4 @@ contains
       if (c_access(path//c_null_char, write_access) /= 0) reason = last_reason()
    end subroutine may_write
 
-end module app_path
+end module asperity_program_system_path

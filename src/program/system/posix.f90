@@ -1,6 +1,6 @@
 !> Interfaces of the C functions that the program calls; POSIX says what they do, for flock and
 !> statx the Linux manual. Sizes and constants are those of Linux.
-module app_posix
+module asperity_program_system_posix
    use, intrinsic :: iso_c_binding, only: c_char, c_funptr, c_int, c_int16_t, c_int32_t, &
       c_int64_t, c_long, c_ptr, c_size_t
    implicit none
@@ -153,4 +153,4 @@ module app_posix
       end function c_strlen
    end interface
 
-end module app_posix
+end module asperity_program_system_posix

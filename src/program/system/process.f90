@@ -1,10 +1,10 @@
 !> Signals, and programs that the program runs.
-module app_process
+module asperity_program_system_process
    use, intrinsic :: iso_c_binding, only: c_associated, c_funptr, c_int, c_intptr_t, c_null_char, &
       c_null_funptr, c_null_ptr, c_ptr, c_size_t
-   use asperity_text, only: to_text
-   use app_errno, only: last_reason
-   use app_posix, only: c_fwrite, c_pclose, c_popen, c_signal, c_system
+   use asperity_base_number_text, only: to_text
+   use asperity_program_system_errno, only: last_reason
+   use asperity_program_system_posix, only: c_fwrite, c_pclose, c_popen, c_signal, c_system
    implicit none
    private
    public :: open_shell, close_shell, run_shell, shell_type
@@ -126,4 +126,4 @@ contains
       ignored = transfer(1_c_intptr_t, c_null_funptr)
    end function ignored
 
-end module app_process
+end module asperity_program_system_process

@@ -1,10 +1,10 @@
 !> One line of progress on a terminal for what takes longer than a second.
-module app_progress
+module asperity_program_system_progress
    use, intrinsic :: iso_fortran_env, only: int64
    use asperity, only: wp
-   use asperity_text, only: to_text
-   use app_strings, only: newline
-   use app_system, only: is_terminal, standard_error, write_text
+   use asperity_base_number_text, only: to_text
+   use asperity_program_system_files, only: is_terminal, standard_error, write_text
+   use asperity_program_system_strings, only: newline
    implicit none
    private
    public :: progress_type, show_steps, show_stage, show_share, clear_steps, tell_terminal
@@ -152,4 +152,4 @@ contains
       self%shown = .true.
    end subroutine write_line
 
-end module app_progress
+end module asperity_program_system_progress

@@ -1,5 +1,5 @@
 !> Text helpers: lists of texts of different length, lower case, quoting, nearest name.
-module app_strings
+module asperity_program_system_strings
    implicit none
    private
    public :: string_type, lower_case, quoted, escaped, nearest_name, starts_with
@@ -122,4 +122,4 @@ contains
       edit_distance = table(len(a), len(b))
    end function edit_distance
 
-end module app_strings
+end module asperity_program_system_strings

@@ -1,7 +1,7 @@
 !> A growing text that also takes numbers for gnuplot.
-module app_text_buffer
+module asperity_program_system_text_buffer
    use asperity, only: wp
-   use deck_growing_text, only: growing_text
+   use asperity_base_text_builder, only: growing_text
    implicit none
    private
    public :: text_buffer
@@ -32,4 +32,4 @@ contains
       call self%line()
    end subroutine numbers
 
-end module app_text_buffer
+end module asperity_program_system_text_buffer

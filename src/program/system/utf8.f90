@@ -1,7 +1,7 @@
 !> Text of files and of the user, which may be in an older encoding, as valid UTF-8.
-module app_utf8
+module asperity_program_system_utf8
    use asperity, only: error_type
-   use app_text_buffer, only: text_buffer
+   use asperity_program_system_text_buffer, only: text_buffer
    implicit none
    private
    public :: make_utf8, utf8_text
@@ -104,4 +104,4 @@ contains
       end if
    end function encoded
 
-end module app_utf8
+end module asperity_program_system_utf8

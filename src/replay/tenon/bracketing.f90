@@ -1,6 +1,6 @@
 !> Bracketing search for the zero of a monotone function, asked from outside: the caller evaluates
 !> the function where the search says.
-module replay_tenon_root
+module asperity_replay_tenon_bracketing
    use asperity, only: wp
    implicit none
    private
@@ -76,4 +76,4 @@ contains
       end associate
    end subroutine advance_search
 
-end module replay_tenon_root
+end module asperity_replay_tenon_bracketing

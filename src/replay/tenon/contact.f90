@@ -3,20 +3,20 @@
 !> Rough: the contact-point update is the only law of pressure, friction, status and energy; how far
 !> the interface closes is found from closure = overclosure + deflection of the wood. UINTER may
 !> stand in its place. Hard: the interface does not close, with the same friction.
-module replay_tenon_contact
+module asperity_replay_tenon_contact
    use asperity, only: compiled_law, contact_properties, contact_response, contact_state, &
       error_type, evaluate_compiled_law, no_opposite_surface, no_rotation, no_surface_limit, &
       rule_dissipative, separation_for_pressure, status_open, status_slip, status_stick
    use asperity, only: computation_error, wp
+   use asperity_abaqus_props_and_statev, only: state_from_statev
+   use asperity_base_error, only: fatal_error
+   use asperity_base_number_text, only: to_text
+   use asperity_contact_friction, only: integrate_slip, slip_path
    use asperity_contact_point, only: advance_contact_point
-   use asperity_error, only: fatal_error
-   use asperity_friction, only: integrate_slip, slip_path
-   use asperity_normal_law, only: vanishing_separation
-   use asperity_text, only: to_text
-   use replay_host, only: host_point, refuse_cut, try_increment
-   use replay_tenon_bearing, only: bearing_deflection, bearing_indentation, bearing_pressure, &
-      layers, wood_bearing
-   use uinter_slots, only: state_from_statev
+   use asperity_law_normal_law, only: vanishing_separation
+   use asperity_replay_abaqus_host, only: host_point, refuse_cut, try_increment
+   use asperity_replay_tenon_wood_bearing, only: bearing_deflection, bearing_indentation, &
+      bearing_pressure, layers, wood_bearing
    implicit none
    private
    public :: contact_record, press_hard, press_rough, press_through_uinter, rub, leave_surface, &
@@ -424,4 +424,4 @@ contains
          computation_error)
    end subroutine refuse
 
-end module replay_tenon_contact
+end module asperity_replay_tenon_contact

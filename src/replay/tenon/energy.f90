@@ -5,11 +5,11 @@
 !> tau = mu p gamma/gcrit that gives friction at the mean pressure and the pressure coupling at
 !> the mean squared elastic slip, so that the sum closes to second order in the step. The
 !> dissipative rule has one order only, the pressure first, and closes to first order.
-module replay_tenon_ledger
+module asperity_replay_tenon_energy
    use asperity, only: rule_abaqus, status_open, wp
-   use replay_tenon_bearing, only: bearing_plastic_work
-   use replay_tenon_contact, only: contact_record
-   use replay_tenon_model, only: n_faces, other_side, side, tenon_model
+   use asperity_replay_tenon_contact, only: contact_record
+   use asperity_replay_tenon_geometry, only: n_faces, other_side, side, tenon_model
+   use asperity_replay_tenon_wood_bearing, only: bearing_plastic_work
    implicit none
    private
    public :: tenon_ledger, book_increment, stored_energy, point_split
@@ -142,4 +142,4 @@ contains
       end if
    end function stress_of
 
-end module replay_tenon_ledger
+end module asperity_replay_tenon_energy

@@ -1,10 +1,10 @@
 !> Equilibrium of the tenon joint at a rotation: Newton with the exact derivatives and a line
 !> search; where that fails, a nested bracketing search.
-module replay_tenon_balance
+module asperity_replay_tenon_equilibrium
    use asperity, only: error_type, wp
-   use replay_tenon_contact, only: contact_record
-   use replay_tenon_model, only: evaluate_tenon, tenon_forces, tenon_model
-   use replay_tenon_root, only: advance_search, new_root_search, root_search
+   use asperity_replay_tenon_bracketing, only: advance_search, new_root_search, root_search
+   use asperity_replay_tenon_contact, only: contact_record
+   use asperity_replay_tenon_geometry, only: evaluate_tenon, tenon_forces, tenon_model
    implicit none
    private
    public :: balance_tenon, search_tenon
@@ -190,4 +190,4 @@ contains
       found = .true.
    end subroutine search_axially
 
-end module replay_tenon_balance
+end module asperity_replay_tenon_equilibrium

@@ -30,16 +30,16 @@
 !>   R2 = 0, in which the load F does not occur; F = -(sum of Y forces). The axial force goes
 !>   through O. The moment of the joint is F arm, about the datum of the arm.
 !> - An open joint is held where it is by `holding_stiffness` on u and v, with its own ledger.
-module replay_tenon_model
+module asperity_replay_tenon_geometry
    use asperity, only: contact_properties, error_type, new_compiled_law, separation_for_pressure, wp
-   use asperity_error, only: fatal_error
-   use asperity_text, only: to_text
-   use replay_host, only: host_point, new_host_point
-   use replay_tenon_bearing, only: new_wood_bearing, wood_bearing
-   use replay_tenon_contact, only: contact_record, leave_surface, leave_through_uinter, &
+   use asperity_abaqus_uinter_signature, only: uinter_interface
+   use asperity_base_error, only: fatal_error
+   use asperity_base_number_text, only: to_text
+   use asperity_replay_abaqus_host, only: host_point, new_host_point
+   use asperity_replay_tenon_contact, only: contact_record, leave_surface, leave_through_uinter, &
       press_hard, press_rough, press_through_uinter, rub, rub_through_uinter, yield_overclosure
-   use replay_tenon_settings, only: complete_tenon_settings, tenon_face_arm, tenon_settings
-   use uinter_signature, only: uinter_interface
+   use asperity_replay_tenon_settings, only: complete_tenon_settings, tenon_face_arm, tenon_settings
+   use asperity_replay_tenon_wood_bearing, only: new_wood_bearing, wood_bearing
    implicit none
    private
    public :: tenon_model, tenon_forces, new_tenon_model, tenon_place, evaluate_tenon
@@ -418,4 +418,4 @@ contains
          + spread(stress, 2, 2)*spread(by_weight, 1, 2))
    end subroutine point_force
 
-end module replay_tenon_model
+end module asperity_replay_tenon_geometry

@@ -1,7 +1,7 @@
 !> Load programme of the tenon joint: displacements of the load point, step by step.
-module replay_tenon_programme
+module asperity_replay_tenon_load_path
    use asperity, only: wp
-   use replay_tenon_settings, only: tenon_amplitudes, tenon_settings
+   use asperity_replay_tenon_settings, only: tenon_amplitudes, tenon_settings
    implicit none
    private
    public :: tenon_programme
@@ -83,4 +83,4 @@ contains
       end do
    end subroutine count_cycles
 
-end module replay_tenon_programme
+end module asperity_replay_tenon_load_path

@@ -1,19 +1,19 @@
 !> Cyclic replay of a straight tenon joint: the load programme step by step, with its ledgers.
-module replay_tenon
+module asperity_replay_tenon_run
    use, intrinsic :: iso_fortran_env, only: int64
    use asperity, only: computation_error, contact_properties, error_type, wp
-   use asperity_error, only: fatal_error
-   use asperity_memory, only: check_work
-   use asperity_text, only: to_text
-   use replay_host, only: accept_increment
-   use replay_tenon_balance, only: balance_tenon
-   use replay_tenon_contact, only: contact_record
-   use replay_tenon_ledger, only: book_increment, tenon_ledger
-   use replay_tenon_model, only: holding_stiffness, lower, lower_shoulder, new_tenon_model, &
-      other_side, side, tenon_faces => n_faces, tenon_forces, tenon_model, tenon_place, upper, &
-      upper_shoulder
-   use replay_tenon_programme, only: tenon_programme
-   use replay_tenon_settings, only: check_tenon_settings, tenon_settings
+   use asperity_base_error, only: fatal_error
+   use asperity_base_memory, only: check_work
+   use asperity_base_number_text, only: to_text
+   use asperity_replay_abaqus_host, only: accept_increment
+   use asperity_replay_tenon_contact, only: contact_record
+   use asperity_replay_tenon_energy, only: book_increment, tenon_ledger
+   use asperity_replay_tenon_equilibrium, only: balance_tenon
+   use asperity_replay_tenon_geometry, only: holding_stiffness, lower, lower_shoulder, &
+      new_tenon_model, other_side, side, tenon_faces => n_faces, tenon_forces, tenon_model, &
+      tenon_place, upper, upper_shoulder
+   use asperity_replay_tenon_load_path, only: tenon_programme
+   use asperity_replay_tenon_settings, only: check_tenon_settings, tenon_settings
    implicit none
    private
    public :: tenon_settings, check_tenon_settings, tenon_step, tenon_point, run_tenon, &
@@ -373,4 +373,4 @@ contains
       call move_alloc(grown, points)
    end subroutine record_points
 
-end module replay_tenon
+end module asperity_replay_tenon_run

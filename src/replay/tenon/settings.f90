@@ -1,16 +1,16 @@
 !> Settings of the tenon joint: sizes, wood, axial rule, resolution and load programme.
 !>
-!> The drawing, symbols and signs are in `replay_tenon_model`. What the paper does not print is
-!> marked as chosen. Sizes that follow from others are allocatable: `complete_tenon_settings` sets
+!> The drawing, symbols and signs are in geometry.f90. What the paper does not print is marked
+!> as chosen. Sizes that follow from others are allocatable: `complete_tenon_settings` sets
 !> those that are not allocated, and a run does it by itself.
-module replay_tenon_settings
+module asperity_replay_tenon_settings
    use asperity, only: error_type, wp
-   use asperity_error, only: fatal_error
-   use asperity_properties, only: check_positive, check_range
-   use asperity_text, only: to_text
-   use replay_sizes, only: check_between, check_size, range_of, size_range
-   use replay_tenon_turns, only: check_amplitudes, check_displacement, default_amplitudes, &
-      default_cycles
+   use asperity_base_error, only: fatal_error
+   use asperity_base_number_text, only: to_text
+   use asperity_law_normal_properties, only: check_positive, check_range
+   use asperity_replay_sizes, only: check_between, check_size, range_of, size_range
+   use asperity_replay_tenon_turns, only: check_amplitudes, check_displacement, &
+      default_amplitudes, default_cycles
    implicit none
    private
    public :: tenon_settings, complete_tenon_settings, check_tenon_settings, tenon_amplitudes, &
@@ -84,8 +84,8 @@ module replay_tenon_settings
       integer, allocatable :: cycles(:)
       !> Recorded displacements of the load point, mm, in place of amplitudes
       real(wp), allocatable :: displacement(:)
-      !> Let sizes outside the ranges of `replay_sizes` and rotations outside those of
-      !> `replay_tenon_turns` pass
+      !> Let sizes outside the ranges of `asperity_replay_sizes` and rotations outside those of
+      !> `asperity_replay_tenon_turns` pass
       logical :: accept_sizes = .false.
    end type tenon_settings
 
@@ -297,4 +297,4 @@ contains
       call fatal_error(error, name//" = '"//trim(value)//"' is unknown: it must be one of "//list)
    end subroutine check_choice
 
-end module replay_tenon_settings
+end module asperity_replay_tenon_settings

@@ -1,11 +1,11 @@
 !> Where the load point of the tenon joint turns: the paper's amplitudes, and what is refused of
 !> amplitudes and of recorded displacements.
-module replay_tenon_turns
+module asperity_replay_tenon_turns
    use asperity, only: error_type, wp
-   use asperity_error, only: fatal_error
-   use asperity_properties, only: check_positive, check_range
-   use asperity_text, only: to_text
-   use replay_sizes, only: slip_text
+   use asperity_base_error, only: fatal_error
+   use asperity_base_number_text, only: to_text
+   use asperity_law_normal_properties, only: check_positive, check_range
+   use asperity_replay_sizes, only: slip_text
    implicit none
    private
    public :: check_amplitudes, check_displacement
@@ -128,4 +128,4 @@ contains
          ' mm gives more than '//to_text(max_steps)//' steps; make it larger')
    end subroutine check_steps
 
-end module replay_tenon_turns
+end module asperity_replay_tenon_turns

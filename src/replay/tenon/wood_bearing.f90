@@ -4,9 +4,9 @@
 !>
 !> Deflection under a pressure p: p C + sum of max(u_p, (p - f)/H), with C the sum of 1/k and u_p
 !> the permanent indentation of each. Without hardening p never passes the smallest such f: the cap.
-module replay_tenon_bearing
+module asperity_replay_tenon_wood_bearing
    use asperity, only: wp
-   use replay_tenon_settings, only: tenon_settings
+   use asperity_replay_tenon_settings, only: tenon_settings
    implicit none
    private
    public :: wood_bearing, new_wood_bearing, bearing_deflection, bearing_pressure, &
@@ -148,4 +148,4 @@ contains
          mask=end > start)
    end function bearing_plastic_work
 
-end module replay_tenon_bearing
+end module asperity_replay_tenon_wood_bearing

@@ -1,11 +1,11 @@
 !> Heights of given skewness and kurtosis as a rising function of a Gaussian number, and what that
 !> does to correlations.
-module surface_generate_marginal
-   use asperity_error, only: error_type, fatal_error
-   use asperity_kinds, only: wp
-   use asperity_text, only: to_text
-   use surface_johnson, only: find_johnson, johnson_height, johnson_moments, johnson_type, &
-      n_half, normal_point, normal_weight
+module asperity_surface_generate_height_distribution
+   use asperity_base_error, only: error_type, fatal_error
+   use asperity_base_kinds, only: wp
+   use asperity_base_number_text, only: to_text
+   use asperity_surface_generate_johnson, only: find_johnson, johnson_height, johnson_moments, &
+      johnson_type, n_half, normal_point, normal_weight
    implicit none
    private
    public :: new_marginal, marginal_height, distorted_correlation
@@ -131,4 +131,4 @@ contains
       end do
    end function distorted_correlation
 
-end module surface_generate_marginal
+end module asperity_surface_generate_height_distribution

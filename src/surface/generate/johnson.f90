@@ -3,9 +3,9 @@
 !> one, z = exp(y) - q exp(-y), below it the bounded one, z = exp(y)/(1 + q exp(y)), 0 <= q <= 1.
 !> They reach any skewness and kurtosis that distributions have, save for those next to the bound
 !> kurtosis = skewness^2 + 1.
-module surface_johnson
-   use asperity_kinds, only: wp
-   use asperity_properties, only: pi
+module asperity_surface_generate_johnson
+   use asperity_base_kinds, only: wp
+   use asperity_law_normal_properties, only: pi
    implicit none
    private
    public :: find_johnson, johnson_height, johnson_moments, johnson_type, normal_point, &
@@ -215,4 +215,4 @@ contains
       sigma = sqrt(moments(2))
    end subroutine johnson_moments
 
-end module surface_johnson
+end module asperity_surface_generate_johnson

@@ -5,18 +5,19 @@
 !> distributions are a function of Gaussian ones (a translation process), whose correlation is
 !> chosen such that theirs is the one asked for; where no Gaussian surface has it, negative power is
 !> left out of its spectrum.
-module surface_generate
+module asperity_surface_generate_map
    use, intrinsic :: iso_fortran_env, only: int64
-   use asperity_error, only: computation_error, error_type, fatal_error
-   use asperity_kinds, only: wp
-   use asperity_text, only: to_text
-   use surface_fourier, only: easy_length, transform_backward_2d
-   use surface_generate_marginal, only: marginal_height, marginal_type, new_marginal
-   use surface_generate_settings, only: check_surface_settings, surface_settings
-   use surface_generate_spectrum, only: correlation_reach, distort_spectrum, fill_spectrum
-   use surface_height_map, only: height_map
-   use asperity_memory, only: check_room
-   use surface_random, only: fill_normal, new_random, random_type
+   use asperity_base_error, only: computation_error, error_type, fatal_error
+   use asperity_base_kinds, only: wp
+   use asperity_base_memory, only: check_room
+   use asperity_base_number_text, only: to_text
+   use asperity_height_map_type, only: height_map
+   use asperity_surface_fourier, only: easy_length, transform_backward_2d
+   use asperity_surface_generate_height_distribution, only: marginal_height, marginal_type, &
+      new_marginal
+   use asperity_surface_generate_random_stream, only: fill_normal, new_random, random_type
+   use asperity_surface_generate_settings, only: check_surface_settings, surface_settings
+   use asperity_surface_generate_spectrum, only: correlation_reach, distort_spectrum, fill_spectrum
    implicit none
    private
    public :: generate_surface, surface_settings
@@ -129,4 +130,4 @@ contains
       end do
    end subroutine randomise
 
-end module surface_generate
+end module asperity_surface_generate_map

@@ -1,9 +1,9 @@
 !> Random numbers that are the same with every compiler: L'Ecuyer's combined multiple recursive
 !> generator MRG32k3a (1999), period 2^191, whose products stay below 2^53.
-module surface_random
+module asperity_surface_generate_random_stream
    use, intrinsic :: iso_fortran_env, only: int64
-   use asperity_kinds, only: wp
-   use asperity_properties, only: pi
+   use asperity_base_kinds, only: wp
+   use asperity_law_normal_properties, only: pi
    implicit none
    private
    public :: random_type, new_random, next_uniform, fill_normal
@@ -91,4 +91,4 @@ contains
       end do
    end subroutine fill_normal
 
-end module surface_random
+end module asperity_surface_generate_random_stream

@@ -1,11 +1,11 @@
-!> Variances of the waves of a random surface. Spectra hold the half plane of `surface_fourier`, in
+!> Variances of the waves of a random surface. Spectra hold the half plane of ../fourier.f90, in
 !> their real parts, and sum to 1 over the whole plane.
-module surface_generate_spectrum
-   use asperity_kinds, only: wp
-   use asperity_properties, only: pi
-   use surface_fourier, only: transform_backward_2d, transform_forward_2d
-   use surface_generate_marginal, only: distorted_correlation, marginal_type
-   use surface_generate_settings, only: surface_settings
+module asperity_surface_generate_spectrum
+   use asperity_base_kinds, only: wp
+   use asperity_law_normal_properties, only: pi
+   use asperity_surface_fourier, only: transform_backward_2d, transform_forward_2d
+   use asperity_surface_generate_height_distribution, only: distorted_correlation, marginal_type
+   use asperity_surface_generate_settings, only: surface_settings
    implicit none
    private
    public :: correlation_reach, distort_spectrum, fill_spectrum
@@ -191,4 +191,4 @@ contains
       call scale_spectrum(spectrum, rounding)
    end subroutine distort_spectrum
 
-end module surface_generate_spectrum
+end module asperity_surface_generate_spectrum

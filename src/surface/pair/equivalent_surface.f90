@@ -1,20 +1,20 @@
 !> Two rough faces as one: the equivalent surface against a plane, and what aligned maps of both say
 !> of the gap between them. The gap of two faces is that of their sum against a plane, so squares of
 !> heights, slopes and curvatures add as far as the faces are not correlated.
-module surface_pair
+module asperity_surface_pair_equivalent_surface
    use, intrinsic :: iso_fortran_env, only: int64
-   use asperity_error, only: error_type, fatal_error
-   use asperity_kinds, only: wp
-   use asperity_text, only: to_text
-   use surface_evaluate, only: no_parameter, parameters_of
-   use surface_height_map, only: height_map, missing_height
-   use asperity_memory, only: check_memory
-   use surface_parameters, only: n_parameters, p_eta_paper, p_peak_mean, p_peak_sigma, &
-      p_radius_paper, p_sa, p_sku, p_sp, p_spc, p_spd, p_ssk, p_summit_curvature, &
+   use asperity_base_error, only: error_type, fatal_error
+   use asperity_base_kinds, only: wp
+   use asperity_base_memory, only: check_memory
+   use asperity_base_number_text, only: to_text
+   use asperity_height_map_type, only: height_map, missing_height
+   use asperity_surface_parameters_from_sums, only: no_parameter, parameters_of
+   use asperity_surface_parameters_parameters, only: n_parameters, p_eta_paper, p_peak_mean, &
+      p_peak_sigma, p_radius_paper, p_sa, p_sku, p_sp, p_spc, p_spd, p_ssk, p_summit_curvature, &
       p_summit_density, p_summit_mean, p_summit_sigma, p_sv, p_sz
-   use surface_student, only: student_factor
-   use surface_sums, only: summed, surface_sums_type
-   use surface_uncertainty, only: confidence, jackknife
+   use asperity_surface_parameters_student, only: student_factor
+   use asperity_surface_parameters_tile_sums, only: summed, surface_sums_type
+   use asperity_surface_parameters_uncertainty, only: confidence, jackknife
    implicit none
    private
    public :: combine_values, map_correlation, pair_uncertainties, sum_of_maps
@@ -254,4 +254,4 @@ contains
       text = to_text(size(map%heights, 1))//' x '//to_text(size(map%heights, 2))
    end function size_text
 
-end module surface_pair
+end module asperity_surface_pair_equivalent_surface

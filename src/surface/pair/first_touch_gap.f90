@@ -1,10 +1,10 @@
 !> How wide the gap is between a rough face, or the sum of two, and a rigid plane that just touches
 !> its highest point.
-module surface_gap
-   use asperity_error, only: error_type, fatal_error
-   use asperity_finite, only: all_finite
-   use asperity_kinds, only: wp
-   use surface_height_map, only: height_map, missing_height
+module asperity_surface_pair_first_touch_gap
+   use asperity_base_error, only: error_type, fatal_error
+   use asperity_base_finite, only: all_finite
+   use asperity_base_kinds, only: wp
+   use asperity_height_map_type, only: height_map, missing_height
    implicit none
    private
    public :: gap_distribution, find_gap
@@ -115,4 +115,4 @@ contains
       if (counts(i) > 0) quantile = width*(i - 1 + (wanted - below)/counts(i))
    end function quantile
 
-end module surface_gap
+end module asperity_surface_pair_first_touch_gap

@@ -1,12 +1,12 @@
 !> Does the statistical law hold on a real map? The law of one summit summed over the summits found
 !> there, p(d) = (1/A) sum N(z - d), without any assumption on their heights: by one radius for all,
 !> as the law has it, and by the radius of each.
-module surface_verify
-   use asperity_error, only: error_type, fatal_error
-   use asperity_kinds, only: wp
-   use asperity_normal_law, only: evaluate_normal_law, normal_response
-   use asperity_properties, only: normal_properties
-   use asperity_single_asperity, only: asperity_response, evaluate_asperity
+module asperity_surface_pair_law_on_summits
+   use asperity_base_error, only: error_type, fatal_error
+   use asperity_base_kinds, only: wp
+   use asperity_law_normal_law, only: evaluate_normal_law, normal_response
+   use asperity_law_normal_properties, only: normal_properties
+   use asperity_law_single_asperity, only: asperity_response, evaluate_asperity
    implicit none
    private
    public :: summit_curve, sum_over_summits
@@ -120,4 +120,4 @@ contains
       area_fraction = areas/area
    end subroutine sum_at
 
-end module surface_verify
+end module asperity_surface_pair_law_on_summits

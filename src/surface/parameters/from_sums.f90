@@ -1,14 +1,15 @@
 !> Parameters of a surface from the sums over its points.
-module surface_evaluate
-   use asperity_kinds, only: wp
-   use asperity_properties, only: pi
-   use surface_nayak, only: nayak_summits, nayak_type
-   use surface_parameters, only: n_parameters, p_alpha, p_direction, p_eta_nayak, p_eta_paper, &
-      p_m0, p_m2, p_m2_across, p_m2_along, p_m2_x, p_m2_y, p_m4, p_m4_across, p_m4_along, &
-      p_m4_x, p_m4_y, p_peak_mean, p_peak_sigma, p_radius_nayak, p_radius_paper, p_sa, p_sdq, &
-      p_sigma_nayak, p_sigma_paper, p_sku, p_sp, p_spc, p_spd, p_sq, p_ssk, p_summit_curvature, &
-      p_summit_density, p_summit_mean, p_summit_plane, p_summit_sigma, p_sv, p_sz
-   use surface_sums, only: summit_sums_type, surface_sums_type
+module asperity_surface_parameters_from_sums
+   use asperity_base_kinds, only: wp
+   use asperity_law_normal_properties, only: pi
+   use asperity_surface_parameters_nayak, only: nayak_summits, nayak_type
+   use asperity_surface_parameters_parameters, only: n_parameters, p_alpha, p_direction, &
+      p_eta_nayak, p_eta_paper, p_m0, p_m2, p_m2_across, p_m2_along, p_m2_x, p_m2_y, p_m4, &
+      p_m4_across, p_m4_along, p_m4_x, p_m4_y, p_peak_mean, p_peak_sigma, p_radius_nayak, &
+      p_radius_paper, p_sa, p_sdq, p_sigma_nayak, p_sigma_paper, p_sku, p_sp, p_spc, p_spd, p_sq, &
+      p_ssk, p_summit_curvature, p_summit_density, p_summit_mean, p_summit_plane, p_summit_sigma, &
+      p_sv, p_sz
+   use asperity_surface_parameters_tile_sums, only: summit_sums_type, surface_sums_type
    implicit none
    private
    public :: parameters_of
@@ -165,4 +166,4 @@ contains
       if (summits%variance > 0.0_wp) values(p_sigma_nayak) = sqrt(summits%variance)
    end subroutine values_of_moments
 
-end module surface_evaluate
+end module asperity_surface_parameters_from_sums

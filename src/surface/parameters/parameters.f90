@@ -1,5 +1,5 @@
 !> The one table of the parameters of a surface: their names, units and meaning.
-module surface_parameters
+module asperity_surface_parameters_parameters
    implicit none
    private
 
@@ -103,4 +103,4 @@ module surface_parameters
    !> Number of parameters
    integer, parameter, public :: n_parameters = size(parameters)
 
-end module surface_parameters
+end module asperity_surface_parameters_parameters

@@ -1,7 +1,7 @@
 !> Student's t for whole degrees of freedom, by the finite sums of its distribution.
-module surface_student
-   use asperity_kinds, only: wp
-   use asperity_properties, only: pi
+module asperity_surface_parameters_student
+   use asperity_base_kinds, only: wp
+   use asperity_law_normal_properties, only: pi
    implicit none
    private
    public :: student_factor, student_share
@@ -56,4 +56,4 @@ contains
       student_factor = 0.5_wp*(low + high)
    end function student_factor
 
-end module surface_student
+end module asperity_surface_parameters_student

@@ -1,9 +1,9 @@
 !> Sums over the tiles of a map, in one sweep.
-module surface_sum_map
-   use asperity_kinds, only: wp
-   use surface_height_map, only: height_map, missing_height
-   use surface_summits, only: summit_set
-   use surface_sums, only: summed, summit_sums_type, surface_sums_type
+module asperity_surface_parameters_sum_tiles
+   use asperity_base_kinds, only: wp
+   use asperity_height_map_type, only: height_map, missing_height
+   use asperity_surface_parameters_tile_sums, only: summed, summit_sums_type, surface_sums_type
+   use asperity_surface_summits_find, only: summit_set
    implicit none
    private
    public :: sum_map
@@ -196,4 +196,4 @@ contains
       sums%curvature_2 = sums%curvature_2 + curvature**2
    end subroutine add_summit
 
-end module surface_sum_map
+end module asperity_surface_parameters_sum_tiles

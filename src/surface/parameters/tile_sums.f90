@@ -1,7 +1,7 @@
 !> Sums over the points of a part of a map. Every parameter is a function of such sums, so that
 !> those of parts add up to those of the whole, and leaving a part out tells how sure it is.
-module surface_sums
-   use asperity_kinds, only: wp
+module asperity_surface_parameters_tile_sums
+   use asperity_base_kinds, only: wp
    implicit none
    private
    public :: surface_sums_type, summit_sums_type, summed
@@ -110,4 +110,4 @@ contains
       end do
    end function summed
 
-end module surface_sums
+end module asperity_surface_parameters_tile_sums

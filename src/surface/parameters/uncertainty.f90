@@ -1,12 +1,12 @@
 !> How sure the parameters of a map are: each is evaluated again with one tile of the map left out
 !> at a time (delete-one-group jackknife), and the scatter of the results says how far parameters of
 !> other maps of the same face would lie from it.
-module surface_uncertainty
-   use asperity_kinds, only: wp
-   use surface_evaluate, only: no_parameter, parameters_of
-   use surface_parameters, only: n_parameters, p_direction, p_sp, p_sv, p_sz
-   use surface_student, only: student_factor
-   use surface_sums, only: summed, surface_sums_type
+module asperity_surface_parameters_uncertainty
+   use asperity_base_kinds, only: wp
+   use asperity_surface_parameters_from_sums, only: no_parameter, parameters_of
+   use asperity_surface_parameters_parameters, only: n_parameters, p_direction, p_sp, p_sv, p_sz
+   use asperity_surface_parameters_student, only: student_factor
+   use asperity_surface_parameters_tile_sums, only: summed, surface_sums_type
    implicit none
    private
    public :: jackknife, uncertainties
@@ -103,4 +103,4 @@ contains
       end do
    end subroutine jackknife
 
-end module surface_uncertainty
+end module asperity_surface_parameters_uncertainty

@@ -1,6 +1,6 @@
 !> Thinned maps, to see what the sampling step changes.
-module surface_thin
-   use surface_height_map, only: height_map
+module asperity_surface_prepare_every_nth
+   use asperity_height_map_type, only: height_map
    implicit none
    private
    public :: thinned
@@ -32,4 +32,4 @@ contains
       if (allocated(map%format)) thin%format = map%format
    end subroutine thinned
 
-end module surface_thin
+end module asperity_surface_prepare_every_nth

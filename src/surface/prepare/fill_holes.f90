@@ -4,12 +4,12 @@
 !> end, and a mean is neither above nor below all of them: no summits arise in holes, nor pits.
 !> Starting values come from the same problem on a map of half the points either way, and so on
 !> down to a map without holes.
-module surface_holes
+module asperity_surface_prepare_fill_holes
    use, intrinsic :: iso_fortran_env, only: int64, int8
-   use asperity_error, only: error_type, fatal_error
-   use asperity_kinds, only: wp
-   use surface_height_map, only: height_map, missing_height
-   use surface_membrane, only: mean_around, relax
+   use asperity_base_error, only: error_type, fatal_error
+   use asperity_base_kinds, only: wp
+   use asperity_height_map_type, only: height_map, missing_height
+   use asperity_surface_prepare_membrane, only: mean_around, relax
    implicit none
    private
    public :: fill_missing, missing_share
@@ -167,4 +167,4 @@ contains
       is_extreme = is_above .or. is_below
    end function is_extreme
 
-end module surface_holes
+end module asperity_surface_prepare_fill_holes

@@ -10,15 +10,16 @@
 !> Weights are the Gaussian's values at the points, 1 in total. From a cutoff of four steps on that
 !> passes a wave of the cutoff's length by half to within 0.002; at three steps 0.56 of it, and at
 !> two, where no wave is shorter, 0.89.
-module surface_gaussian_filter
+module asperity_surface_prepare_gaussian_filter
    use, intrinsic :: iso_fortran_env, only: int64, int8, real32
-   use asperity_error, only: error_type, fatal_error
-   use asperity_finite, only: is_finite
-   use asperity_kinds, only: wp
-   use asperity_text, only: to_text
-   use surface_height_map, only: height_map, missing_height, missing_points
-   use surface_line_filter, only: delete_line_filter, filter_lines, line_filter, new_line_filter
-   use asperity_memory, only: check_memory, check_room
+   use asperity_base_error, only: error_type, fatal_error
+   use asperity_base_finite, only: is_finite
+   use asperity_base_kinds, only: wp
+   use asperity_base_memory, only: check_memory, check_room
+   use asperity_base_number_text, only: to_text
+   use asperity_height_map_type, only: height_map, missing_height, missing_points
+   use asperity_surface_prepare_line_filter, only: delete_line_filter, filter_lines, line_filter, &
+      new_line_filter
    implicit none
    private
    public :: filter_long, filter_short
@@ -209,4 +210,4 @@ contains
       call delete_line_filter(filter)
    end subroutine smooth_along_y
 
-end module surface_gaussian_filter
+end module asperity_surface_prepare_gaussian_filter

@@ -1,10 +1,10 @@
 !> Taking the mean plane or a polynomial form out of a map by least squares.
-module surface_level
-   use asperity_error, only: error_type, fatal_error
-   use asperity_kinds, only: wp
-   use asperity_text, only: to_text
-   use surface_cholesky, only: factorize, reciprocal_condition, solve
-   use surface_height_map, only: height_map, missing_height
+module asperity_surface_prepare_level
+   use asperity_base_error, only: error_type, fatal_error
+   use asperity_base_kinds, only: wp
+   use asperity_base_number_text, only: to_text
+   use asperity_height_map_type, only: height_map, missing_height
+   use asperity_surface_cholesky, only: factorize, reciprocal_condition, solve
    implicit none
    private
    public :: level_plane, remove_form
@@ -207,4 +207,4 @@ contains
       end do
    end subroutine legendre
 
-end module surface_level
+end module asperity_surface_prepare_level

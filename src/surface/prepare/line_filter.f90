@@ -6,10 +6,10 @@
 !> (moment retainment of ISO 16610-28 of order 1): (M2 N0 - M1 N1)/(M0 M2 - M1^2), where Mp sums
 !> k^p w(k) and Np sums k^p w(k) z(i+k) over the points k away that there are. Without it the plain
 !> sum N0 comes back.
-module surface_line_filter
-   use asperity_kinds, only: wp
-   use asperity_properties, only: pi
-   use surface_fourier, only: delete_line_transform, easy_length, line_transform, &
+module asperity_surface_prepare_line_filter
+   use asperity_base_kinds, only: wp
+   use asperity_law_normal_properties, only: pi
+   use asperity_surface_fourier, only: delete_line_transform, easy_length, line_transform, &
       new_line_transform, transform_lines_backward, transform_lines_forward
    implicit none
    private
@@ -236,4 +236,4 @@ contains
       call delete_line_transform(filter%transform)
    end subroutine delete_line_filter
 
-end module surface_line_filter
+end module asperity_surface_prepare_line_filter

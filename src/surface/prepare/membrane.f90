@@ -3,9 +3,9 @@
 !> every second point, which do the same with longer ones (multigrid). The coarser grid moves a hole
 !> no nearer to its edge than where the correction, linear between its points, ends at the edge:
 !> it cannot do harm then, however holes and measured points are mixed.
-module surface_membrane
+module asperity_surface_prepare_membrane
    use, intrinsic :: iso_fortran_env, only: int8
-   use asperity_kinds, only: wp
+   use asperity_base_kinds, only: wp
    implicit none
    private
    public :: mean_around, relax
@@ -175,4 +175,4 @@ contains
          + merge(1, 0, j < size(z, 2))
    end function neighbours
 
-end module surface_membrane
+end module asperity_surface_prepare_membrane

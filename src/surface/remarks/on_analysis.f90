@@ -1,13 +1,13 @@
 !> What a user should know about the parameters of a map before using them, in words.
-module surface_remarks
-   use asperity_kinds, only: wp
-   use asperity_plausibility, only: alpha_min, roughness_number_min, roughness_number_min_sq
-   use asperity_text, only: to_text
-   use surface_parameters, only: n_parameters, p_alpha, p_eta_nayak, p_eta_paper, p_m2_across, &
-      p_m2_along, p_radius_nayak, p_radius_paper, p_sigma_nayak, p_sigma_paper, p_sku, p_spc, &
-      p_spd, p_ssk, parameters
-   use surface_remark_list, only: add_remark, is_known, quantity, remark_type
-   use surface_scan_remarks, only: map_facts, remark_scan
+module asperity_surface_remarks_on_analysis
+   use asperity_base_kinds, only: wp
+   use asperity_base_number_text, only: to_text
+   use asperity_law_plausibility, only: alpha_min, roughness_number_min, roughness_number_min_sq
+   use asperity_surface_parameters_parameters, only: n_parameters, p_alpha, p_eta_nayak, &
+      p_eta_paper, p_m2_across, p_m2_along, p_radius_nayak, p_radius_paper, p_sigma_nayak, &
+      p_sigma_paper, p_sku, p_spc, p_spd, p_ssk, parameters
+   use asperity_surface_remarks_on_scan, only: map_facts, remark_scan
+   use asperity_surface_remarks_remark, only: add_remark, is_known, quantity, remark_type
    implicit none
    private
    public :: find_remarks, map_facts, remark_type
@@ -211,4 +211,4 @@ contains
          list//'. They are those of this step and filter; state both with them.')
    end subroutine remark_step
 
-end module surface_remarks
+end module asperity_surface_remarks_on_analysis

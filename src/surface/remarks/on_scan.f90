@@ -1,12 +1,12 @@
 !> What the scan itself is worth, in words: units, outliers, points that were filled in, waves that
 !> are too long or too short for it.
-module surface_scan_remarks
-   use asperity_kinds, only: wp
-   use asperity_properties, only: pi
-   use asperity_text, only: to_text
-   use surface_parameters, only: n_parameters, p_m0, p_m2_x, p_m2_y, p_m4_x, p_m4_y, p_sdq, &
-      p_sp, p_sq, p_sv
-   use surface_remark_list, only: add_remark, is_known, remark_type
+module asperity_surface_remarks_on_scan
+   use asperity_base_kinds, only: wp
+   use asperity_base_number_text, only: to_text
+   use asperity_law_normal_properties, only: pi
+   use asperity_surface_parameters_parameters, only: n_parameters, p_m0, p_m2_x, p_m2_y, p_m4_x, &
+      p_m4_y, p_sdq, p_sp, p_sq, p_sv
+   use asperity_surface_remarks_remark, only: add_remark, is_known, remark_type
    implicit none
    private
    public :: remark_scan
@@ -142,4 +142,4 @@ contains
          'or filter short waves out.')
    end subroutine remark_resolution
 
-end module surface_scan_remarks
+end module asperity_surface_remarks_on_scan

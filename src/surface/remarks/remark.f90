@@ -1,9 +1,9 @@
 !> Remarks on a map, one after the other, and the words for quantities in them.
-module surface_remark_list
-   use asperity_kinds, only: wp
-   use asperity_text, only: to_text
-   use surface_evaluate, only: no_parameter
-   use surface_parameters, only: parameters
+module asperity_surface_remarks_remark
+   use asperity_base_kinds, only: wp
+   use asperity_base_number_text, only: to_text
+   use asperity_surface_parameters_from_sums, only: no_parameter
+   use asperity_surface_parameters_parameters, only: parameters
    implicit none
    private
    public :: add_remark, is_known, quantity
@@ -61,4 +61,4 @@ contains
       if (parameters(p)%unit /= '-') text = trim(text)//' '//parameters(p)%unit
    end function quantity
 
-end module surface_remark_list
+end module asperity_surface_remarks_remark

@@ -1,13 +1,13 @@
 !> Summits of a map, and which of them are peaks: tops of the hills left after Wolf pruning.
-module surface_summits
+module asperity_surface_summits_find
    use, intrinsic :: iso_fortran_env, only: int64
-   use asperity_error, only: error_type, fatal_error
-   use asperity_finite, only: is_finite
-   use asperity_kinds, only: wp
-   use asperity_text, only: to_text
-   use surface_height_map, only: height_map, missing_height
-   use surface_hills, only: find_hills
-   use asperity_memory, only: check_room
+   use asperity_base_error, only: error_type, fatal_error
+   use asperity_base_finite, only: is_finite
+   use asperity_base_kinds, only: wp
+   use asperity_base_memory, only: check_room
+   use asperity_base_number_text, only: to_text
+   use asperity_height_map_type, only: height_map, missing_height
+   use asperity_surface_summits_hills, only: find_hills
    implicit none
    private
    public :: find_summits, summit_set
@@ -122,4 +122,4 @@ contains
       end associate
    end function curvature_at
 
-end module surface_summits
+end module asperity_surface_summits_find

@@ -1,7 +1,7 @@
 !> Which neighbours of a point are higher, and which of those touch one another.
-module surface_higher
-   use asperity_kinds, only: wp
-   use surface_height_map, only: missing_height
+module asperity_surface_summits_higher_neighbours
+   use asperity_base_kinds, only: wp
+   use asperity_height_map_type, only: missing_height
    implicit none
    private
    public :: first_rows, group_table, higher_in_row, highest_in_row, new_group_table, next_rows
@@ -135,4 +135,4 @@ contains
       end do
    end subroutine new_group_table
 
-end module surface_higher
+end module asperity_surface_summits_higher_neighbours

@@ -21,14 +21,14 @@
 !>
 !> A saddle is a point whose higher neighbours fall into several groups that do not touch one
 !> another; elsewhere they are joined already when the water reaches the point.
-module surface_hills
+module asperity_surface_summits_hills
    use, intrinsic :: iso_fortran_env, only: int64
-   use asperity_error, only: error_type
-   use asperity_kinds, only: wp
-   use surface_higher, only: first_rows, group_table, higher_in_row, highest_in_row, &
-      new_group_table, next_rows, nothing, turn_x, turn_y
-   use asperity_memory, only: check_memory, check_room
-   use surface_saddle_order, only: saddle_type, sort_saddles
+   use asperity_base_error, only: error_type
+   use asperity_base_kinds, only: wp
+   use asperity_base_memory, only: check_memory, check_room
+   use asperity_surface_summits_higher_neighbours, only: first_rows, group_table, higher_in_row, &
+      highest_in_row, new_group_table, next_rows, nothing, turn_x, turn_y
+   use asperity_surface_summits_saddle_order, only: saddle_type, sort_saddles
    implicit none
    private
    public :: find_hills
@@ -245,4 +245,4 @@ contains
       end do
    end subroutine find_highest
 
-end module surface_hills
+end module asperity_surface_summits_hills

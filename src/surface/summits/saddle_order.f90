@@ -1,6 +1,6 @@
 !> Saddle points of a map and their order from the highest down.
-module surface_saddle_order
-   use asperity_kinds, only: wp
+module asperity_surface_summits_saddle_order
+   use asperity_base_kinds, only: wp
    implicit none
    private
    public :: saddle_type, sort_saddles
@@ -143,4 +143,4 @@ contains
       end do
    end subroutine sift_down
 
-end module surface_saddle_order
+end module asperity_surface_summits_saddle_order

@@ -1,25 +1,27 @@
 !> `asperity hysteresis`: cycles, skeleton, stiffness, energy and damping of a record.
-module app_hysteresis
+module asperity_program_commands_hysteresis_command
    use, intrinsic :: iso_fortran_env, only: int64
    use asperity, only: error_type, wp
-   use asperity_error, only: fatal_error
-   use asperity_memory, only: check_work
-   use asperity_text, only: to_text
-   use hysteresis_analysis, only: analyse_hysteresis, check_hysteresis_settings, &
+   use asperity_base_error, only: fatal_error
+   use asperity_base_memory, only: check_work
+   use asperity_base_number_text, only: to_text
+   use asperity_hysteresis_analysis, only: analyse_hysteresis, check_hysteresis_settings, &
       hysteresis_result, hysteresis_settings, leave_out, negative_side, positive_side
-   use app_hysteresis_plot, only: write_loops_script, write_script
-   use app_hysteresis_remarks, only: record_remarks
-   use app_hysteresis_tables, only: cycle_table, record_labels, side_table, skeleton_table
-   use app_keys, only: find_key
-   use app_hysteresis_tests, only: join_reports
-   use app_record_columns, only: record_column
-   use app_record_file, only: read_record, record_format
-   use app_record_names, only: holds_displacement, holds_force, holds_moment, holds_rotation
-   use app_record_settings, only: ask_for_column, get_format, tell_column, tell_decimal
-   use app_record_table, only: columns_table
-   use app_record_tests, only: test_text, test_type
-   use app_report, only: named_table, report_type
-   use app_settings, only: assign_values, setting_type, settings_type
+   use asperity_program_commands_hysteresis_plot, only: write_loops_script, write_script
+   use asperity_program_commands_hysteresis_remarks, only: record_remarks
+   use asperity_program_commands_hysteresis_tables, only: cycle_table, record_labels, side_table, &
+      skeleton_table
+   use asperity_program_commands_hysteresis_tests, only: join_reports
+   use asperity_program_input_keys, only: find_key
+   use asperity_program_input_settings, only: assign_values, setting_type, settings_type
+   use asperity_program_record_columns, only: record_column
+   use asperity_program_record_file, only: read_record, record_format
+   use asperity_program_record_names, only: holds_displacement, holds_force, holds_moment, &
+      holds_rotation
+   use asperity_program_record_settings, only: ask_for_column, get_format, tell_column, tell_decimal
+   use asperity_program_record_table, only: columns_table
+   use asperity_program_record_tests, only: test_text, test_type
+   use asperity_program_report_report, only: named_table, report_type
    implicit none
    private
    public :: report_hysteresis
@@ -263,4 +265,4 @@ contains
       setting%source = 'column '//to_text(column%place)
    end subroutine set_unit
 
-end module app_hysteresis
+end module asperity_program_commands_hysteresis_command

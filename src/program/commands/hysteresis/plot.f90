@@ -1,12 +1,12 @@
 !> Picture of a record as a gnuplot script: loops with skeleton, stiffness, energy, damping.
-module app_hysteresis_plot
+module asperity_program_commands_hysteresis_plot
    use asperity, only: error_type, wp
-   use asperity_text, only: to_text
-   use hysteresis_analysis, only: hysteresis_result, hysteresis_skeleton, negative_side, &
+   use asperity_base_number_text, only: to_text
+   use asperity_hysteresis_analysis, only: hysteresis_result, hysteresis_skeleton, negative_side, &
       not_known, positive_side
-   use app_hysteresis_tables, only: record_labels
-   use app_strings, only: backslash, escaped, string_type
-   use app_text_buffer, only: text_buffer
+   use asperity_program_commands_hysteresis_tables, only: record_labels
+   use asperity_program_system_strings, only: backslash, escaped, string_type
+   use asperity_program_system_text_buffer, only: text_buffer
    implicit none
    private
    public :: write_script, write_loops_script, start_sheet
@@ -237,4 +237,4 @@ contains
       call b%line('EOD')
    end subroutine add_cycles
 
-end module app_hysteresis_plot
+end module asperity_program_commands_hysteresis_plot

@@ -1,12 +1,12 @@
 !> What is to be said of a record and of its analysis.
-module app_hysteresis_remarks
+module asperity_program_commands_hysteresis_remarks
    use asperity, only: wp
-   use asperity_properties, only: pi
-   use asperity_text, only: to_text
-   use hysteresis_analysis, only: hysteresis_result, hysteresis_settings, hysteresis_skeleton, &
-      not_known, positive_side, negative_side
-   use app_hysteresis_tables, only: record_labels, side_names
-   use app_strings, only: string_type
+   use asperity_base_number_text, only: to_text
+   use asperity_hysteresis_analysis, only: hysteresis_result, hysteresis_settings, &
+      hysteresis_skeleton, not_known, positive_side, negative_side
+   use asperity_law_normal_properties, only: pi
+   use asperity_program_commands_hysteresis_tables, only: record_labels, side_names
+   use asperity_program_system_strings, only: string_type
    implicit none
    private
    public :: record_remarks, excess_words
@@ -253,4 +253,4 @@ contains
       text = to_text(value, figures)//' '//unit
    end function shown
 
-end module app_hysteresis_remarks
+end module asperity_program_commands_hysteresis_remarks

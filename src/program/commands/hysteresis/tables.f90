@@ -1,9 +1,9 @@
 !> Tables of what a record says: cycles, both sides, skeleton.
-module app_hysteresis_tables
+module asperity_program_commands_hysteresis_tables
    use asperity, only: wp
-   use hysteresis_analysis, only: hysteresis_cycle, hysteresis_result, negative_side, not_known, &
-      positive_side
-   use app_table, only: column_counts, new_table, no_value, table_type
+   use asperity_hysteresis_analysis, only: hysteresis_cycle, hysteresis_result, negative_side, &
+      not_known, positive_side
+   use asperity_program_report_table, only: column_counts, new_table, no_value, table_type
    implicit none
    private
    public :: record_labels, cycle_table, side_table, skeleton_table
@@ -164,4 +164,4 @@ contains
       yes_or_no = merge('yes', 'no ', condition)
    end function yes_or_no
 
-end module app_hysteresis_tables
+end module asperity_program_commands_hysteresis_tables

@@ -1,13 +1,13 @@
 !> Several tests of one file in one report: their tables below each other, with what tells the tests
 !> apart in front.
-module app_hysteresis_tests
+module asperity_program_commands_hysteresis_tests
    use asperity, only: error_type, wp
-   use app_hysteresis_plot, only: start_sheet
-   use app_record_numbers, only: looks_like_number, read_number
-   use app_record_tests, only: test_text, test_type
-   use app_report, only: report_type
-   use app_strings, only: newline, string_type
-   use app_table, only: column_numbers, column_texts, column_type, table_type
+   use asperity_program_commands_hysteresis_plot, only: start_sheet
+   use asperity_program_record_numbers, only: looks_like_number, read_number
+   use asperity_program_record_tests, only: test_text, test_type
+   use asperity_program_report_report, only: report_type
+   use asperity_program_report_table, only: column_numbers, column_texts, column_type, table_type
+   use asperity_program_system_strings, only: newline, string_type
    implicit none
    private
    public :: join_reports
@@ -134,4 +134,4 @@ contains
       end if
    end function condition_column
 
-end module app_hysteresis_tests
+end module asperity_program_commands_hysteresis_tests

@@ -1,26 +1,27 @@
 !> `asperity surface`: from a height map to the parameters of the law.
-module app_surface
+module asperity_program_commands_surface_command
    use asperity, only: computation_error, error_type, normal_properties, wp
-   use asperity_error, only: fatal_error
-   use map_file_write, only: height_map_bytes
-   use surface_analysis, only: analyse_surface, analysis_settings, most_tiles, &
+   use asperity_base_error, only: fatal_error
+   use asperity_height_map_type, only: height_map, missing_height, note_end
+   use asperity_height_map_write, only: height_map_bytes
+   use asperity_program_commands_surface_law, only: has_law, set_law, surface_case
+   use asperity_program_commands_surface_maps, only: check_map_options, get_map, prepare_map
+   use asperity_program_commands_surface_pair, only: analyse_pair
+   use asperity_program_commands_surface_plot, only: write_script
+   use asperity_program_commands_surface_tables, only: law_parameters_table, map_table, &
+      parameter_table
+   use asperity_program_commands_surface_verdict, only: surface_verdict
+   use asperity_program_commands_surface_verify, only: add_summit_curve, law_curves
+   use asperity_program_input_keys, only: command_surface, find_key
+   use asperity_program_input_settings, only: settings_type
+   use asperity_program_report_report, only: named_table, report_type
+   use asperity_program_report_table, only: new_table
+   use asperity_program_system_progress, only: clear_steps, show_stage
+   use asperity_program_system_strings, only: lower_case, quoted, string_type
+   use asperity_surface_analysis, only: analyse_surface, analysis_settings, most_tiles, &
       surface_analysis_type
-   use surface_height_map, only: height_map, missing_height, note_end
-   use surface_holes, only: missing_share
-   use surface_remarks, only: find_remarks, map_facts, remark_type
-   use app_keys, only: command_surface, find_key
-   use app_progress, only: clear_steps, show_stage
-   use app_report, only: named_table, report_type
-   use app_settings, only: settings_type
-   use app_strings, only: lower_case, quoted, string_type
-   use app_surface_law, only: has_law, set_law, surface_case
-   use app_surface_maps, only: check_map_options, get_map, prepare_map
-   use app_surface_pair, only: analyse_pair
-   use app_surface_plot, only: write_script
-   use app_surface_tables, only: law_parameters_table, map_table, parameter_table
-   use app_surface_verdict, only: surface_verdict
-   use app_surface_verify, only: add_summit_curve, law_curves
-   use app_table, only: new_table
+   use asperity_surface_prepare_fill_holes, only: missing_share
+   use asperity_surface_remarks_on_analysis, only: find_remarks, map_facts, remark_type
    implicit none
    private
    public :: report_surface
@@ -258,4 +259,4 @@ contains
       end if
    end subroutine refuse_law
 
-end module app_surface
+end module asperity_program_commands_surface_command

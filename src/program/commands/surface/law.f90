@@ -1,17 +1,18 @@
 !> The law with the parameters of a map: its settings, its properties, its case file.
-module app_surface_law
+module asperity_program_commands_surface_law
    use asperity, only: error_type, new_normal_properties, normal_properties, version, wp
+   use asperity_base_number_text, only: to_text
    use asperity_contact_properties, only: default_initial_separation
-   use asperity_text, only: to_text
-   use surface_evaluate, only: no_parameter
-   use surface_parameters, only: p_eta_nayak, p_eta_paper, p_radius_nayak, p_radius_paper, &
-      p_sigma_nayak, p_sigma_paper, p_sp, p_summit_plane, parameters
-   use app_keys, only: belongs, command_surface, command_table, find_key, keys, kind_real, n_keys
-   use app_lists, only: linear_range
-   use app_presets, only: apply_presets, fill
-   use app_print_case, only: case_text
-   use app_settings, only: assign_values, settings_type
-   use app_strings, only: quoted, string_type
+   use asperity_program_input_keys, only: belongs, command_surface, command_table, find_key, keys, &
+      kind_real, n_keys
+   use asperity_program_input_presets, only: apply_presets, fill
+   use asperity_program_input_print_case, only: case_text
+   use asperity_program_input_ranges, only: linear_range
+   use asperity_program_input_settings, only: assign_values, settings_type
+   use asperity_program_system_strings, only: quoted, string_type
+   use asperity_surface_parameters_from_sums, only: no_parameter
+   use asperity_surface_parameters_parameters, only: p_eta_nayak, p_eta_paper, p_radius_nayak, &
+      p_radius_paper, p_sigma_nayak, p_sigma_paper, p_sp, p_summit_plane, parameters
    implicit none
    private
    public :: route_places, has_law, set_law, refusal, surface_case
@@ -172,4 +173,4 @@ contains
       text = case_text(law, command_table, heading(:n))
    end function surface_case
 
-end module app_surface_law
+end module asperity_program_commands_surface_law

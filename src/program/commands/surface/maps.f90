@@ -1,17 +1,17 @@
 !> The height maps of `asperity surface`: read or made, prepared as the options say.
-module app_surface_maps
+module asperity_program_commands_surface_maps
    use asperity, only: error_type, find_pair, pair_preset, wp
-   use asperity_error, only: fatal_error
-   use asperity_text, only: to_text
-   use map_file_read, only: map_hints, read_height_map
-   use surface_analysis, only: prepare_surface, preparation_settings
-   use surface_generate, only: generate_surface
-   use surface_generate_settings, only: surface_settings
-   use surface_height_map, only: height_map
-   use app_keys, only: command_surface, find_key
-   use app_progress, only: show_share, show_stage
-   use app_presets, only: fill
-   use app_settings, only: forget, settings_type
+   use asperity_base_error, only: fatal_error
+   use asperity_base_number_text, only: to_text
+   use asperity_height_map_read, only: map_hints, read_height_map
+   use asperity_height_map_type, only: height_map
+   use asperity_program_input_keys, only: command_surface, find_key
+   use asperity_program_input_presets, only: fill
+   use asperity_program_input_settings, only: forget, settings_type
+   use asperity_program_system_progress, only: show_share, show_stage
+   use asperity_surface_analysis, only: prepare_surface, preparation_settings
+   use asperity_surface_generate_map, only: generate_surface
+   use asperity_surface_generate_settings, only: surface_settings
    implicit none
    private
    public :: check_map_options, get_map, prepare_map
@@ -250,4 +250,4 @@ contains
       end if
    end subroutine check_cutoffs
 
-end module app_surface_maps
+end module asperity_program_commands_surface_maps

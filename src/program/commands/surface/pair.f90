@@ -1,21 +1,22 @@
 !> Two maps of `asperity surface --pair`: each face, the equivalent surface, the gap between them.
-module app_surface_pair
+module asperity_program_commands_surface_pair
    use asperity, only: error_type, wp
-   use asperity_text, only: to_text
-   use surface_analysis, only: analyse_surface, analysis_settings, surface_analysis_type
-   use surface_gap, only: find_gap, gap_distribution
-   use surface_height_map, only: height_map
-   use surface_level, only: level_plane
-   use surface_pair, only: combine_values, map_correlation, pair_uncertainties, sum_of_maps
-   use surface_parameters, only: n_parameters, p_alpha, p_eta_nayak, p_m0, p_m2, p_m4, &
-      p_radius_nayak, p_sigma_nayak, p_sq, parameters
-   use surface_sums, only: summed
-   use app_progress, only: show_stage
-   use app_report, only: named_table
-   use app_settings, only: settings_type
-   use app_strings, only: string_type
-   use app_surface_maps, only: get_map, prepare_map
-   use app_table, only: new_table
+   use asperity_base_number_text, only: to_text
+   use asperity_height_map_type, only: height_map
+   use asperity_program_commands_surface_maps, only: get_map, prepare_map
+   use asperity_program_input_settings, only: settings_type
+   use asperity_program_report_report, only: named_table
+   use asperity_program_report_table, only: new_table
+   use asperity_program_system_progress, only: show_stage
+   use asperity_program_system_strings, only: string_type
+   use asperity_surface_analysis, only: analyse_surface, analysis_settings, surface_analysis_type
+   use asperity_surface_pair_equivalent_surface, only: combine_values, map_correlation, &
+      pair_uncertainties, sum_of_maps
+   use asperity_surface_pair_first_touch_gap, only: find_gap, gap_distribution
+   use asperity_surface_parameters_parameters, only: n_parameters, p_alpha, p_eta_nayak, p_m0, &
+      p_m2, p_m4, p_radius_nayak, p_sigma_nayak, p_sq, parameters
+   use asperity_surface_parameters_tile_sums, only: summed
+   use asperity_surface_prepare_level, only: level_plane
    implicit none
    private
    public :: analyse_pair
@@ -140,4 +141,4 @@ contains
       call named%table%add_numbers('gap', 'mm', gap%quantiles, figures=4)
    end subroutine gap_table
 
-end module app_surface_pair
+end module asperity_program_commands_surface_pair

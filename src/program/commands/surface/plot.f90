@@ -1,13 +1,13 @@
 !> Picture of `asperity surface` as a gnuplot script: the map, its heights, the law.
-module app_surface_plot
+module asperity_program_commands_surface_plot
    use asperity, only: error_type, wp
-   use asperity_properties, only: pi
-   use asperity_text, only: to_text
-   use surface_height_map, only: height_map, missing_height
-   use surface_parameters, only: p_sq
-   use app_strings, only: backslash
-   use app_table, only: no_value, table_type
-   use app_text_buffer, only: text_buffer
+   use asperity_base_number_text, only: to_text
+   use asperity_height_map_type, only: height_map, missing_height
+   use asperity_law_normal_properties, only: pi
+   use asperity_program_report_table, only: no_value, table_type
+   use asperity_program_system_strings, only: backslash
+   use asperity_program_system_text_buffer, only: text_buffer
+   use asperity_surface_parameters_parameters, only: p_sq
    implicit none
    private
    public :: write_script
@@ -211,4 +211,4 @@ contains
       call b%line('plot '//lines)
    end subroutine draw_law
 
-end module app_surface_plot
+end module asperity_program_commands_surface_plot

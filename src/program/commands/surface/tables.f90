@@ -1,13 +1,13 @@
 !> Tables of `asperity surface`.
-module app_surface_tables
+module asperity_program_commands_surface_tables
    use asperity, only: wp
-   use surface_analysis, only: surface_analysis_type
-   use surface_evaluate, only: no_parameter
-   use surface_height_map, only: height_map, missing_points
-   use surface_summits, only: summit_set
-   use surface_parameters, only: n_parameters, p_sp, p_summit_plane, parameters
-   use app_surface_law, only: has_law, route_places, routes
-   use app_table, only: column_counts, new_table, no_value, table_type
+   use asperity_height_map_type, only: height_map, missing_points
+   use asperity_program_commands_surface_law, only: has_law, route_places, routes
+   use asperity_program_report_table, only: column_counts, new_table, no_value, table_type
+   use asperity_surface_analysis, only: surface_analysis_type
+   use asperity_surface_parameters_from_sums, only: no_parameter
+   use asperity_surface_parameters_parameters, only: n_parameters, p_sp, p_summit_plane, parameters
+   use asperity_surface_summits_find, only: summit_set
    implicit none
    private
    public :: law_parameters_table, map_table, parameter_table
@@ -111,4 +111,4 @@ contains
       values = value
    end function both
 
-end module app_surface_tables
+end module asperity_program_commands_surface_tables

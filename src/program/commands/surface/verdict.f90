@@ -1,15 +1,15 @@
 !> Which route to take for a map, why, and how good it is by the sum over the map's summits.
-module app_surface_verdict
+module asperity_program_commands_surface_verdict
    use asperity, only: error_type, normal_properties, separation_for_pressure, wp
-   use asperity_plausibility, only: roughness_number_max, roughness_number_min, &
+   use asperity_base_number_text, only: to_text
+   use asperity_law_plausibility, only: roughness_number_max, roughness_number_min, &
       roughness_number_min_sq
-   use asperity_text, only: to_text
-   use surface_analysis, only: surface_analysis_type
-   use surface_parameters, only: p_summit_plane
-   use surface_verify, only: sum_over_summits, summit_curve
-   use app_settings, only: settings_type
-   use app_strings, only: string_type
-   use app_surface_law, only: has_law, refusal, route_places, set_law
+   use asperity_program_commands_surface_law, only: has_law, refusal, route_places, set_law
+   use asperity_program_input_settings, only: settings_type
+   use asperity_program_system_strings, only: string_type
+   use asperity_surface_analysis, only: surface_analysis_type
+   use asperity_surface_pair_law_on_summits, only: sum_over_summits, summit_curve
+   use asperity_surface_parameters_parameters, only: p_summit_plane
    implicit none
    private
    public :: surface_verdict
@@ -162,4 +162,4 @@ contains
       end do
    end function grade_of
 
-end module app_surface_verdict
+end module asperity_program_commands_surface_verdict

@@ -1,17 +1,17 @@
 !> The law with the parameters of a map against separation: the Gaussian integral, and the sum over
 !> the summits of the map.
-module app_surface_verify
+module asperity_program_commands_surface_verify
    use asperity, only: error_type, evaluate_normal_law, normal_properties, normal_response, &
       separation_for_pressure, wp
-   use asperity_text, only: to_text
-   use surface_analysis, only: surface_analysis_type
-   use surface_parameters, only: p_summit_plane
-   use surface_verify, only: sum_over_summits, summit_curve
-   use app_keys, only: find_key
-   use app_settings, only: settings_type
-   use app_strings, only: string_type
-   use app_surface_law, only: has_law, routes, set_law
-   use app_table, only: new_table, no_value, table_type
+   use asperity_base_number_text, only: to_text
+   use asperity_program_commands_surface_law, only: has_law, routes, set_law
+   use asperity_program_input_keys, only: find_key
+   use asperity_program_input_settings, only: settings_type
+   use asperity_program_report_table, only: new_table, no_value, table_type
+   use asperity_program_system_strings, only: string_type
+   use asperity_surface_analysis, only: surface_analysis_type
+   use asperity_surface_pair_law_on_summits, only: sum_over_summits, summit_curve
+   use asperity_surface_parameters_parameters, only: p_summit_plane
    implicit none
    private
    public :: law_curves, add_summit_curve
@@ -124,4 +124,4 @@ contains
       text = to_text(value, 3)//' MPa (standard error '//to_text(error, 2)//')'
    end function with_error
 
-end module app_surface_verify
+end module asperity_program_commands_surface_verify

@@ -1,24 +1,25 @@
 !> `asperity tenon`: the cyclic tenon joint under hard contact and under the rough law.
-module app_tenon
+module asperity_program_commands_tenon_command
    use, intrinsic :: iso_fortran_env, only: int64
    use asperity, only: error_type, wp
-   use asperity_error, only: fatal_error
-   use asperity_memory, only: check_work
-   use asperity_text, only: to_text
-   use replay_tenon, only: tenon_warned_pull_out
-   use replay_tenon_programme, only: tenon_programme
-   use hysteresis_analysis, only: negative_side, positive_side
-   use app_config, only: config_type
-   use app_hysteresis_remarks, only: excess_words
-   use app_joint, only: check_moment, hard, joint_type, rough, run_joint, steps_to_record
-   use app_paper_joint, only: is_paper_joint
-   use app_progress, only: clear_steps, show_steps, tell_terminal
-   use app_report, only: named_table, report_type, turning_points
-   use app_strings, only: string_type
-   use app_tenon_failure, only: keep_failed_step
-   use app_tenon_plots, only: joint_pictures
-   use app_tenon_tables, only: comparison_table, cycles_table, points_table, skeleton_table, &
-      steps_table, totals_table
+   use asperity_base_error, only: fatal_error
+   use asperity_base_memory, only: check_work
+   use asperity_base_number_text, only: to_text
+   use asperity_hysteresis_analysis, only: negative_side, positive_side
+   use asperity_program_commands_config, only: config_type
+   use asperity_program_commands_hysteresis_remarks, only: excess_words
+   use asperity_program_commands_tenon_compare_models, only: check_moment, hard, joint_type, &
+      rough, run_joint, steps_to_record
+   use asperity_program_commands_tenon_failure, only: keep_failed_step
+   use asperity_program_commands_tenon_paper_joint, only: is_paper_joint
+   use asperity_program_commands_tenon_plots, only: joint_pictures
+   use asperity_program_commands_tenon_tables, only: comparison_table, cycles_table, points_table, &
+      skeleton_table, steps_table, totals_table
+   use asperity_program_report_report, only: named_table, report_type, turning_points
+   use asperity_program_system_progress, only: clear_steps, show_steps, tell_terminal
+   use asperity_program_system_strings, only: string_type
+   use asperity_replay_tenon_load_path, only: tenon_programme
+   use asperity_replay_tenon_run, only: tenon_warned_pull_out
    implicit none
    private
    public :: report_tenon
@@ -195,4 +196,4 @@ contains
       call show_steps('tenon: rough law', done, amount)
    end subroutine show_rough
 
-end module app_tenon
+end module asperity_program_commands_tenon_command

@@ -1,15 +1,16 @@
 !> One tenon joint under hard contact or under the rough law: the replay and what follows from it.
-module app_joint
+module asperity_program_commands_tenon_compare_models
    use, intrinsic :: iso_fortran_env, only: int64
    use asperity, only: error_type, wp
-   use asperity_error, only: fatal_error
-   use asperity_text, only: to_text
-   use hysteresis_analysis, only: analyse_hysteresis, hysteresis_result, hysteresis_settings, &
-      not_known
-   use replay_tenon, only: bearing_faces, run_tenon, tenon_point, tenon_progress, tenon_step
-   use replay_tenon_settings, only: tenon_settings
-   use app_config, only: config_type
-   use app_units, only: joule, kilonewton_metre
+   use asperity_base_error, only: fatal_error
+   use asperity_base_number_text, only: to_text
+   use asperity_hysteresis_analysis, only: analyse_hysteresis, hysteresis_result, &
+      hysteresis_settings, not_known
+   use asperity_program_commands_config, only: config_type
+   use asperity_program_report_units, only: joule, kilonewton_metre
+   use asperity_replay_tenon_run, only: bearing_faces, run_tenon, tenon_point, tenon_progress, &
+      tenon_step
+   use asperity_replay_tenon_settings, only: tenon_settings
    implicit none
    private
    public :: joint_type, run_joint, check_moment, largest_cycle, loop_joules, steps_to_record
@@ -204,4 +205,4 @@ contains
       next_zero = ubound(displacement, 1)
    end function next_zero
 
-end module app_joint
+end module asperity_program_commands_tenon_compare_models

@@ -1,13 +1,13 @@
 !> Settings of `asperity tenon` as the replay takes them.
-module app_tenon_config
+module asperity_program_commands_tenon_config
    use asperity, only: contact_properties, error_type, find_pair, new_contact_properties, &
       new_normal_properties, normal_properties, pair_preset, wp
-   use asperity_error, only: fatal_error
-   use asperity_properties, only: check_range
-   use asperity_text, only: to_text
-   use replay_tenon_settings, only: check_tenon_settings, tenon_settings
-   use app_keys, only: belongs, find_key
-   use app_settings, only: settings_type
+   use asperity_base_error, only: fatal_error
+   use asperity_base_number_text, only: to_text
+   use asperity_law_normal_properties, only: check_range
+   use asperity_program_input_keys, only: belongs, find_key
+   use asperity_program_input_settings, only: settings_type
+   use asperity_replay_tenon_settings, only: check_tenon_settings, tenon_settings
    implicit none
    private
    public :: new_tenon_settings, new_side_properties, whole_list
@@ -139,4 +139,4 @@ contains
       end associate
    end subroutine whole_list
 
-end module app_tenon_config
+end module asperity_program_commands_tenon_config

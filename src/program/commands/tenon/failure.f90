@@ -1,15 +1,15 @@
 !> What is left behind when a step of the tenon joint cannot be solved: a case file and the
 !> displacements up to that step, with which it fails again.
-module app_tenon_failure
+module asperity_program_commands_tenon_failure
    use asperity, only: computation_error, error_type, wp
-   use app_effective, only: mark_unused
-   use app_keys, only: command_hysteresis, command_tenon, find_key, keys, n_keys
-   use app_output, only: open_target, output_file, write_files
-   use app_print_case, only: case_text
-   use app_settings, only: forget, settings_type
-   use app_strings, only: newline
-   use app_table, only: full_figures
-   use app_text_buffer, only: text_buffer
+   use asperity_program_input_keys, only: command_hysteresis, command_tenon, find_key, keys, n_keys
+   use asperity_program_input_print_case, only: case_text
+   use asperity_program_input_resolve, only: mark_unused
+   use asperity_program_input_settings, only: forget, settings_type
+   use asperity_program_report_table, only: full_figures
+   use asperity_program_system_atomic_files, only: open_target, output_file, write_files
+   use asperity_program_system_strings, only: newline
+   use asperity_program_system_text_buffer, only: text_buffer
    implicit none
    private
    public :: keep_failed_step
@@ -60,4 +60,4 @@ contains
          case_name//' replays it'
    end subroutine keep_failed_step
 
-end module app_tenon_failure
+end module asperity_program_commands_tenon_failure

@@ -1,19 +1,21 @@
 !> The recorded displacements or rotations that a tenon joint may be led along.
-module app_tenon_history
+module asperity_program_commands_tenon_history
    use asperity, only: error_type, wp
-   use asperity_error, only: fatal_error
-   use asperity_text, only: to_text
-   use replay_tenon_settings, only: check_tenon_settings, tenon_settings
-   use app_keys, only: belongs, command_hysteresis, command_tenon, find_key, n_keys
-   use app_record_columns, only: record_column
-   use app_record_file, only: read_record, record_format
-   use app_record_names, only: holds_displacement, holds_rotation
-   use app_record_settings, only: ask_for_column, get_format, tell_column, tell_decimal
-   use app_record_table, only: columns_table
-   use app_record_tests, only: test_text, test_type
-   use app_record_units, only: find_unit, unit_angle, unit_length, unit_share, unit_type
-   use app_report, only: named_table
-   use app_settings, only: forget, settings_type
+   use asperity_base_error, only: fatal_error
+   use asperity_base_number_text, only: to_text
+   use asperity_program_input_keys, only: belongs, command_hysteresis, command_tenon, find_key, &
+      n_keys
+   use asperity_program_input_settings, only: forget, settings_type
+   use asperity_program_record_columns, only: record_column
+   use asperity_program_record_file, only: read_record, record_format
+   use asperity_program_record_names, only: holds_displacement, holds_rotation
+   use asperity_program_record_settings, only: ask_for_column, get_format, tell_column, tell_decimal
+   use asperity_program_record_table, only: columns_table
+   use asperity_program_record_tests, only: test_text, test_type
+   use asperity_program_record_units, only: find_unit, unit_angle, unit_length, unit_share, &
+      unit_type
+   use asperity_program_report_report, only: named_table
+   use asperity_replay_tenon_settings, only: check_tenon_settings, tenon_settings
    implicit none
    private
    public :: history_type, read_history, follow_history, forget_reading
@@ -189,4 +191,4 @@ contains
       if (allocated(error)) error%message = history%path//': '//error%message
    end subroutine follow_history
 
-end module app_tenon_history
+end module asperity_program_commands_tenon_history

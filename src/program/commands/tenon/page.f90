@@ -1,19 +1,20 @@
 !> The page that `asperity tenon --report` writes: case, assumptions, tables and pictures in one
 !> file that needs no other and prints well.
-module app_tenon_page
+module asperity_program_commands_tenon_page
    use asperity, only: validity_remark
-   use asperity_text, only: to_text
-   use asperity_version, only: version
-   use app_html, only: add_html_table, html_text, split_svg
-   use app_keys, only: belongs, keys, kind_file, n_keys
-   use app_paper_joint, only: is_paper_joint, usual_settings
-   use app_presets, only: faces_text
-   use app_report, only: report_type
-   use app_tenon_words, only: assumptions, cautions, origin_of, paper_cautions
-   use app_settings, only: settings_type
-   use app_tenon_sketch, only: add_sketch
-   use app_terminal, only: input_text
-   use app_text_buffer, only: text_buffer
+   use asperity_base_number_text, only: to_text
+   use asperity_base_version, only: version
+   use asperity_program_commands_tenon_page_texts, only: assumptions, cautions, origin_of, &
+      paper_cautions
+   use asperity_program_commands_tenon_paper_joint, only: is_paper_joint, usual_settings
+   use asperity_program_commands_tenon_sketch, only: add_sketch
+   use asperity_program_input_keys, only: belongs, keys, kind_file, n_keys
+   use asperity_program_input_presets, only: faces_text
+   use asperity_program_input_settings, only: settings_type
+   use asperity_program_report_html, only: add_html_table, html_text, split_svg
+   use asperity_program_report_report, only: report_type
+   use asperity_program_report_terminal, only: input_text
+   use asperity_program_system_text_buffer, only: text_buffer
    implicit none
    private
    public :: page_script, page_text
@@ -219,4 +220,4 @@ contains
       html = '<td class="text">'//html_text(text)//'</td>'
    end function cell
 
-end module app_tenon_page
+end module asperity_program_commands_tenon_page

@@ -1,6 +1,6 @@
 !> What a page on the tenon joint says of its input: what the paper gives, what was chosen and why,
 !> what is assumed, and what cannot be compared.
-module app_tenon_words
+module asperity_program_commands_tenon_page_texts
    implicit none
    private
    public :: origin_of
@@ -107,4 +107,4 @@ contains
       end do
    end function origin_of
 
-end module app_tenon_words
+end module asperity_program_commands_tenon_page_texts

@@ -1,10 +1,10 @@
 !> The paper's joint: what it is, and what the paper says of it.
-module app_paper_joint
+module asperity_program_commands_tenon_paper_joint
    use asperity, only: error_type, wp
-   use app_cli, only: command_line_type
-   use app_effective, only: settled
-   use app_keys, only: command_tenon, find_key
-   use app_settings, only: default_settings, settings_type
+   use asperity_program_input_command_line, only: command_line_type
+   use asperity_program_input_keys, only: command_tenon, find_key
+   use asperity_program_input_resolve, only: settled
+   use asperity_program_input_settings, only: default_settings, settings_type
    implicit none
    private
    public :: is_paper_joint, usual_settings
@@ -55,4 +55,4 @@ contains
       call settled(default_settings(), line, settings, error)
    end function usual_settings
 
-end module app_paper_joint
+end module asperity_program_commands_tenon_paper_joint

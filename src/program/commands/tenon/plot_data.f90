@@ -1,11 +1,12 @@
 !> Data of the tenon joint's pictures as data blocks of gnuplot, named after model and content.
-module app_tenon_plot_data
+module asperity_program_commands_tenon_plot_data
    use asperity, only: status_slip, status_stick, wp
-   use asperity_text, only: to_text
-   use hysteresis_analysis, only: not_known
-   use app_joint, only: joint_type, largest_cycle, loop_joules, model_names
-   use app_text_buffer, only: text_buffer
-   use app_units, only: joule, kilonewton_metre
+   use asperity_base_number_text, only: to_text
+   use asperity_hysteresis_analysis, only: not_known
+   use asperity_program_commands_tenon_compare_models, only: joint_type, largest_cycle, &
+      loop_joules, model_names
+   use asperity_program_report_units, only: joule, kilonewton_metre
+   use asperity_program_system_text_buffer, only: text_buffer
    implicit none
    private
    public :: add_cycles, add_skeleton, add_states, add_steps, state_block, state_steps
@@ -165,4 +166,4 @@ contains
       call b%line('$'//trim(model_names(joint%model))//'_'//what//' << EOD')
    end subroutine start_block
 
-end module app_tenon_plot_data
+end module asperity_program_commands_tenon_plot_data

@@ -1,13 +1,13 @@
 !> Pictures of the tenon joint as gnuplot scripts: what the paper shows in its Figs 25 to 33.
-module app_tenon_plots
+module asperity_program_commands_tenon_plots
    use asperity, only: error_type, wp
-   use asperity_text, only: to_text
-   use app_joint, only: joint_type, model_names
-   use app_report, only: picture_type
-   use app_strings, only: backslash
-   use app_tenon_plot_data, only: add_cycles, add_skeleton, add_states, add_steps, state_block, &
-      state_steps
-   use app_text_buffer, only: text_buffer
+   use asperity_base_number_text, only: to_text
+   use asperity_program_commands_tenon_compare_models, only: joint_type, model_names
+   use asperity_program_commands_tenon_plot_data, only: add_cycles, add_skeleton, add_states, &
+      add_steps, state_block, state_steps
+   use asperity_program_report_report, only: picture_type
+   use asperity_program_system_strings, only: backslash
+   use asperity_program_system_text_buffer, only: text_buffer
    implicit none
    private
    public :: joint_pictures, picture_sheet
@@ -195,4 +195,4 @@ contains
          'with points '//mark//' lc rgb "'//colour//'" title "'//legend//'"'
    end function state_line
 
-end module app_tenon_plots
+end module asperity_program_commands_tenon_plots

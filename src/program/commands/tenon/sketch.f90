@@ -1,9 +1,9 @@
 !> A drawing of the joint with its sizes, symbols and signs, as an SVG element.
-module app_tenon_sketch
+module asperity_program_commands_tenon_sketch
    use asperity, only: wp
-   use asperity_text, only: to_text
-   use app_settings, only: settings_type
-   use app_text_buffer, only: text_buffer
+   use asperity_base_number_text, only: to_text
+   use asperity_program_input_settings, only: settings_type
+   use asperity_program_system_text_buffer, only: text_buffer
    implicit none
    private
    public :: add_sketch
@@ -135,4 +135,4 @@ contains
       text = to_text(settings%real_of(name), 6)//' mm'
    end function size_text
 
-end module app_tenon_sketch
+end module asperity_program_commands_tenon_sketch

@@ -1,25 +1,28 @@
 !> `asperity tenon --sweep`: both models for every combination of the values of some keys. What is
 !> done is kept in FILE.partial beside the CSV file, line by line, so that a run that was stopped
 !> goes on where it was.
-module app_tenon_sweep
+module asperity_program_commands_tenon_sweep
    !$ use omp_lib, only: omp_get_max_threads
    use asperity, only: error_type
-   use asperity_error, only: fatal_error
-   use asperity_text, only: to_text
-   use replay_tenon_settings, only: tenon_settings
-   use app_cli, only: command_line_type
-   use app_config, only: config_type, new_config
-   use app_effective, only: leader_of, locate, settled
-   use app_joint, only: check_moment, hard, joint_type, rough, run_joint
-   use app_keys, only: keys, n_keys
-   use app_progress, only: progress_type
-   use app_report, only: report_type
-   use app_settings, only: settings_type
-   use app_strings, only: string_type
-   use app_sweep, only: axis_type, combinations, new_axes, set_case
-   use app_sweep_file, only: append_case, open_partial, partial_type
-   use app_sweep_table, only: case_result, evaluate, shown_columns, sweep_table
-   use app_tenon_history, only: follow_history, history_type
+   use asperity_base_error, only: fatal_error
+   use asperity_base_number_text, only: to_text
+   use asperity_program_commands_config, only: config_type, new_config
+   use asperity_program_commands_tenon_compare_models, only: check_moment, hard, joint_type, &
+      rough, run_joint
+   use asperity_program_commands_tenon_history, only: follow_history, history_type
+   use asperity_program_commands_tenon_sweeps_cases, only: axis_type, combinations, new_axes, &
+      set_case
+   use asperity_program_commands_tenon_sweeps_file, only: append_case, open_partial, partial_type
+   use asperity_program_commands_tenon_sweeps_table, only: case_result, evaluate, shown_columns, &
+      sweep_table
+   use asperity_program_input_command_line, only: command_line_type
+   use asperity_program_input_keys, only: keys, n_keys
+   use asperity_program_input_resolve, only: leader_of, locate, settled
+   use asperity_program_input_settings, only: settings_type
+   use asperity_program_report_report, only: report_type
+   use asperity_program_system_progress, only: progress_type
+   use asperity_program_system_strings, only: string_type
+   use asperity_replay_tenon_settings, only: tenon_settings
    implicit none
    private
    public :: report_sweep, check_sweep
@@ -176,4 +179,4 @@ contains
       if (allocated(error)) call locate(error, settings)
    end subroutine prepare_case
 
-end module app_tenon_sweep
+end module asperity_program_commands_tenon_sweep

@@ -1,13 +1,14 @@
 !> Tables of `asperity tenon`: every step, every contact point, and both models side by side.
-module app_tenon_tables
+module asperity_program_commands_tenon_tables
    use asperity, only: wp
-   use hysteresis_analysis, only: hysteresis_cycle, hysteresis_skeleton, negative_side
-   use replay_tenon, only: tenon_face_names, tenon_faces, tenon_point, tenon_step
-   use app_joint, only: hard, joint_type, loop_joules, model_names, rough
-   use app_paper_joint, only: published, published_methods
-   use app_table, only: column_counts, column_status, column_validity, new_table, no_value, &
-      table_type
-   use app_units, only: joule, kilonewton_metre
+   use asperity_hysteresis_analysis, only: hysteresis_cycle, hysteresis_skeleton, negative_side
+   use asperity_program_commands_tenon_compare_models, only: hard, joint_type, loop_joules, &
+      model_names, rough
+   use asperity_program_commands_tenon_paper_joint, only: published, published_methods
+   use asperity_program_report_table, only: column_counts, column_status, column_validity, &
+      new_table, no_value, table_type
+   use asperity_program_report_units, only: joule, kilonewton_metre
+   use asperity_replay_tenon_run, only: tenon_face_names, tenon_faces, tenon_point, tenon_step
    implicit none
    private
    public :: steps_table, points_table, comparison_table, totals_table, cycles_table, &
@@ -261,4 +262,4 @@ contains
       reversed = list(size(list):1:-1)
    end function reversed
 
-end module app_tenon_tables
+end module asperity_program_commands_tenon_tables

@@ -1,15 +1,15 @@
 !> What `--sweep NAME=values` asks for: every combination of the values of some keys.
-module app_sweep
+module asperity_program_commands_tenon_sweeps_cases
    use asperity, only: error_type
-   use asperity_error, only: fatal_error
-   use asperity_text, only: to_text
-   use app_keys, only: belongs, command_hysteresis, find_key, keys, kind_choice, kind_file, &
-      kind_integer, kind_list, kind_real, kind_text, n_keys
-   use app_lists, only: read_range, split_words
-   use app_settings, only: assign_words, setting_type, settings_type
-   use app_strings, only: lower_case, nearest_name, quoted
-   use app_words, only: word_type
-   use asperity_kinds, only: wp
+   use asperity_base_error, only: fatal_error
+   use asperity_base_kinds, only: wp
+   use asperity_base_number_text, only: to_text
+   use asperity_program_input_keys, only: belongs, command_hysteresis, find_key, keys, &
+      kind_choice, kind_file, kind_integer, kind_list, kind_real, kind_text, n_keys
+   use asperity_program_input_ranges, only: read_range, split_words
+   use asperity_program_input_settings, only: assign_words, setting_type, settings_type
+   use asperity_program_input_values, only: word_type
+   use asperity_program_system_strings, only: lower_case, nearest_name, quoted
    implicit none
    private
    public :: axis_type, new_axes, combinations, set_case
@@ -178,4 +178,4 @@ contains
       end do
    end subroutine set_case
 
-end module app_sweep
+end module asperity_program_commands_tenon_sweeps_cases

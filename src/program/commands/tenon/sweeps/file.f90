@@ -1,22 +1,23 @@
 !> The partial file of a sweep, FILE.csv.partial: the input as comment lines, then a CSV file whose
 !> rows are complete and stand in the order in which they were done.
-module app_sweep_file
+module asperity_program_commands_tenon_sweeps_file
    use asperity, only: error_type, file_error, validity_text, wp
-   use asperity_error, only: fatal_error
-   use asperity_text, only: to_text
-   use asperity_validity, only: all_flags
-   use app_checksum, only: checksum
-   use app_cli, only: command_line_type
-   use app_csv, only: write_csv
-   use app_locked_file, only: append_text, locked_file, open_locked, remove_locked, shorten
-   use app_output, only: open_target, output_file
-   use app_print_case, only: case_text
-   use app_settings, only: settings_type
-   use app_strings, only: newline, starts_with
-   use app_sweep, only: axis_type
-   use app_sweep_table, only: case_result, n_figures, sweep_table
-   use app_system, only: read_file
-   use app_table, only: no_value
+   use asperity_base_error, only: fatal_error
+   use asperity_base_number_text, only: to_text
+   use asperity_law_validity, only: all_flags
+   use asperity_program_commands_tenon_sweeps_cases, only: axis_type
+   use asperity_program_commands_tenon_sweeps_table, only: case_result, n_figures, sweep_table
+   use asperity_program_input_command_line, only: command_line_type
+   use asperity_program_input_print_case, only: case_text
+   use asperity_program_input_settings, only: settings_type
+   use asperity_program_report_csv, only: write_csv
+   use asperity_program_report_table, only: no_value
+   use asperity_program_system_atomic_files, only: open_target, output_file
+   use asperity_program_system_checksum, only: checksum
+   use asperity_program_system_files, only: read_file
+   use asperity_program_system_locked_file, only: append_text, locked_file, open_locked, &
+      remove_locked, shorten
+   use asperity_program_system_strings, only: newline, starts_with
    implicit none
    private
    public :: partial_type, open_partial, append_case, close_partial
@@ -236,4 +237,4 @@ contains
       if (partial%path /= '') call remove_locked(partial%file)
    end subroutine close_partial
 
-end module app_sweep_file
+end module asperity_program_commands_tenon_sweeps_file

@@ -1,13 +1,14 @@
 !> Results of a sweep of the tenon joint: one row per combination.
-module app_sweep_table
+module asperity_program_commands_tenon_sweeps_table
    use asperity, only: error_type, wp
-   use hysteresis_analysis, only: hysteresis_skeleton, negative_side
-   use app_joint, only: joint_type, loop_joules, model_names
-   use app_keys, only: keys, kind_integer, kind_logical, kind_real
-   use app_settings, only: setting_type, settings_type
-   use app_sweep, only: axis_type, set_case
-   use app_table, only: column_counts, column_validity, new_table, no_value, table_type
-   use app_units, only: joule
+   use asperity_hysteresis_analysis, only: hysteresis_skeleton, negative_side
+   use asperity_program_commands_tenon_compare_models, only: joint_type, loop_joules, model_names
+   use asperity_program_commands_tenon_sweeps_cases, only: axis_type, set_case
+   use asperity_program_input_keys, only: keys, kind_integer, kind_logical, kind_real
+   use asperity_program_input_settings, only: setting_type, settings_type
+   use asperity_program_report_table, only: column_counts, column_validity, new_table, no_value, &
+      table_type
+   use asperity_program_report_units, only: joule
    implicit none
    private
    public :: case_result, evaluate, shown_columns, sweep_table
@@ -180,4 +181,4 @@ contains
          'largest_pull_out_rough', 'outcome']
    end subroutine shown_columns
 
-end module app_sweep_table
+end module asperity_program_commands_tenon_sweeps_table
