@@ -2,9 +2,10 @@
 !> uniform numbers with every compiler.
 module random_inputs
    use, intrinsic :: iso_fortran_env, only: int64
+   use asperity_base_constants, only: pi
    use asperity_base_error, only: error_type
    use asperity_base_kinds, only: wp
-   use asperity_law_normal_properties, only: new_normal_properties, normal_properties, pi
+   use asperity_law_normal_properties, only: new_normal_properties, normal_properties
    use asperity_paper_pairs, only: find_pair, pair_preset
    implicit none
    private

@@ -1,10 +1,10 @@
 !> Post-processing of displacement-force records against exact answers: elastic and perfectly
 !> plastic, bilinear, slipping and asymmetric loops.
 module test_hysteresis
+   use asperity_base_constants, only: pi
    use asperity_base_kinds, only: wp
    use asperity_hysteresis_analysis, only: hysteresis_result, hysteresis_settings, &
       hysteresis_skeleton
-   use asperity_law_normal_properties, only: pi
    use funit, only: assertEqual, assertFalse, assertGreaterThan, assertTrue, TestMethod, TestSuite
    use hysteresis_checks, only: analyse
    use hysteresis_models, only: path_through, record_type, response, spring_type, total_work

@@ -2,11 +2,11 @@
 !> that are refused.
 module test_hysteresis_programmes
    use, intrinsic :: ieee_arithmetic, only: ieee_positive_inf, ieee_quiet_nan, ieee_value
+   use asperity_base_constants, only: pi
    use asperity_base_error, only: error_type
    use asperity_base_kinds, only: wp
    use asperity_hysteresis_analysis, only: analyse_hysteresis, hysteresis_result, &
       hysteresis_settings
-   use asperity_law_normal_properties, only: pi
    use extremes, only: worsen
    use funit, only: assertEqual, assertTrue, TestMethod, TestSuite
    use hysteresis_checks, only: analyse

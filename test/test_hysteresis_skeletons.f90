@@ -1,8 +1,8 @@
 !> Skeletons of records and what follows from them, calculated by hand.
 module test_hysteresis_skeletons
+   use asperity_base_constants, only: pi
    use asperity_base_kinds, only: wp
    use asperity_hysteresis_analysis, only: hysteresis_result, hysteresis_settings, not_known
-   use asperity_law_normal_properties, only: pi
    use extremes, only: worsen
    use funit, only: assertEqual, assertFalse, assertGreaterThan, assertTrue, TestMethod, TestSuite
    use hysteresis_checks, only: analyse

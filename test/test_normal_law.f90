@@ -3,10 +3,11 @@ module test_normal_law
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use, intrinsic :: ieee_exceptions, only: ieee_divide_by_zero, ieee_get_flag, ieee_invalid, &
       ieee_overflow, ieee_set_flag
+   use asperity_base_constants, only: pi
    use asperity_base_error, only: error_type
    use asperity_base_kinds, only: wp
    use asperity_law_normal_law, only: evaluate_normal_law, normal_response
-   use asperity_law_normal_properties, only: new_normal_properties, normal_properties, pi
+   use asperity_law_normal_properties, only: new_normal_properties, normal_properties
    use asperity_law_validity, only: valid
    use extremes, only: worsen
    use funit, only: anyExceptions, assertEqual, assertFalse, assertLessThan, &

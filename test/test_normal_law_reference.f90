@@ -2,9 +2,10 @@
 !> plain integrals, and closed forms of the all-elastic and the all-plastic limit.
 module test_normal_law_reference
    use, intrinsic :: iso_c_binding, only: c_double, c_f_pointer, c_int, c_loc, c_ptr
+   use asperity_base_constants, only: pi
    use asperity_base_kinds, only: wp
    use asperity_law_normal_law, only: evaluate_normal_law, normal_response
-   use asperity_law_normal_properties, only: normal_properties, pi
+   use asperity_law_normal_properties, only: normal_properties
    use extremes, only: worsen
    use funit, only: assertEqual, assertLessThan, assertLessThanOrEqual, assertRelativelyEqual, &
       TestMethod, TestSuite

@@ -1,7 +1,8 @@
 !> One summit: stages, continuity, exponents, derivatives and energy, from the paper's formulas.
 module test_single_asperity
+   use asperity_base_constants, only: pi
    use asperity_base_kinds, only: wp
-   use asperity_law_normal_properties, only: normal_properties, pi
+   use asperity_law_normal_properties, only: normal_properties
    use asperity_law_single_asperity, only: asperity_response, evaluate_asperity, stage_elastic, &
       stage_elastoplastic, stage_open, stage_plastic
    use asperity_law_validity, only: closure_above_half_radius

@@ -1,10 +1,10 @@
 !> The whole chain on random surfaces: generated, levelled, summits found, summed over tiles,
 !> evaluated; against exact results for the spectrum asked for and against the stated uncertainty.
 module test_surface_chain
+   use asperity_base_constants, only: pi
    use asperity_base_error, only: error_type
    use asperity_base_kinds, only: wp
    use asperity_height_map_type, only: height_map
-   use asperity_law_normal_properties, only: pi
    use asperity_surface_generate_map, only: generate_surface, surface_settings
    use asperity_surface_parameters_from_sums, only: no_parameter, parameters_of
    use asperity_surface_parameters_nayak, only: nayak_summits, nayak_type

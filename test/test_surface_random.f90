@@ -1,10 +1,10 @@
 !> Random numbers and random surfaces: known values, autocorrelation, moments, skewness and
 !> kurtosis of ensembles against what was asked for, within the scatter of the seeds.
 module test_surface_random
+   use asperity_base_constants, only: pi
    use asperity_base_error, only: error_type
    use asperity_base_kinds, only: wp
    use asperity_height_map_type, only: height_map
-   use asperity_law_normal_properties, only: pi
    use asperity_law_quadrature_gauss_legendre, only: n_points, nodes, weights
    use asperity_surface_generate_height_distribution, only: distorted_correlation, &
       marginal_height, marginal_type, new_marginal
@@ -12,8 +12,8 @@ module test_surface_random
    use asperity_surface_generate_random_stream, only: fill_normal, new_random, next_uniform, &
       random_type
    use extremes, only: largest_of, worsen
-   use funit, only: assertEqual, assertLessThan, assertRelativelyEqual, &
-      assertTrue, TestMethod, TestSuite
+   use funit, only: assertEqual, assertLessThan, assertRelativelyEqual, assertTrue, TestMethod, &
+      TestSuite
    use measurements, only: record
    implicit none
    private

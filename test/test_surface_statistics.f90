@@ -1,15 +1,15 @@
 !> Parameters from sums of points, Nayak's summits against quadrature over the Gaussian density of
 !> the second derivatives, Student's t, and the jackknife over tiles.
 module test_surface_statistics
+   use asperity_base_constants, only: pi
    use asperity_base_kinds, only: wp
-   use asperity_law_normal_properties, only: pi
    use asperity_law_quadrature_gauss_legendre, only: n_points, nodes, weights
    use asperity_surface_parameters_from_sums, only: no_parameter, parameters_of
    use asperity_surface_parameters_nayak, only: nayak_summits, nayak_type, summit_curvature_density
    use asperity_surface_parameters_parameters, only: n_parameters, p_alpha, p_direction, &
       p_eta_nayak, p_eta_paper, p_m0, p_m2, p_m2_across, p_m2_along, p_m4, p_m4_across, &
       p_m4_along, p_peak_mean, p_peak_sigma, p_radius_nayak, p_radius_paper, p_sa, p_sdq, &
-      p_sigma_nayak, p_sku, p_spc, p_spd, p_sp, p_sq, p_ssk, p_summit_density, p_summit_plane, &
+      p_sigma_nayak, p_sku, p_sp, p_spc, p_spd, p_sq, p_ssk, p_summit_density, p_summit_plane, &
       p_sv, p_sz
    use asperity_surface_parameters_student, only: student_factor, student_share
    use asperity_surface_parameters_tile_sums, only: surface_sums_type

@@ -1,12 +1,13 @@
 !> What UINTER and VUINTER check before they compute: sizes that the deck sets, a STATEV that only
 !> they write to, and numbers that a host gone wrong may pass.
 module asperity_abaqus_checks
-   use asperity, only: error_type, status_open, status_slip, status_stick, status_unset, wp
    use asperity_abaqus_props_and_statev, only: n_statev, state_pressure, state_status, &
       state_validity, state_warned
-   use asperity_base_error, only: fatal_error
+   use asperity_base_error, only: error_type, fatal_error
    use asperity_base_finite, only: all_finite
+   use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
+   use asperity_contact_point, only: status_open, status_slip, status_stick, status_unset
    use asperity_law_validity, only: all_flags
    implicit none
    private

@@ -1,12 +1,15 @@
 !> What stands where in PROPS and STATEV of UINTER and VUINTER, and nothing else: every reader and
 !> writer of the two arrays uses these names.
 module asperity_abaqus_props_and_statev
-   use asperity, only: contact_properties, contact_state, error_type, new_contact_properties, &
-      new_normal_properties, normal_properties, rule_abaqus, slip_exact, wp
-   use asperity_base_error, only: fatal_error
+   use asperity_base_constants, only: pi
+   use asperity_base_error, only: error_type, fatal_error
    use asperity_base_finite, only: is_finite
+   use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
-   use asperity_law_normal_properties, only: pi
+   use asperity_contact_point, only: contact_state
+   use asperity_contact_properties, only: contact_properties, new_contact_properties, rule_abaqus, &
+      slip_exact
+   use asperity_law_normal_properties, only: new_normal_properties, normal_properties
    implicit none
    private
    public :: properties_from_props, props_from_properties, state_from_statev, statev_from_state, &

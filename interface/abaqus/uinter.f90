@@ -8,15 +8,18 @@ subroutine uinter( &
    svd, scd, pnewdt, rdisp, drdisp, temp, dtemp, predef, dpred, time, dtime, freqr, ciname, &
    slname, msname, props, coords, alocaldir, drot, area, chrlngth, node, ndir, nstatv, npred, &
    nprops, mcrd, kstep, kinc, kit, linper, lopenclose, lstate, lsdi, lprint)
-   use asperity, only: contact_properties, contact_response, contact_state, contact_tangent, &
-      error_type, no_opposite_surface, no_rotation, no_surface_limit, status_open, &
-      update_contact_point, validity_remark, wp
    use asperity_abaqus_checks, only: check_sizes, check_statev, computable, largest
    use asperity_abaqus_props_and_statev, only: n_statev, properties_from_props, &
       state_elastic_slip_2, state_from_statev, state_pressure, state_validity, state_warned, &
       statev_from_state
+   use asperity_base_error, only: error_type
    use asperity_base_finite, only: all_finite, is_finite
+   use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
+   use asperity_contact_point, only: contact_response, contact_state, contact_tangent, &
+      no_opposite_surface, no_rotation, no_surface_limit, status_open, update_contact_point
+   use asperity_contact_properties, only: contact_properties
+   use asperity_law_validity, only: validity_remark
    implicit none
    integer, intent(in) :: node, ndir, nstatv, npred, nprops, mcrd, kstep, kinc, kit
    integer, intent(in) :: linper, lprint

@@ -13,18 +13,22 @@ subroutine vuinter( &
    jconmstid, timstep, timglb, dtimcur, surfint, surfslv, surfmst, rdisp, drdisp, drot, &
    stiffdflt, conddflt, shape, coordslv, coordmst, alocaldir, props, areaslv, tempslv, dtempslv, &
    predefslv, dpredefslv, tempmst, dtempmst, predefmst, dpredefmst)
-   use asperity, only: contact_properties, contact_state, contact_states, error_type, &
-      evaluate_normal_law, get_contact_state, new_contact_states, no_opposite_surface, &
-      no_rotation, no_surface_limit, normal_response, rule_dissipative, set_contact_state, &
-      status_slip, status_stick, update_contact_points, validity_remark, wp
    use asperity_abaqus_checks, only: check_sizes, check_statev, computable
    use asperity_abaqus_props_and_statev, only: n_statev, state_elastic_slip_2, state_from_statev, &
       state_pressure, state_warned, statev_from_state
    use asperity_abaqus_vuinter_precision, only: vp
    use asperity_abaqus_vuinter_props, only: read_props
-   use asperity_base_error, only: fatal_error
+   use asperity_base_error, only: error_type, fatal_error
    use asperity_base_finite, only: all_finite, is_finite
+   use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
+   use asperity_contact_point, only: contact_state, no_opposite_surface, no_rotation, &
+      no_surface_limit, status_slip, status_stick
+   use asperity_contact_points, only: contact_states, get_contact_state, new_contact_states, &
+      set_contact_state, update_contact_points
+   use asperity_contact_properties, only: contact_properties, rule_dissipative
+   use asperity_law_normal_law, only: evaluate_normal_law, normal_response
+   use asperity_law_validity, only: validity_remark
    implicit none
    integer, intent(in) :: kstep, kinc, nfacnod, nslvnod, nmstnod
    integer, intent(in) :: nsurfdir, ndir, nstatevar, nprops, ntemp, npred, numdeftfv

@@ -2,10 +2,11 @@
 !> another precision than the file that was compiled.
 module asperity_abaqus_vuinter_props
    use, intrinsic :: iso_fortran_env, only: real32, real64
-   use asperity, only: contact_properties, error_type, wp
    use asperity_abaqus_props_and_statev, only: near_pi, prop_pi, prop_sigma, properties_from_props
    use asperity_abaqus_vuinter_precision, only: vp
-   use asperity_base_error, only: fatal_error
+   use asperity_base_error, only: error_type, fatal_error
+   use asperity_base_kinds, only: wp
+   use asperity_contact_properties, only: contact_properties
    implicit none
    private
    public :: read_props

@@ -3,8 +3,8 @@ module asperity_c_arrays
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_f_pointer, c_int, &
       c_intptr_t, c_null_ptr, c_ptr
-   use asperity, only: error_type, wp
-   use asperity_base_error, only: fatal_error
+   use asperity_base_error, only: error_type, fatal_error
+   use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
    use asperity_c_checks, only: check_pointer, number_of, word
    use asperity_c_types, only: code_input

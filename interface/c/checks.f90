@@ -3,8 +3,7 @@
 module asperity_c_checks
    use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_f_pointer, c_int, c_int64_t, &
       c_intptr_t, c_loc, c_null_char, c_null_ptr, c_ptr
-   use asperity, only: error_type
-   use asperity_base_error, only: fatal_error
+   use asperity_base_error, only: error_type, fatal_error
    use asperity_base_number_text, only: to_text
    use asperity_c_types, only: code_handle, code_input, code_length, code_memory, code_null, &
       code_ok, error_struct, handle_object, message_length

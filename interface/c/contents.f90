@@ -3,7 +3,8 @@
 !> standard asks. flang warns of it all the same, so this file alone is compiled without warnings.
 module asperity_c_contents
    use, intrinsic :: iso_c_binding, only: c_f_pointer, c_ptr
-   use asperity, only: contact_properties, contact_states
+   use asperity_contact_points, only: contact_states
+   use asperity_contact_properties, only: contact_properties
    implicit none
    private
    public :: content_at

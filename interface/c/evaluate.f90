@@ -1,12 +1,16 @@
 !> C interface: values of the normal law. See asperity.h for what each function does.
 module asperity_c_evaluate
    use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_f_pointer, c_int, c_ptr
-   use asperity, only: contact_properties, error_type, evaluate_compiled_law, &
-      evaluate_normal_law, normal_response, separation_for_pressure, wp
+   use asperity_base_error, only: error_type
+   use asperity_base_kinds, only: wp
    use asperity_c_arrays, only: array_argument, check_arrays, check_values
    use asperity_c_checks, only: answer, check_pointer, check_points
    use asperity_c_law, only: law_of
    use asperity_c_types, only: error_struct
+   use asperity_contact_properties, only: contact_properties
+   use asperity_law_compiled_law, only: evaluate_compiled_law
+   use asperity_law_normal_inverse, only: separation_for_pressure
+   use asperity_law_normal_law, only: evaluate_normal_law, normal_response
    implicit none
    private
    public :: asperity_law_evaluate, asperity_law_separation

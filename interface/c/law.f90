@@ -2,14 +2,15 @@
 module asperity_c_law
    use, intrinsic :: iso_c_binding, only: c_double, c_f_pointer, c_int, c_int64_t, c_loc, &
       c_null_ptr, c_ptr, c_size_t, c_sizeof
-   use asperity, only: contact_properties, error_type, new_contact_properties, &
-      new_normal_properties, normal_properties, rule_abaqus, slip_exact
-   use asperity_base_error, only: fatal_error
+   use asperity_base_error, only: error_type, fatal_error
    use asperity_base_number_text, only: to_text
    use asperity_c_checks, only: answer, check_pointer, content_of, free_handle, wrap
    use asperity_c_contents, only: content_at
    use asperity_c_types, only: code_input, code_length, error_struct, four_sigma, &
       properties_struct, tag_law
+   use asperity_contact_properties, only: contact_properties, new_contact_properties, rule_abaqus, &
+      slip_exact
+   use asperity_law_normal_properties, only: new_normal_properties, normal_properties
    implicit none
    private
    public :: asperity_properties_init, asperity_law_new, asperity_law_free, &

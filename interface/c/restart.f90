@@ -1,14 +1,15 @@
 !> C interface: the state of one point, for a restart. See asperity.h for what each function does.
 module asperity_c_restart
    use, intrinsic :: iso_c_binding, only: c_f_pointer, c_int, c_ptr
-   use asperity, only: contact_state, contact_states, error_type, get_contact_state, &
-      set_contact_state, status_slip, status_unset, wp
-   use asperity_base_error, only: fatal_error
+   use asperity_base_error, only: error_type, fatal_error
    use asperity_base_finite, only: is_finite
+   use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
    use asperity_c_checks, only: answer, check_pointer
    use asperity_c_states, only: states_of
    use asperity_c_types, only: code_input, code_length, error_struct, state_struct
+   use asperity_contact_point, only: contact_state, status_slip, status_unset
+   use asperity_contact_points, only: contact_states, get_contact_state, set_contact_state
    use asperity_law_validity, only: all_flags, valid
    implicit none
    private

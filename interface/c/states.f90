@@ -1,13 +1,13 @@
 !> C interface: contact states. See asperity.h for what each function does.
 module asperity_c_states
    use, intrinsic :: iso_c_binding, only: c_f_pointer, c_int, c_loc, c_null_ptr, c_ptr
-   use asperity, only: contact_state, contact_states, error_type, set_contact_state
-   use asperity_base_error, only: fatal_error
+   use asperity_base_error, only: error_type, fatal_error
    use asperity_base_number_text, only: to_text
-   use asperity_c_checks, only: answer, check_pointer, check_points, content_of, free_handle, &
-      wrap
+   use asperity_c_checks, only: answer, check_pointer, check_points, content_of, free_handle, wrap
    use asperity_c_contents, only: content_at
    use asperity_c_types, only: code_length, error_struct, tag_states
+   use asperity_contact_point, only: contact_state
+   use asperity_contact_points, only: contact_states, set_contact_state
    implicit none
    private
    public :: asperity_states_new, asperity_states_free, asperity_states_copy, &

@@ -2,7 +2,7 @@
 !> handle. Everything here stands in asperity.h again, member by member.
 module asperity_c_types
    use, intrinsic :: iso_c_binding, only: c_char, c_double, c_int, c_int64_t, c_ptr, c_size_t
-   use asperity, only: computation_error, input_error
+   use asperity_base_error, only: computation_error, input_error
    implicit none
    private
    public :: error_struct, handle_object, properties_struct, state_struct

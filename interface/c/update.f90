@@ -1,12 +1,15 @@
 !> C interface: the contact-point update. See asperity.h for what it does.
 module asperity_c_update
    use, intrinsic :: iso_c_binding, only: c_associated, c_f_pointer, c_int, c_ptr
-   use asperity, only: contact_properties, contact_states, error_type, update_contact_points, wp
+   use asperity_base_error, only: error_type
+   use asperity_base_kinds, only: wp
    use asperity_c_arrays, only: array_argument, check_arrays, check_values
    use asperity_c_checks, only: answer, check_points
    use asperity_c_law, only: law_of
    use asperity_c_states, only: states_of
    use asperity_c_types, only: error_struct
+   use asperity_contact_points, only: contact_states, update_contact_points
+   use asperity_contact_properties, only: contact_properties
    implicit none
    private
    public :: asperity_states_update

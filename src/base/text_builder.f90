@@ -1,7 +1,7 @@
 !> A text that grows: adding to it costs time in proportion to what is added.
 module asperity_base_text_builder
    use, intrinsic :: iso_fortran_env, only: int64
-   use asperity, only: error_type
+   use asperity_base_error, only: error_type
    use asperity_base_memory, only: check_memory, check_room, worth_a_look
    implicit none
    private

@@ -1,11 +1,13 @@
 !> Properties of one pair of faces: the normal law, friction and the datum of the overclosure.
 module asperity_contact_properties
+   use asperity_base_checks, only: check_positive, check_range
+   use asperity_base_constants, only: pi
    use asperity_base_error, only: error_type, fatal_error
    use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
    use asperity_law_compiled_law, only: compiled_law, new_compiled_law
    use asperity_law_normal_law, only: vanishing_separation
-   use asperity_law_normal_properties, only: check_positive, check_range, normal_properties, pi
+   use asperity_law_normal_properties, only: normal_properties
    use asperity_law_plausibility, only: check_plausible_length, length_max
    implicit none
    private

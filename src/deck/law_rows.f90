@@ -8,12 +8,15 @@
 !> pressure no relative error can hold, as the table ends in zero there and the law does not: it is
 !> bounded absolutely. Beyond the largest pressure one more row carries the law's last slope on.
 module asperity_deck_law_rows
-   use asperity, only: compiled_law, computation_error, contact_properties, error_type, &
-      evaluate_compiled_law, evaluate_normal_law, new_compiled_law, normal_properties, &
-      normal_response, separation_for_pressure, wp
-   use asperity_base_error, only: fatal_error
+   use asperity_base_checks, only: check_positive, check_range
+   use asperity_base_error, only: computation_error, error_type, fatal_error
+   use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
-   use asperity_law_normal_properties, only: check_positive, check_range
+   use asperity_contact_properties, only: contact_properties
+   use asperity_law_compiled_law, only: compiled_law, evaluate_compiled_law, new_compiled_law
+   use asperity_law_normal_inverse, only: separation_for_pressure
+   use asperity_law_normal_law, only: evaluate_normal_law, normal_response
+   use asperity_law_normal_properties, only: normal_properties
    implicit none
    private
    public :: law_table, new_law_table, stick_slope

@@ -1,11 +1,14 @@
 !> A table of the law as keywords of ABAQUS and CalculiX: an interaction that a contact pair can
 !> name. Its comments say what it holds, how good it is, and what the program makes of it.
 module asperity_deck_law_rows_text
-   use asperity, only: contact_properties, error_type, evaluate_normal_law, normal_response, &
-      validity_remark, version, wp
-   use asperity_base_error, only: fatal_error
+   use asperity_base_error, only: error_type, fatal_error
+   use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
+   use asperity_base_version, only: version
+   use asperity_contact_properties, only: contact_properties
    use asperity_deck_law_rows, only: law_table, reach, stick_slope
+   use asperity_law_normal_law, only: evaluate_normal_law, normal_response
+   use asperity_law_validity, only: validity_remark
    implicit none
    private
    public :: table_interaction

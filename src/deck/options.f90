@@ -1,9 +1,9 @@
 !> What every deck is told besides its model: solver, contact, element, size of the mesh.
 module asperity_deck_options
-   use asperity, only: error_type, wp
-   use asperity_base_error, only: fatal_error
+   use asperity_base_checks, only: check_positive
+   use asperity_base_error, only: error_type, fatal_error
+   use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
-   use asperity_law_normal_properties, only: check_positive
    use asperity_replay_sizes, only: check_size
    implicit none
    private

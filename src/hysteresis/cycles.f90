@@ -1,9 +1,9 @@
 !> What one cycle of a record says: peaks, stiffness, energy, damping, pinching.
 module asperity_hysteresis_cycles
+   use asperity_base_constants, only: pi
    use asperity_base_kinds, only: wp
    use asperity_hysteresis_types, only: hysteresis_cycle, negative_side, not_known, positive_side, &
       side_sign
-   use asperity_law_normal_properties, only: pi
    implicit none
    private
    public :: find_peaks, measure_cycles

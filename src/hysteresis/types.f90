@@ -2,9 +2,9 @@
 !> record: stiffness is force over displacement, energy force times displacement. Rotation and
 !> moment may stand for displacement and force.
 module asperity_hysteresis_types
+   use asperity_base_checks, only: check_range
    use asperity_base_error, only: error_type, fatal_error
    use asperity_base_kinds, only: wp
-   use asperity_law_normal_properties, only: check_range
    implicit none
    private
    public :: hysteresis_settings, hysteresis_cycle, hysteresis_skeleton, hysteresis_result

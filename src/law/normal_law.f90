@@ -7,9 +7,10 @@
 !> (w1, w2), plastic beyond. Each integral is scaled by the density at its largest point, so
 !> that no piece underflows before the result does.
 module asperity_law_normal_law
+   use asperity_base_constants, only: pi
    use asperity_base_kinds, only: wp
    use asperity_law_gaussian_tail, only: tail_moments
-   use asperity_law_normal_properties, only: normal_properties, pi
+   use asperity_law_normal_properties, only: normal_properties
    use asperity_law_quadrature_pieces_by_fixed_rule, only: evaluate_fixed_pieces, fixed_pieces_serve
    use asperity_law_quadrature_pieces_by_quadrature, only: elastic_piece, elastoplastic_piece, &
       piece_type, plastic_piece

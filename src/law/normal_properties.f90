@@ -2,6 +2,7 @@
 !> that follow from them. N-mm-MPa, or N-m-Pa for a face like timber's; in any other consistent
 !> units with `accept_unphysical`, as values are then taken for slips of units.
 module asperity_law_normal_properties
+   use asperity_base_checks, only: check_positive, check_range
    use asperity_base_constants, only: pi
    use asperity_base_double_double, only: assignment(=), double_double, operator(*), quotient
    use asperity_base_error, only: error_type, fatal_error
@@ -12,16 +13,13 @@ module asperity_law_normal_properties
    use asperity_law_validity, only: stiffer_than_hertz, valid
    implicit none
    private
-   public :: normal_properties, new_normal_properties, equivalent_modulus, check_positive, &
-      check_range, pi
+   public :: normal_properties, new_normal_properties, equivalent_modulus
 
    !> w2/w1, Eq. 11
    real(wp), parameter :: plastic_ratio = 110.0_wp
    !> b2, Eq. 15: 1 + ln 2/ln 110
    real(wp), parameter, public :: plastic_area_exponent = &
       1.0_wp + log(2.0_wp)/log(plastic_ratio)
-   !> Range of every other property, wide of any system of units
-   real(wp), parameter :: smallest = 1.0e-20_wp, largest = 1.0e20_wp
    !> 3 pi/4 to 32 digits
    type(double_double), parameter :: three_quarters_pi = &
       double_double(2.356194490192345_wp, 9.184850993605148436e-17_wp)
@@ -137,43 +135,6 @@ contains
 
       modulus = 1.0_wp/((1.0_wp - poisson_1**2)/modulus_1 + (1.0_wp - poisson_2**2)/modulus_2)
    end function equivalent_modulus
-
-   !> Set `error` unless `value` is a number above zero (1e-20 to 1e20).
-   pure subroutine check_positive(error, name, value, unit)
-      !> Set when the value is refused
-      type(error_type), allocatable, intent(inout) :: error
-      !> Name of the property
-      character(len=*), intent(in) :: name
-      !> Its value
-      real(wp), intent(in) :: value
-      !> Its unit, for the message
-      character(len=*), intent(in) :: unit
-
-      if (is_finite(value)) then
-         if (value >= smallest .and. value <= largest) return
-      end if
-      call fatal_error(error, name//' = '//to_text(value)// &
-         ' is not allowed: it must be a number above zero (1e-20 to 1e20), in '//unit)
-   end subroutine check_positive
-
-   !> Set `error` unless `value` is a number between two limits.
-   pure subroutine check_range(error, name, value, lowest, highest, unit)
-      !> Set when the value is refused
-      type(error_type), allocatable, intent(inout) :: error
-      !> Name of the property
-      character(len=*), intent(in) :: name
-      !> Its value and the limits
-      real(wp), intent(in) :: value, lowest, highest
-      !> Its unit with a blank before it, or nothing
-      character(len=*), intent(in) :: unit
-
-      if (is_finite(value)) then
-         if (value >= lowest .and. value <= highest) return
-      end if
-      call fatal_error(error, name//' = '//to_text(value)//unit// &
-         ' is not allowed: it must be a number between '//to_text(lowest)//' and '// &
-         to_text(highest)//unit)
-   end subroutine check_range
 
    pure subroutine check_yield_factor(error, yield_factor)
       type(error_type), allocatable, intent(inout) :: error

@@ -1,8 +1,9 @@
 !> One spherical summit against a rigid plane: elastic, elasto-plastic, fully plastic
 !> (Eqs 1-3, 10-22). Force is continuous; its derivative jumps at w1 and w2.
 module asperity_law_single_asperity
+   use asperity_base_constants, only: pi
    use asperity_base_kinds, only: wp
-   use asperity_law_normal_properties, only: normal_properties, pi
+   use asperity_law_normal_properties, only: normal_properties
    use asperity_law_validity, only: closure_above_half_radius, valid
    implicit none
    private

@@ -1,6 +1,6 @@
 !> Does what a parsed command line asks for.
 module asperity_program_driver
-   use asperity, only: error_type
+   use asperity_base_error, only: error_type
    use asperity_program_commands_config, only: config_type, new_config
    use asperity_program_commands_curve, only: report_curve
    use asperity_program_commands_deck, only: report_shear_deck, report_tenon_deck

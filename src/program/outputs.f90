@@ -1,8 +1,7 @@
 !> Brings a report to where the user wants it: terminal, CSV, JSON, picture.
 module asperity_program_outputs
    use, intrinsic :: iso_fortran_env, only: int64
-   use asperity, only: error_type, file_error
-   use asperity_base_error, only: fatal_error
+   use asperity_base_error, only: error_type, fatal_error, file_error
    use asperity_base_memory, only: check_work
    use asperity_program_commands_plots, only: plot_script
    use asperity_program_commands_tenon_page, only: page_script, page_text

@@ -3,12 +3,13 @@
 !> the history of everything that UINTER returned.
 module asperity_replay_abaqus_host
    use, intrinsic :: ieee_arithmetic, only: ieee_is_nan, ieee_quiet_nan, ieee_value
-   use asperity, only: computation_error, contact_properties, error_type, no_opposite_surface, &
-      no_rotation, no_surface_limit, wp
    use asperity_abaqus_props_and_statev, only: n_statev, props_from_properties
    use asperity_abaqus_uinter_signature, only: uinter_interface
-   use asperity_base_error, only: fatal_error
+   use asperity_base_error, only: computation_error, error_type, fatal_error
+   use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
+   use asperity_contact_point, only: no_opposite_surface, no_rotation, no_surface_limit
+   use asperity_contact_properties, only: contact_properties
    implicit none
    private
    public :: host_point, host_record, new_host_point, try_increment, accept_increment, &

@@ -2,13 +2,15 @@
 !> overclosure (the paper's Fig. 17).
 module asperity_replay_press
    use, intrinsic :: iso_fortran_env, only: int64
-   use asperity, only: computation_error, contact_properties, error_type, evaluate_normal_law, &
-      normal_response, separation_for_pressure, wp
    use asperity_abaqus_uinter_signature, only: uinter_interface
-   use asperity_base_error, only: fatal_error
+   use asperity_base_checks, only: check_positive
+   use asperity_base_error, only: computation_error, error_type, fatal_error
+   use asperity_base_kinds, only: wp
    use asperity_base_memory, only: check_work
    use asperity_base_number_text, only: to_text
-   use asperity_law_normal_properties, only: check_positive
+   use asperity_contact_properties, only: contact_properties
+   use asperity_law_normal_inverse, only: separation_for_pressure
+   use asperity_law_normal_law, only: evaluate_normal_law, normal_response
    use asperity_replay_abaqus_host, only: accept_increment, host_point, new_host_point, &
       refuse_cut, try_increment
    use asperity_replay_sizes, only: check_between

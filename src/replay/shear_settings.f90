@@ -1,9 +1,9 @@
 !> Settings of the shear box: specimen, load and path.
 module asperity_replay_shear_settings
-   use asperity, only: error_type, wp
-   use asperity_base_error, only: fatal_error
+   use asperity_base_checks, only: check_positive, check_range
+   use asperity_base_error, only: error_type, fatal_error
+   use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
-   use asperity_law_normal_properties, only: check_positive, check_range
    use asperity_replay_sizes, only: check_between, check_size, slip_text
    implicit none
    private

@@ -7,8 +7,8 @@
 !> of 1000, so that no value within one passes in a unit of 1000 or 1/1000 times the size: metres or
 !> micrometres for mm, kPa or GPa for MPa. Zero, where it is allowed, means none and passes.
 module asperity_replay_sizes
-   use asperity, only: error_type, wp
-   use asperity_base_error, only: fatal_error
+   use asperity_base_error, only: error_type, fatal_error
+   use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
    implicit none
    private

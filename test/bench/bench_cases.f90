@@ -5,7 +5,7 @@ module bench_cases
       rule_abaqus, slip_exact, status_slip, status_stick, update_contact_point, wp
    use asperity_abaqus_props_and_statev, only: n_props, n_statev, props_from_properties, &
       state_warned, statev_from_state
-   use asperity_law_normal_properties, only: pi
+   use asperity_base_constants, only: pi
    use asperity_law_validity, only: all_flags
    use contact_cases, only: pair_properties, random_contact
    use random_inputs, only: random_stream

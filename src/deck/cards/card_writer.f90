@@ -2,7 +2,7 @@
 !>
 !> Both read numbers in fields of at most 20 characters and sets with 16 numbers a line.
 module asperity_deck_cards_card_writer
-   use asperity, only: wp
+   use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
    use asperity_base_text_builder, only: growing_text
    implicit none

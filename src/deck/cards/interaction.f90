@@ -1,15 +1,17 @@
 !> Contact as decks say it: UINTER with its properties, the law as a table, or hard contact, each
 !> for ABAQUS and for CalculiX.
 module asperity_deck_cards_interaction
-   use asperity, only: contact_properties, error_type, separation_for_pressure, wp
    use asperity_abaqus_props_and_statev, only: n_props, n_statev, properties_from_props, &
       props_from_properties
-   use asperity_base_error, only: fatal_error
+   use asperity_base_error, only: error_type, fatal_error
+   use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
+   use asperity_contact_properties, only: contact_properties
    use asperity_deck_cards_card_writer, only: writer_type
    use asperity_deck_law_rows, only: law_table, new_law_table, stick_slope
    use asperity_deck_law_rows_text, only: calculix_rows
    use asperity_deck_options, only: deck_choice, for_calculix
+   use asperity_law_normal_inverse, only: separation_for_pressure
    implicit none
    private
    public :: interaction_type, new_interaction, overclosure_for, write_interaction, write_pair

@@ -1,6 +1,6 @@
 !> Static steps and output requests, as ABAQUS and CalculiX write them.
 module asperity_deck_cards_load_steps
-   use asperity, only: wp
+   use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
    use asperity_deck_cards_card_writer, only: writer_type
    use asperity_deck_options, only: deck_choice, for_calculix

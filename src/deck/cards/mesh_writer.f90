@@ -1,7 +1,7 @@
 !> Writes the parts of a model as decks of ABAQUS and of CalculiX share them: nodes, elements, sets,
 !> surfaces, equations, sections, springs.
 module asperity_deck_cards_mesh_writer
-   use asperity, only: wp
+   use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
    use asperity_deck_cards_card_writer, only: writer_type
    use asperity_deck_mesh_hexahedra, only: faces_in_box, hex_mesh

@@ -1,11 +1,11 @@
 !> The wood of the decks: orthotropic elasticity, yield, local axes.
 module asperity_deck_cards_wood_cards
-   use asperity, only: error_type, wp
-   use asperity_base_error, only: fatal_error
+   use asperity_base_checks, only: check_positive
+   use asperity_base_error, only: error_type, fatal_error
+   use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
    use asperity_deck_cards_card_writer, only: writer_type
    use asperity_deck_options, only: deck_choice, for_calculix
-   use asperity_law_normal_properties, only: check_positive
    implicit none
    private
    public :: wood_type, check_wood, write_wood, write_axes

@@ -15,7 +15,7 @@
 !>
 !> The mean pressure is -V(a)/a, in proportion to the interference d.
 module asperity_deck_mesh_cheek_interference
-   use asperity, only: wp
+   use asperity_base_kinds, only: wp
    use asperity_deck_cards_wood_cards, only: wood_type
    implicit none
    private

@@ -1,7 +1,7 @@
 !> Mesh of a disc: a square in the middle, whose sides bulge, and rings of cells around it, so that
 !> no cell is flat at the rim. Layers of it make the disc.
 module asperity_deck_mesh_disc
-   use asperity, only: wp
+   use asperity_base_kinds, only: wp
    use asperity_deck_mesh_hexahedra, only: even_cuts, hex_mesh
    implicit none
    private

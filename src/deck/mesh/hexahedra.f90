@@ -3,7 +3,8 @@
 !> Corners and faces are numbered as in C3D8 of ABAQUS and CalculiX.
 module asperity_deck_mesh_hexahedra
    use, intrinsic :: iso_fortran_env, only: int64
-   use asperity, only: error_type, wp
+   use asperity_base_error, only: error_type
+   use asperity_base_kinds, only: wp
    use asperity_base_memory, only: check_work
    use asperity_base_number_text, only: to_text
    implicit none

@@ -1,15 +1,17 @@
 !> Deck of the direct shear test: two discs, one upon the other; the lower one moves, the upper one
 !> is loaded by a cap that cannot tilt.
 module asperity_deck_shear_deck
-   use asperity, only: contact_properties, error_type, wp
-   use asperity_base_error, only: fatal_error
+   use asperity_base_checks, only: check_positive
+   use asperity_base_constants, only: pi
+   use asperity_base_error, only: error_type, fatal_error
+   use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
+   use asperity_contact_properties, only: contact_properties
    use asperity_deck_cards_interaction, only: interaction_type, new_interaction, overclosure_for
    use asperity_deck_cards_wood_cards, only: check_wood, wood_type
    use asperity_deck_mesh_disc, only: new_disc_mesh
    use asperity_deck_mesh_hexahedra, only: check_mesh_room, hex_mesh
    use asperity_deck_options, only: check_deck_choice, check_mesh_size, deck_choice, for_calculix
-   use asperity_law_normal_properties, only: check_positive, pi
    use asperity_replay_shear_settings, only: check_shear_settings, shear_settings
    use asperity_replay_sizes, only: check_size
    implicit none

@@ -1,6 +1,7 @@
 !> The text of the shear test's deck.
 module asperity_deck_shear_text
-   use asperity, only: error_type, wp
+   use asperity_base_error, only: error_type
+   use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
    use asperity_deck_cards_banner, only: write_head
    use asperity_deck_cards_interaction, only: write_interaction, write_pair

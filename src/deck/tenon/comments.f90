@@ -1,6 +1,6 @@
 !> The first lines of the tenon joint's deck: what the model is, and what of it is chosen.
 module asperity_deck_tenon_comments
-   use asperity, only: wp
+   use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
    use asperity_deck_cards_banner, only: write_head
    use asperity_deck_cards_card_writer, only: writer_type

@@ -1,16 +1,17 @@
 !> Deck of the straight tenon joint: sizes and programme as in the replay (src/replay/tenon), in
 !> three dimensions.
 module asperity_deck_tenon_deck
-   use asperity, only: contact_properties, error_type, wp
-   use asperity_base_error, only: fatal_error
+   use asperity_base_checks, only: check_range
+   use asperity_base_error, only: error_type, fatal_error
+   use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
+   use asperity_contact_properties, only: contact_properties
    use asperity_deck_cards_interaction, only: interaction_type, new_interaction, overclosure_for
    use asperity_deck_cards_wood_cards, only: check_wood, wood_type
    use asperity_deck_mesh_cheek_interference, only: side_interference
    use asperity_deck_mesh_hexahedra, only: check_mesh_room, hex_mesh
    use asperity_deck_options, only: check_deck_choice, deck_choice, for_calculix
    use asperity_deck_tenon_parts, only: check_tenon_sizes, new_beam, new_column, tenon_sizes
-   use asperity_law_normal_properties, only: check_range
    use asperity_replay_tenon_load_path, only: tenon_programme
    use asperity_replay_tenon_settings, only: check_tenon_settings, tenon_face_arm, tenon_settings
    implicit none

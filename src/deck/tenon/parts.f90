@@ -3,12 +3,12 @@
 !> x runs along the beam, 0 at the column face; z up, 0 at the middle of the beam; y across it, 0 in
 !> the plane of symmetry.
 module asperity_deck_tenon_parts
-   use asperity, only: error_type, wp
-   use asperity_base_error, only: fatal_error
+   use asperity_base_checks, only: check_positive, check_range
+   use asperity_base_error, only: error_type, fatal_error
+   use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
    use asperity_deck_mesh_hexahedra, only: add_cut, even_cuts, hex_mesh, joined_cuts, new_grid_mesh
    use asperity_deck_options, only: check_mesh_size, deck_choice
-   use asperity_law_normal_properties, only: check_positive, check_range
    use asperity_replay_sizes, only: check_size
    use asperity_replay_tenon_settings, only: tenon_face_arm, tenon_settings
    implicit none

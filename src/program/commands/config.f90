@@ -1,10 +1,11 @@
 !> Turns settings into what a command runs on: checked properties and the settings of its test.
 module asperity_program_commands_config
-   use asperity, only: contact_properties, error_type, new_contact_properties, &
-      new_normal_properties, normal_properties, rule_abaqus, rule_dissipative, &
-      slip_backward_euler, slip_exact, wp
-   use asperity_base_error, only: fatal_error
+   use asperity_base_error, only: error_type, fatal_error
+   use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
+   use asperity_contact_properties, only: contact_properties, new_contact_properties, rule_abaqus, &
+      rule_dissipative, slip_backward_euler, slip_exact
+   use asperity_law_normal_properties, only: new_normal_properties, normal_properties
    use asperity_program_commands_tenon_config, only: new_side_properties, new_tenon_settings, &
       whole_list
    use asperity_program_input_keys, only: command_curve, command_table, command_tenon, find_key, &

@@ -1,9 +1,10 @@
 !> `asperity curve`: the normal law at a list of separations.
 module asperity_program_commands_curve
    use, intrinsic :: iso_fortran_env, only: int64
-   use asperity, only: error_type, evaluate_normal_law, normal_response
+   use asperity_base_error, only: error_type
    use asperity_base_memory, only: check_work
    use asperity_base_number_text, only: to_text
+   use asperity_law_normal_law, only: evaluate_normal_law, normal_response
    use asperity_program_commands_config, only: config_type
    use asperity_program_report_report, only: report_type, turning_points
    use asperity_program_report_table, only: column_validity, new_table

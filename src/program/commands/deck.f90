@@ -1,7 +1,7 @@
 !> `asperity deck`: input decks of the shear test and of the tenon joint for ABAQUS and CalculiX.
 module asperity_program_commands_deck
-   use asperity, only: error_type, wp
-   use asperity_base_error, only: fatal_error
+   use asperity_base_error, only: error_type, fatal_error
+   use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
    use asperity_deck_mesh_hexahedra, only: hex_mesh, mesh_volume
    use asperity_deck_options, only: deck_choice

@@ -1,6 +1,7 @@
 !> `asperity pairs`: the pairs of faces and the surfaces of the paper.
 module asperity_program_commands_pairs
-   use asperity, only: pairs, surfaces, wp
+   use asperity_base_kinds, only: wp
+   use asperity_paper_pairs, only: pairs, surfaces
    use asperity_program_report_report, only: report_type
    use asperity_program_report_table, only: new_table, no_value
    implicit none

@@ -1,6 +1,6 @@
 !> Pictures as gnuplot scripts with their data inside.
 module asperity_program_commands_plots
-   use asperity, only: wp
+   use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
    use asperity_program_commands_tenon_plots, only: picture_sheet
    use asperity_program_input_keys, only: command_curve, command_hysteresis, command_press, &

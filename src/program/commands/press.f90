@@ -1,7 +1,7 @@
 !> `asperity press`: press and release, replayed through UINTER.
 module asperity_program_commands_press
    use, intrinsic :: iso_fortran_env, only: int64
-   use asperity, only: error_type
+   use asperity_base_error, only: error_type
    use asperity_base_memory, only: check_work
    use asperity_base_number_text, only: to_text
    use asperity_program_commands_config, only: config_type

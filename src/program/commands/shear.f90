@@ -1,9 +1,11 @@
 !> `asperity shear`: the direct shear box, one replay per normal stress.
 module asperity_program_commands_shear
    use, intrinsic :: iso_fortran_env, only: int64
-   use asperity, only: error_type, status_slip, wp
+   use asperity_base_error, only: error_type
+   use asperity_base_kinds, only: wp
    use asperity_base_memory, only: check_work
    use asperity_base_number_text, only: to_text
+   use asperity_contact_point, only: status_slip
    use asperity_program_commands_config, only: config_type
    use asperity_program_report_report, only: report_type, turning_points
    use asperity_program_report_table, only: column_status, column_validity, new_table, no_value, &

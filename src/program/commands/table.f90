@@ -1,10 +1,13 @@
 !> `asperity table`: the law as rows of pressure and overclosure, for programs that interpolate.
 module asperity_program_commands_table
-   use asperity, only: contact_properties, error_type, evaluate_normal_law, normal_response, wp
+   use asperity_base_checks, only: check_positive
+   use asperity_base_error, only: error_type
+   use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
+   use asperity_contact_properties, only: contact_properties
    use asperity_deck_law_rows, only: law_table, new_law_table, stick_slope
    use asperity_deck_law_rows_text, only: host_abaqus, host_calculix, table_interaction
-   use asperity_law_normal_properties, only: check_positive
+   use asperity_law_normal_law, only: evaluate_normal_law, normal_response
    use asperity_program_commands_config, only: config_type
    use asperity_program_commands_table_plot, only: law_table_script
    use asperity_program_report_report, only: report_type, turning_points

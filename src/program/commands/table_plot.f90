@@ -1,8 +1,10 @@
 !> Picture of a table of the law as a gnuplot script: rows and law, and the error between them.
 module asperity_program_commands_table_plot
-   use asperity, only: contact_properties, evaluate_normal_law, normal_response, wp
+   use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
+   use asperity_contact_properties, only: contact_properties
    use asperity_deck_law_rows, only: law_table
+   use asperity_law_normal_law, only: evaluate_normal_law, normal_response
    use asperity_program_input_presets, only: faces_text
    use asperity_program_input_settings, only: settings_type
    use asperity_program_system_strings, only: backslash

@@ -1,8 +1,7 @@
 !> Reads a case file: one group `&asperity ... /` of keys and values, in Fortran's namelist
 !> form, which Fortran's own READ could not check by key and line.
 module asperity_program_input_case_file
-   use asperity, only: error_type, file_error
-   use asperity_base_error, only: fatal_error
+   use asperity_base_error, only: error_type, fatal_error, file_error
    use asperity_base_number_text, only: to_text
    use asperity_program_input_keys, only: find_key, keys, kind_file, n_keys, option_name
    use asperity_program_input_scanner, only: new_scanner, scanner_type, token_comma, token_group, &

@@ -1,7 +1,6 @@
 !> Parses the command line, and nothing else, into one type.
 module asperity_program_input_command_line
-   use asperity, only: error_type
-   use asperity_base_error, only: fatal_error
+   use asperity_base_error, only: error_type, fatal_error
    use asperity_program_input_help, only: usage_text
    use asperity_program_input_keys, only: belongs, command_citation, command_curve, &
       command_deck_shear, command_deck_tenon, command_help, command_hysteresis, command_names, &

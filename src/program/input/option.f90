@@ -1,7 +1,7 @@
 !> One option of the command line: which key it means, and its value.
 module asperity_program_input_option
-   use asperity, only: error_type, wp
-   use asperity_base_error, only: fatal_error
+   use asperity_base_error, only: error_type, fatal_error
+   use asperity_base_kinds, only: wp
    use asperity_program_input_keys, only: belongs, command_names, keys, kind_choice, kind_file, &
       kind_list, kind_logical, kind_request, kind_sweep, kind_text, n_keys, option_name
    use asperity_program_input_ranges, only: read_range, split_words

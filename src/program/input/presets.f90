@@ -1,7 +1,8 @@
 !> Fills in the properties that a pair of faces or a surface of the paper gives.
 module asperity_program_input_presets
-   use asperity, only: error_type, find_pair, find_surface, pair_preset, surface_preset, wp
-   use asperity_base_error, only: fatal_error
+   use asperity_base_error, only: error_type, fatal_error
+   use asperity_base_kinds, only: wp
+   use asperity_paper_pairs, only: find_pair, find_surface, pair_preset, surface_preset
    use asperity_program_input_keys, only: belongs, find_key, keys, kind_real, n_keys
    use asperity_program_input_settings, only: assign_values, forget, settings_type
    implicit none

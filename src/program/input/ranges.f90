@@ -1,6 +1,7 @@
 !> Lists of words and numbers as options and defaults write them: `a,b,c` or `start:stop:count`.
 module asperity_program_input_ranges
-   use asperity, only: error_type, wp
+   use asperity_base_error, only: error_type
+   use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
    use asperity_program_input_values, only: read_integer, read_real, refuse, word_type
    use asperity_program_system_strings, only: quoted

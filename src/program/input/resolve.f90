@@ -1,8 +1,7 @@
 !> Settings in effect: options over the case file over presets over defaults, and the place of
 !> each in messages.
 module asperity_program_input_resolve
-   use asperity, only: error_type
-   use asperity_base_error, only: fatal_error
+   use asperity_base_error, only: error_type, fatal_error
    use asperity_base_kinds, only: wp
    use asperity_contact_properties, only: default_initial_separation
    use asperity_deck_tenon_parts, only: default_mesh_size, default_tenon_sizes, tenon_sizes

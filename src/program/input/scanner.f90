@@ -1,8 +1,7 @@
 !> Splits the text of a case file into words, quoted texts and marks, each with its line.
 !> What it accepts is a subset of Fortran's namelist input.
 module asperity_program_input_scanner
-   use asperity, only: error_type
-   use asperity_base_error, only: fatal_error
+   use asperity_base_error, only: error_type, fatal_error
    use asperity_base_number_text, only: to_text
    use asperity_program_system_strings, only: newline, quoted
    implicit none

@@ -1,6 +1,7 @@
 !> Values of the keys (see keys.f90): what was given, where, and its conversion from text.
 module asperity_program_input_settings
-   use asperity, only: error_type, wp
+   use asperity_base_error, only: error_type
+   use asperity_base_kinds, only: wp
    use asperity_program_input_keys, only: find_key, key_type, keys, kind_choice, kind_file, &
       kind_integer, kind_list, kind_logical, kind_real, kind_sweep, kind_text, n_keys
    use asperity_program_input_ranges, only: longest_list, split_words

@@ -1,8 +1,8 @@
 !> Words of the user, as they stand in a case file or in an option, and what they mean.
 module asperity_program_input_values
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
-   use asperity, only: error_type, wp
-   use asperity_base_error, only: fatal_error
+   use asperity_base_error, only: error_type, fatal_error
+   use asperity_base_kinds, only: wp
    use asperity_program_system_strings, only: lower_case, quoted
    implicit none
    private

@@ -1,8 +1,7 @@
 !> Draws pictures with gnuplot, which reads its script from a pipe and writes the picture into a
 !> temporary file.
 module asperity_program_plot_gnuplot
-   use asperity, only: computation_error, error_type, file_error
-   use asperity_base_error, only: fatal_error
+   use asperity_base_error, only: computation_error, error_type, fatal_error, file_error
    use asperity_program_system_atomic_files, only: output_file
    use asperity_program_system_files, only: read_file, remove_file
    use asperity_program_system_part_file, only: close_part, create_part, free_name, part_file

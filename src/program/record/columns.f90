@@ -1,8 +1,8 @@
 !> Which columns of a record are taken: those asked for by name or number, else those whose names
 !> and units say that they hold what is looked for.
 module asperity_program_record_columns
-   use asperity, only: error_type, wp
-   use asperity_base_error, only: fatal_error
+   use asperity_base_error, only: error_type, fatal_error
+   use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
    use asperity_program_record_headings, only: rank_of, rank_unit
    use asperity_program_record_layout, only: headings_text, layout_type

@@ -3,8 +3,8 @@
 !> or several below each other.
 module asperity_program_record_file
    use, intrinsic :: iso_fortran_env, only: int64
-   use asperity, only: error_type, file_error, wp
-   use asperity_base_error, only: fatal_error
+   use asperity_base_error, only: error_type, fatal_error, file_error
+   use asperity_base_kinds, only: wp
    use asperity_base_memory, only: check_memory, check_work
    use asperity_base_number_text, only: to_text
    use asperity_program_record_columns, only: choose_columns, record_column

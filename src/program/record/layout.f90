@@ -1,8 +1,7 @@
 !> How a record is written: what separates its columns, their names and units, and where its numbers
 !> begin.
 module asperity_program_record_layout
-   use asperity, only: error_type
-   use asperity_base_error, only: fatal_error
+   use asperity_base_error, only: error_type, fatal_error
    use asperity_base_number_text, only: to_text
    use asperity_program_record_headings, only: heading_type, is_unit_of, read_heading
    use asperity_program_record_lines, only: field, field_count, next_line, place_text, place_type, &

@@ -1,6 +1,7 @@
 !> Numbers as loggers and spreadsheets write them, with a decimal point or a decimal comma.
 module asperity_program_record_numbers
-   use asperity, only: error_type, wp
+   use asperity_base_error, only: error_type
+   use asperity_base_kinds, only: wp
    use asperity_program_input_values, only: read_real, word_type
    use asperity_program_record_lines, only: find_field, next_line, place_type
    use asperity_program_system_strings, only: lower_case

@@ -1,7 +1,6 @@
 !> How a record is read, as the settings say it.
 module asperity_program_record_settings
-   use asperity, only: error_type
-   use asperity_base_error, only: fatal_error
+   use asperity_base_error, only: error_type, fatal_error
    use asperity_base_number_text, only: to_text
    use asperity_program_input_keys, only: find_key, option_name
    use asperity_program_input_settings, only: settings_type

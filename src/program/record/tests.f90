@@ -1,8 +1,8 @@
 !> Several tests in one file: rows that a condition chooses, and leading columns that tell one test
 !> from another.
 module asperity_program_record_tests
-   use asperity, only: error_type, wp
-   use asperity_base_error, only: fatal_error
+   use asperity_base_error, only: error_type, fatal_error
+   use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
    use asperity_program_record_columns, only: column_with_name, number_of
    use asperity_program_record_layout, only: layout_type

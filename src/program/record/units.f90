@@ -1,6 +1,6 @@
 !> Units as laboratories write them: what they measure, and how much they are.
 module asperity_program_record_units
-   use asperity, only: wp
+   use asperity_base_kinds, only: wp
    use asperity_program_system_strings, only: lower_case
    implicit none
    private

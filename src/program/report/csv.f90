@@ -1,6 +1,6 @@
 !> A table as CSV: one line of column names with units, one line per row, numbers with 17 figures.
 module asperity_program_report_csv
-   use asperity, only: error_type
+   use asperity_base_error, only: error_type
    use asperity_program_report_table, only: column_texts, column_type, table_type
    use asperity_program_system_strings, only: escaped, newline
    use asperity_program_system_text_buffer, only: text_buffer

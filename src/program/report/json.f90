@@ -1,9 +1,10 @@
 !> A report as JSON: input, units, one list per column. Never holds NaN or infinity: what has no
 !> value is null.
 module asperity_program_report_json
-   use asperity, only: error_type, validity_remark
+   use asperity_base_error, only: error_type
    use asperity_base_number_text, only: to_text
    use asperity_base_version, only: version
+   use asperity_law_validity, only: validity_remark
    use asperity_program_input_keys, only: belongs, command_names, keys, kind_file, kind_integer, &
       kind_list, kind_logical, kind_real, n_keys
    use asperity_program_input_settings, only: setting_type

@@ -1,6 +1,6 @@
 !> What a run has to say: its input, its results, which rows deserve to be shown.
 module asperity_program_report_report
-   use asperity, only: wp
+   use asperity_base_kinds, only: wp
    use asperity_program_input_settings, only: settings_type
    use asperity_program_report_table, only: table_type
    use asperity_program_system_strings, only: string_type

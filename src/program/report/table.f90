@@ -1,9 +1,11 @@
 !> A table of results: named columns with units, of numbers or of texts.
 module asperity_program_report_table
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
-   use asperity, only: computation_error, error_type, status_text, validity_text, wp
-   use asperity_base_error, only: fatal_error
+   use asperity_base_error, only: computation_error, error_type, fatal_error
+   use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
+   use asperity_contact_point, only: status_text
+   use asperity_law_validity, only: validity_text
    use asperity_program_system_strings, only: string_type
    implicit none
    private

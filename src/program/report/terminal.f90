@@ -1,8 +1,11 @@
 !> A report as text for a terminal: header, table with units, remarks.
 module asperity_program_report_terminal
-   use asperity, only: error_type, find_pair, pair_preset, validity_remark, wp
+   use asperity_base_error, only: error_type
+   use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
    use asperity_base_version, only: version
+   use asperity_law_validity, only: validity_remark
+   use asperity_paper_pairs, only: find_pair, pair_preset
    use asperity_program_input_keys, only: belongs, command_names, command_pairs, command_surface, &
       keys, kind_file, kind_integer, kind_list, kind_logical, kind_real, n_keys
    use asperity_program_input_settings, only: settings_type

@@ -1,6 +1,6 @@
 !> A table as aligned text: names over units over values.
 module asperity_program_report_text_table
-   use asperity, only: wp
+   use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
    use asperity_program_report_table, only: column_counts, column_numbers, column_type, &
       column_validity, no_value, table_type

@@ -1,7 +1,7 @@
 !> Units of what the program writes, in those that it computes with (N, mm): one unit for one
 !> quantity in every file.
 module asperity_program_report_units
-   use asperity, only: wp
+   use asperity_base_kinds, only: wp
    implicit none
    private
 

@@ -3,8 +3,7 @@
 !> written directly, since renaming would replace them.
 module asperity_program_system_atomic_files
    use, intrinsic :: iso_c_binding, only: c_int
-   use asperity, only: error_type, file_error
-   use asperity_base_error, only: fatal_error
+   use asperity_base_error, only: error_type, fatal_error, file_error
    use asperity_program_system_file_facts, only: facts_of, facts_of_descriptor, file_facts
    use asperity_program_system_files, only: close_file, open_file, remove_file, rename_file, &
       standard_error, standard_output, write_text

@@ -1,7 +1,7 @@
 !> Checksum of numbers, to see whether they have changed: CRC-32 of their bytes, of zlib.
 module asperity_program_system_checksum
    use, intrinsic :: iso_c_binding, only: c_int, c_loc, c_long, c_null_ptr, c_ptr, c_sizeof
-   use asperity, only: wp
+   use asperity_base_kinds, only: wp
    implicit none
    private
    public :: checksum

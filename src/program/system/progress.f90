@@ -1,7 +1,7 @@
 !> One line of progress on a terminal for what takes longer than a second.
 module asperity_program_system_progress
    use, intrinsic :: iso_fortran_env, only: int64
-   use asperity, only: wp
+   use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
    use asperity_program_system_files, only: is_terminal, standard_error, write_text
    use asperity_program_system_strings, only: newline

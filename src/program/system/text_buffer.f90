@@ -1,6 +1,6 @@
 !> A growing text that also takes numbers for gnuplot.
 module asperity_program_system_text_buffer
-   use asperity, only: wp
+   use asperity_base_kinds, only: wp
    use asperity_base_text_builder, only: growing_text
    implicit none
    private

@@ -1,6 +1,6 @@
 !> Text of files and of the user, which may be in an older encoding, as valid UTF-8.
 module asperity_program_system_utf8
-   use asperity, only: error_type
+   use asperity_base_error, only: error_type
    use asperity_program_system_text_buffer, only: text_buffer
    implicit none
    private

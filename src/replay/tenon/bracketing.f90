@@ -1,7 +1,7 @@
 !> Bracketing search for the zero of a monotone function, asked from outside: the caller evaluates
 !> the function where the search says.
 module asperity_replay_tenon_bracketing
-   use asperity, only: wp
+   use asperity_base_kinds, only: wp
    implicit none
    private
    public :: root_search, new_root_search, advance_search

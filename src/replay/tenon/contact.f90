@@ -4,15 +4,16 @@
 !> the interface closes is found from closure = overclosure + deflection of the wood. UINTER may
 !> stand in its place. Hard: the interface does not close, with the same friction.
 module asperity_replay_tenon_contact
-   use asperity, only: compiled_law, contact_properties, contact_response, contact_state, &
-      error_type, evaluate_compiled_law, no_opposite_surface, no_rotation, no_surface_limit, &
-      rule_dissipative, separation_for_pressure, status_open, status_slip, status_stick
-   use asperity, only: computation_error, wp
    use asperity_abaqus_props_and_statev, only: state_from_statev
-   use asperity_base_error, only: fatal_error
+   use asperity_base_error, only: computation_error, error_type, fatal_error
+   use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
    use asperity_contact_friction, only: integrate_slip, slip_path
-   use asperity_contact_point, only: advance_contact_point
+   use asperity_contact_point, only: advance_contact_point, contact_response, contact_state, &
+      no_opposite_surface, no_rotation, no_surface_limit, status_open, status_slip, status_stick
+   use asperity_contact_properties, only: contact_properties, rule_dissipative
+   use asperity_law_compiled_law, only: compiled_law, evaluate_compiled_law
+   use asperity_law_normal_inverse, only: separation_for_pressure
    use asperity_law_normal_law, only: vanishing_separation
    use asperity_replay_abaqus_host, only: host_point, refuse_cut, try_increment
    use asperity_replay_tenon_wood_bearing, only: bearing_deflection, bearing_indentation, &

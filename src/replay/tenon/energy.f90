@@ -6,7 +6,9 @@
 !> the mean squared elastic slip, so that the sum closes to second order in the step. The
 !> dissipative rule has one order only, the pressure first, and closes to first order.
 module asperity_replay_tenon_energy
-   use asperity, only: rule_abaqus, status_open, wp
+   use asperity_base_kinds, only: wp
+   use asperity_contact_point, only: status_open
+   use asperity_contact_properties, only: rule_abaqus
    use asperity_replay_tenon_contact, only: contact_record
    use asperity_replay_tenon_geometry, only: n_faces, other_side, side, tenon_model
    use asperity_replay_tenon_wood_bearing, only: bearing_plastic_work

@@ -1,7 +1,8 @@
 !> Equilibrium of the tenon joint at a rotation: Newton with the exact derivatives and a line
 !> search; where that fails, a nested bracketing search.
 module asperity_replay_tenon_equilibrium
-   use asperity, only: error_type, wp
+   use asperity_base_error, only: error_type
+   use asperity_base_kinds, only: wp
    use asperity_replay_tenon_bracketing, only: advance_search, new_root_search, root_search
    use asperity_replay_tenon_contact, only: contact_record
    use asperity_replay_tenon_geometry, only: evaluate_tenon, tenon_forces, tenon_model

@@ -31,10 +31,13 @@
 !>   through O. The moment of the joint is F arm, about the datum of the arm.
 !> - An open joint is held where it is by `holding_stiffness` on u and v, with its own ledger.
 module asperity_replay_tenon_geometry
-   use asperity, only: contact_properties, error_type, new_compiled_law, separation_for_pressure, wp
    use asperity_abaqus_uinter_signature, only: uinter_interface
-   use asperity_base_error, only: fatal_error
+   use asperity_base_error, only: error_type, fatal_error
+   use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
+   use asperity_contact_properties, only: contact_properties
+   use asperity_law_compiled_law, only: new_compiled_law
+   use asperity_law_normal_inverse, only: separation_for_pressure
    use asperity_replay_abaqus_host, only: host_point, new_host_point
    use asperity_replay_tenon_contact, only: contact_record, leave_surface, leave_through_uinter, &
       press_hard, press_rough, press_through_uinter, rub, rub_through_uinter, yield_overclosure

@@ -1,6 +1,6 @@
 !> Load programme of the tenon joint: displacements of the load point, step by step.
 module asperity_replay_tenon_load_path
-   use asperity, only: wp
+   use asperity_base_kinds, only: wp
    use asperity_replay_tenon_settings, only: tenon_amplitudes, tenon_settings
    implicit none
    private

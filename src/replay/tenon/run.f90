@@ -1,10 +1,11 @@
 !> Cyclic replay of a straight tenon joint: the load programme step by step, with its ledgers.
 module asperity_replay_tenon_run
    use, intrinsic :: iso_fortran_env, only: int64
-   use asperity, only: computation_error, contact_properties, error_type, wp
-   use asperity_base_error, only: fatal_error
+   use asperity_base_error, only: computation_error, error_type, fatal_error
+   use asperity_base_kinds, only: wp
    use asperity_base_memory, only: check_work
    use asperity_base_number_text, only: to_text
+   use asperity_contact_properties, only: contact_properties
    use asperity_replay_abaqus_host, only: accept_increment
    use asperity_replay_tenon_contact, only: contact_record
    use asperity_replay_tenon_energy, only: book_increment, tenon_ledger

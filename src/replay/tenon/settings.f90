@@ -4,10 +4,10 @@
 !> as chosen. Sizes that follow from others are allocatable: `complete_tenon_settings` sets
 !> those that are not allocated, and a run does it by itself.
 module asperity_replay_tenon_settings
-   use asperity, only: error_type, wp
-   use asperity_base_error, only: fatal_error
+   use asperity_base_checks, only: check_positive, check_range
+   use asperity_base_error, only: error_type, fatal_error
+   use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
-   use asperity_law_normal_properties, only: check_positive, check_range
    use asperity_replay_sizes, only: check_between, check_size, range_of, size_range
    use asperity_replay_tenon_turns, only: check_amplitudes, check_displacement, &
       default_amplitudes, default_cycles

@@ -1,10 +1,10 @@
 !> Where the load point of the tenon joint turns: the paper's amplitudes, and what is refused of
 !> amplitudes and of recorded displacements.
 module asperity_replay_tenon_turns
-   use asperity, only: error_type, wp
-   use asperity_base_error, only: fatal_error
+   use asperity_base_checks, only: check_positive, check_range
+   use asperity_base_error, only: error_type, fatal_error
+   use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
-   use asperity_law_normal_properties, only: check_positive, check_range
    use asperity_replay_sizes, only: slip_text
    implicit none
    private

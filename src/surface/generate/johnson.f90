@@ -4,8 +4,8 @@
 !> They reach any skewness and kurtosis that distributions have, save for those next to the bound
 !> kurtosis = skewness^2 + 1.
 module asperity_surface_generate_johnson
+   use asperity_base_constants, only: pi
    use asperity_base_kinds, only: wp
-   use asperity_law_normal_properties, only: pi
    implicit none
    private
    public :: find_johnson, johnson_height, johnson_moments, johnson_type, normal_point, &

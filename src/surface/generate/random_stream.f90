@@ -2,8 +2,8 @@
 !> generator MRG32k3a (1999), period 2^191, whose products stay below 2^53.
 module asperity_surface_generate_random_stream
    use, intrinsic :: iso_fortran_env, only: int64
+   use asperity_base_constants, only: pi
    use asperity_base_kinds, only: wp
-   use asperity_law_normal_properties, only: pi
    implicit none
    private
    public :: random_type, new_random, next_uniform, fill_normal

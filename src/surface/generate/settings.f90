@@ -1,11 +1,11 @@
 !> What a random surface shall be, and whether it can be.
 module asperity_surface_generate_settings
+   use asperity_base_checks, only: check_positive, check_range
    use asperity_base_error, only: error_type, fatal_error
    use asperity_base_finite, only: is_finite
    use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
    use asperity_height_map_type, only: fewest_points
-   use asperity_law_normal_properties, only: check_positive, check_range
    implicit none
    private
    public :: surface_settings, check_surface_settings

@@ -1,8 +1,8 @@
 !> Variances of the waves of a random surface. Spectra hold the half plane of ../fourier.f90, in
 !> their real parts, and sum to 1 over the whole plane.
 module asperity_surface_generate_spectrum
+   use asperity_base_constants, only: pi
    use asperity_base_kinds, only: wp
-   use asperity_law_normal_properties, only: pi
    use asperity_surface_fourier, only: transform_backward_2d, transform_forward_2d
    use asperity_surface_generate_height_distribution, only: distorted_correlation, marginal_type
    use asperity_surface_generate_settings, only: surface_settings

@@ -1,7 +1,7 @@
 !> Parameters of a surface from the sums over its points.
 module asperity_surface_parameters_from_sums
+   use asperity_base_constants, only: pi
    use asperity_base_kinds, only: wp
-   use asperity_law_normal_properties, only: pi
    use asperity_surface_parameters_nayak, only: nayak_summits, nayak_type
    use asperity_surface_parameters_parameters, only: n_parameters, p_alpha, p_direction, &
       p_eta_nayak, p_eta_paper, p_m0, p_m2, p_m2_across, p_m2_along, p_m2_x, p_m2_y, p_m4, &

@@ -1,7 +1,7 @@
 !> Student's t for whole degrees of freedom, by the finite sums of its distribution.
 module asperity_surface_parameters_student
+   use asperity_base_constants, only: pi
    use asperity_base_kinds, only: wp
-   use asperity_law_normal_properties, only: pi
    implicit none
    private
    public :: student_factor, student_share

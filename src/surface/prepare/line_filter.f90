@@ -7,8 +7,8 @@
 !> k^p w(k) and Np sums k^p w(k) z(i+k) over the points k away that there are. Without it the plain
 !> sum N0 comes back.
 module asperity_surface_prepare_line_filter
+   use asperity_base_constants, only: pi
    use asperity_base_kinds, only: wp
-   use asperity_law_normal_properties, only: pi
    use asperity_surface_fourier, only: delete_line_transform, easy_length, line_transform, &
       new_line_transform, transform_lines_backward, transform_lines_forward
    implicit none

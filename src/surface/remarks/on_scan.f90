@@ -1,9 +1,9 @@
 !> What the scan itself is worth, in words: units, outliers, points that were filled in, waves that
 !> are too long or too short for it.
 module asperity_surface_remarks_on_scan
+   use asperity_base_constants, only: pi
    use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
-   use asperity_law_normal_properties, only: pi
    use asperity_surface_parameters_parameters, only: n_parameters, p_m0, p_m2_x, p_m2_y, p_m4_x, &
       p_m4_y, p_sdq, p_sp, p_sq, p_sv
    use asperity_surface_remarks_remark, only: add_remark, is_known, remark_type

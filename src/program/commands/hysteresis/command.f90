@@ -1,8 +1,8 @@
 !> `asperity hysteresis`: cycles, skeleton, stiffness, energy and damping of a record.
 module asperity_program_commands_hysteresis_command
    use, intrinsic :: iso_fortran_env, only: int64
-   use asperity, only: error_type, wp
-   use asperity_base_error, only: fatal_error
+   use asperity_base_error, only: error_type, fatal_error
+   use asperity_base_kinds, only: wp
    use asperity_base_memory, only: check_work
    use asperity_base_number_text, only: to_text
    use asperity_hysteresis_analysis, only: analyse_hysteresis, check_hysteresis_settings, &

@@ -1,6 +1,7 @@
 !> Picture of a record as a gnuplot script: loops with skeleton, stiffness, energy, damping.
 module asperity_program_commands_hysteresis_plot
-   use asperity, only: error_type, wp
+   use asperity_base_error, only: error_type
+   use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
    use asperity_hysteresis_analysis, only: hysteresis_result, hysteresis_skeleton, negative_side, &
       not_known, positive_side

@@ -1,10 +1,10 @@
 !> What is to be said of a record and of its analysis.
 module asperity_program_commands_hysteresis_remarks
-   use asperity, only: wp
+   use asperity_base_constants, only: pi
+   use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
    use asperity_hysteresis_analysis, only: hysteresis_result, hysteresis_settings, &
-      hysteresis_skeleton, not_known, positive_side, negative_side
-   use asperity_law_normal_properties, only: pi
+      hysteresis_skeleton, negative_side, not_known, positive_side
    use asperity_program_commands_hysteresis_tables, only: record_labels, side_names
    use asperity_program_system_strings, only: string_type
    implicit none

@@ -1,6 +1,6 @@
 !> Tables of what a record says: cycles, both sides, skeleton.
 module asperity_program_commands_hysteresis_tables
-   use asperity, only: wp
+   use asperity_base_kinds, only: wp
    use asperity_hysteresis_analysis, only: hysteresis_cycle, hysteresis_result, negative_side, &
       not_known, positive_side
    use asperity_program_report_table, only: column_counts, new_table, no_value, table_type

@@ -1,7 +1,8 @@
 !> Several tests of one file in one report: their tables below each other, with what tells the tests
 !> apart in front.
 module asperity_program_commands_hysteresis_tests
-   use asperity, only: error_type, wp
+   use asperity_base_error, only: error_type
+   use asperity_base_kinds, only: wp
    use asperity_program_commands_hysteresis_plot, only: start_sheet
    use asperity_program_record_numbers, only: looks_like_number, read_number
    use asperity_program_record_tests, only: test_text, test_type

@@ -1,9 +1,10 @@
 !> `asperity surface`: from a height map to the parameters of the law.
 module asperity_program_commands_surface_command
-   use asperity, only: computation_error, error_type, normal_properties, wp
-   use asperity_base_error, only: fatal_error
+   use asperity_base_error, only: computation_error, error_type, fatal_error
+   use asperity_base_kinds, only: wp
    use asperity_height_map_type, only: height_map, missing_height, note_end
    use asperity_height_map_write, only: height_map_bytes
+   use asperity_law_normal_properties, only: normal_properties
    use asperity_program_commands_surface_law, only: has_law, set_law, surface_case
    use asperity_program_commands_surface_maps, only: check_map_options, get_map, prepare_map
    use asperity_program_commands_surface_pair, only: analyse_pair

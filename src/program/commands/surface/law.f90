@@ -1,8 +1,11 @@
 !> The law with the parameters of a map: its settings, its properties, its case file.
 module asperity_program_commands_surface_law
-   use asperity, only: error_type, new_normal_properties, normal_properties, version, wp
+   use asperity_base_error, only: error_type
+   use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
+   use asperity_base_version, only: version
    use asperity_contact_properties, only: default_initial_separation
+   use asperity_law_normal_properties, only: new_normal_properties, normal_properties
    use asperity_program_input_keys, only: belongs, command_surface, command_table, find_key, keys, &
       kind_real, n_keys
    use asperity_program_input_presets, only: apply_presets, fill

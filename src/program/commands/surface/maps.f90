@@ -1,15 +1,16 @@
 !> The height maps of `asperity surface`: read or made, prepared as the options say.
 module asperity_program_commands_surface_maps
-   use asperity, only: error_type, find_pair, pair_preset, wp
-   use asperity_base_error, only: fatal_error
+   use asperity_base_error, only: error_type, fatal_error
+   use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
    use asperity_height_map_read, only: map_hints, read_height_map
    use asperity_height_map_type, only: height_map
+   use asperity_paper_pairs, only: find_pair, pair_preset
    use asperity_program_input_keys, only: command_surface, find_key
    use asperity_program_input_presets, only: fill
    use asperity_program_input_settings, only: forget, settings_type
    use asperity_program_system_progress, only: show_share, show_stage
-   use asperity_surface_analysis, only: prepare_surface, preparation_settings
+   use asperity_surface_analysis, only: preparation_settings, prepare_surface
    use asperity_surface_generate_map, only: generate_surface
    use asperity_surface_generate_settings, only: surface_settings
    implicit none

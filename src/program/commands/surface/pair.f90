@@ -1,6 +1,7 @@
 !> Two maps of `asperity surface --pair`: each face, the equivalent surface, the gap between them.
 module asperity_program_commands_surface_pair
-   use asperity, only: error_type, wp
+   use asperity_base_error, only: error_type
+   use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
    use asperity_height_map_type, only: height_map
    use asperity_program_commands_surface_maps, only: get_map, prepare_map

@@ -1,9 +1,10 @@
 !> Picture of `asperity surface` as a gnuplot script: the map, its heights, the law.
 module asperity_program_commands_surface_plot
-   use asperity, only: error_type, wp
+   use asperity_base_constants, only: pi
+   use asperity_base_error, only: error_type
+   use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
    use asperity_height_map_type, only: height_map, missing_height
-   use asperity_law_normal_properties, only: pi
    use asperity_program_report_table, only: no_value, table_type
    use asperity_program_system_strings, only: backslash
    use asperity_program_system_text_buffer, only: text_buffer

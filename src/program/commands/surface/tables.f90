@@ -1,6 +1,6 @@
 !> Tables of `asperity surface`.
 module asperity_program_commands_surface_tables
-   use asperity, only: wp
+   use asperity_base_kinds, only: wp
    use asperity_height_map_type, only: height_map, missing_points
    use asperity_program_commands_surface_law, only: has_law, route_places, routes
    use asperity_program_report_table, only: column_counts, new_table, no_value, table_type

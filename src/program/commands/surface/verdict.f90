@@ -1,7 +1,10 @@
 !> Which route to take for a map, why, and how good it is by the sum over the map's summits.
 module asperity_program_commands_surface_verdict
-   use asperity, only: error_type, normal_properties, separation_for_pressure, wp
+   use asperity_base_error, only: error_type
+   use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
+   use asperity_law_normal_inverse, only: separation_for_pressure
+   use asperity_law_normal_properties, only: normal_properties
    use asperity_law_plausibility, only: roughness_number_max, roughness_number_min, &
       roughness_number_min_sq
    use asperity_program_commands_surface_law, only: has_law, refusal, route_places, set_law

@@ -1,9 +1,12 @@
 !> The law with the parameters of a map against separation: the Gaussian integral, and the sum over
 !> the summits of the map.
 module asperity_program_commands_surface_verify
-   use asperity, only: error_type, evaluate_normal_law, normal_properties, normal_response, &
-      separation_for_pressure, wp
+   use asperity_base_error, only: error_type
+   use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
+   use asperity_law_normal_inverse, only: separation_for_pressure
+   use asperity_law_normal_law, only: evaluate_normal_law, normal_response
+   use asperity_law_normal_properties, only: normal_properties
    use asperity_program_commands_surface_law, only: has_law, routes, set_law
    use asperity_program_input_keys, only: find_key
    use asperity_program_input_settings, only: settings_type

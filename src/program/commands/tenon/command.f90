@@ -1,8 +1,8 @@
 !> `asperity tenon`: the cyclic tenon joint under hard contact and under the rough law.
 module asperity_program_commands_tenon_command
    use, intrinsic :: iso_fortran_env, only: int64
-   use asperity, only: error_type, wp
-   use asperity_base_error, only: fatal_error
+   use asperity_base_error, only: error_type, fatal_error
+   use asperity_base_kinds, only: wp
    use asperity_base_memory, only: check_work
    use asperity_base_number_text, only: to_text
    use asperity_hysteresis_analysis, only: negative_side, positive_side

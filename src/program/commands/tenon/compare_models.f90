@@ -1,8 +1,8 @@
 !> One tenon joint under hard contact or under the rough law: the replay and what follows from it.
 module asperity_program_commands_tenon_compare_models
    use, intrinsic :: iso_fortran_env, only: int64
-   use asperity, only: error_type, wp
-   use asperity_base_error, only: fatal_error
+   use asperity_base_error, only: error_type, fatal_error
+   use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
    use asperity_hysteresis_analysis, only: analyse_hysteresis, hysteresis_result, &
       hysteresis_settings, not_known

@@ -1,10 +1,12 @@
 !> Settings of `asperity tenon` as the replay takes them.
 module asperity_program_commands_tenon_config
-   use asperity, only: contact_properties, error_type, find_pair, new_contact_properties, &
-      new_normal_properties, normal_properties, pair_preset, wp
-   use asperity_base_error, only: fatal_error
+   use asperity_base_checks, only: check_range
+   use asperity_base_error, only: error_type, fatal_error
+   use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
-   use asperity_law_normal_properties, only: check_range
+   use asperity_contact_properties, only: contact_properties, new_contact_properties
+   use asperity_law_normal_properties, only: new_normal_properties, normal_properties
+   use asperity_paper_pairs, only: find_pair, pair_preset
    use asperity_program_input_keys, only: belongs, find_key
    use asperity_program_input_settings, only: settings_type
    use asperity_replay_tenon_settings, only: check_tenon_settings, tenon_settings

@@ -1,7 +1,8 @@
 !> What is left behind when a step of the tenon joint cannot be solved: a case file and the
 !> displacements up to that step, with which it fails again.
 module asperity_program_commands_tenon_failure
-   use asperity, only: computation_error, error_type, wp
+   use asperity_base_error, only: computation_error, error_type
+   use asperity_base_kinds, only: wp
    use asperity_program_input_keys, only: command_hysteresis, command_tenon, find_key, keys, n_keys
    use asperity_program_input_print_case, only: case_text
    use asperity_program_input_resolve, only: mark_unused

@@ -1,7 +1,7 @@
 !> The recorded displacements or rotations that a tenon joint may be led along.
 module asperity_program_commands_tenon_history
-   use asperity, only: error_type, wp
-   use asperity_base_error, only: fatal_error
+   use asperity_base_error, only: error_type, fatal_error
+   use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
    use asperity_program_input_keys, only: belongs, command_hysteresis, command_tenon, find_key, &
       n_keys

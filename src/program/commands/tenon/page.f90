@@ -1,9 +1,9 @@
 !> The page that `asperity tenon --report` writes: case, assumptions, tables and pictures in one
 !> file that needs no other and prints well.
 module asperity_program_commands_tenon_page
-   use asperity, only: validity_remark
    use asperity_base_number_text, only: to_text
    use asperity_base_version, only: version
+   use asperity_law_validity, only: validity_remark
    use asperity_program_commands_tenon_page_texts, only: assumptions, cautions, origin_of, &
       paper_cautions
    use asperity_program_commands_tenon_paper_joint, only: is_paper_joint, usual_settings

@@ -1,6 +1,7 @@
 !> The paper's joint: what it is, and what the paper says of it.
 module asperity_program_commands_tenon_paper_joint
-   use asperity, only: error_type, wp
+   use asperity_base_error, only: error_type
+   use asperity_base_kinds, only: wp
    use asperity_program_input_command_line, only: command_line_type
    use asperity_program_input_keys, only: command_tenon, find_key
    use asperity_program_input_resolve, only: settled

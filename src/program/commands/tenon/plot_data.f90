@@ -1,7 +1,8 @@
 !> Data of the tenon joint's pictures as data blocks of gnuplot, named after model and content.
 module asperity_program_commands_tenon_plot_data
-   use asperity, only: status_slip, status_stick, wp
+   use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
+   use asperity_contact_point, only: status_slip, status_stick
    use asperity_hysteresis_analysis, only: not_known
    use asperity_program_commands_tenon_compare_models, only: joint_type, largest_cycle, &
       loop_joules, model_names

@@ -1,6 +1,7 @@
 !> Pictures of the tenon joint as gnuplot scripts: what the paper shows in its Figs 25 to 33.
 module asperity_program_commands_tenon_plots
-   use asperity, only: error_type, wp
+   use asperity_base_error, only: error_type
+   use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
    use asperity_program_commands_tenon_compare_models, only: joint_type, model_names
    use asperity_program_commands_tenon_plot_data, only: add_cycles, add_skeleton, add_states, &

@@ -1,6 +1,6 @@
 !> A drawing of the joint with its sizes, symbols and signs, as an SVG element.
 module asperity_program_commands_tenon_sketch
-   use asperity, only: wp
+   use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
    use asperity_program_input_settings, only: settings_type
    use asperity_program_system_text_buffer, only: text_buffer

@@ -1,6 +1,6 @@
 !> Tables of `asperity tenon`: every step, every contact point, and both models side by side.
 module asperity_program_commands_tenon_tables
-   use asperity, only: wp
+   use asperity_base_kinds, only: wp
    use asperity_hysteresis_analysis, only: hysteresis_cycle, hysteresis_skeleton, negative_side
    use asperity_program_commands_tenon_compare_models, only: hard, joint_type, loop_joules, &
       model_names, rough

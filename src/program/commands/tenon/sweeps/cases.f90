@@ -1,7 +1,6 @@
 !> What `--sweep NAME=values` asks for: every combination of the values of some keys.
 module asperity_program_commands_tenon_sweeps_cases
-   use asperity, only: error_type
-   use asperity_base_error, only: fatal_error
+   use asperity_base_error, only: error_type, fatal_error
    use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
    use asperity_program_input_keys, only: belongs, command_hysteresis, find_key, keys, &

@@ -1,10 +1,10 @@
 !> The partial file of a sweep, FILE.csv.partial: the input as comment lines, then a CSV file whose
 !> rows are complete and stand in the order in which they were done.
 module asperity_program_commands_tenon_sweeps_file
-   use asperity, only: error_type, file_error, validity_text, wp
-   use asperity_base_error, only: fatal_error
+   use asperity_base_error, only: error_type, fatal_error, file_error
+   use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
-   use asperity_law_validity, only: all_flags
+   use asperity_law_validity, only: all_flags, validity_text
    use asperity_program_commands_tenon_sweeps_cases, only: axis_type
    use asperity_program_commands_tenon_sweeps_table, only: case_result, n_figures, sweep_table
    use asperity_program_input_command_line, only: command_line_type

@@ -1,6 +1,7 @@
 !> Results of a sweep of the tenon joint: one row per combination.
 module asperity_program_commands_tenon_sweeps_table
-   use asperity, only: error_type, wp
+   use asperity_base_error, only: error_type
+   use asperity_base_kinds, only: wp
    use asperity_hysteresis_analysis, only: hysteresis_skeleton, negative_side
    use asperity_program_commands_tenon_compare_models, only: joint_type, loop_joules, model_names
    use asperity_program_commands_tenon_sweeps_cases, only: axis_type, set_case
