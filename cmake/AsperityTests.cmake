@@ -1,33 +1,68 @@
-# Tests: one executable of all modules in test/, and the program's tests.
-# They run in the project's folder, where test/data is.
+# Tests: a program and a ctest `<folder>_tests` for each folder of test/ that has a main.f90, and
+# the program's tests. They run in the project's folder, where test/data is.
 
 find_package(GSL REQUIRED)
 find_package(PFUNIT QUIET)
 
-file(GLOB test_sources CONFIGURE_DEPENDS test/*.f90)
+# What the suites share
+file(GLOB support_sources CONFIGURE_DEPENDS test/support/*.f90)
+set(funit_target)
 if(PFUNIT_FOUND)
    message(STATUS "Tests use pFUnit ${PFUNIT_VERSION}")
-   list(FILTER test_sources EXCLUDE REGEX "/funit[^/]*\\.f90$")
+   list(FILTER support_sources EXCLUDE REGEX "/funit[^/]*\\.f90$")
+   set(funit_target PFUNIT::funit)
 else()
-   message(STATUS "Tests use test/funit.f90, as pFUnit is not installed")
+   message(STATUS "Tests use test/support/funit.f90, as pFUnit is not installed")
 endif()
+add_library(asperity_test_support OBJECT ${support_sources})
+asperity_compile_options(asperity_test_support)
+target_include_directories(asperity_test_support PUBLIC
+   ${PROJECT_BINARY_DIR}/modules/asperity_test_support)
+target_link_libraries(asperity_test_support PUBLIC
+   asperity GSL::gsl GSL::gslcblas ${funit_target})
 
-add_executable(asperity_tests ${test_sources})
-asperity_compile_options(asperity_tests)
-target_link_libraries(asperity_tests PRIVATE
-   asperity_replay asperity_hysteresis asperity_deck asperity_surface GSL::gsl GSL::gslcblas)
-if(PFUNIT_FOUND)
-   target_link_libraries(asperity_tests PRIVATE PFUNIT::funit)
-endif()
-add_test(NAME asperity_tests COMMAND asperity_tests WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
+# The test of a program, run in the project's folder
+function(asperity_test suite)
+   set(program asperity_${suite}_tests)
+   asperity_compile_options(${program})
+   add_test(NAME ${suite}_tests COMMAND ${program} WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
+endfunction()
+
+# The suites of one folder, with the libraries that they need
+function(asperity_test_suite suite)
+   file(GLOB sources CONFIGURE_DEPENDS test/${suite}/*.f90)
+   add_executable(asperity_${suite}_tests ${sources})
+   target_link_libraries(asperity_${suite}_tests PRIVATE asperity_test_support ${ARGN})
+   asperity_test(${suite})
+   # A file of tests that the main program does not know would be compiled and never run
+   file(READ test/${suite}/main.f90 main)
+   foreach(source IN LISTS sources)
+      get_filename_component(name ${source} NAME_WE)
+      file(STRINGS ${source} suites REGEX "^ *function suite_")
+      if(suites AND NOT main MATCHES "use test_${suite}_${name},")
+         message(FATAL_ERROR "test/${suite}/${name}.f90 is not run: name it in main.f90 beside it")
+      endif()
+   endforeach()
+endfunction()
+
+asperity_test_suite(base)
+# eta R sigma of real surfaces bounds what the law takes for plausible
+asperity_test_suite(law asperity_surface)
+asperity_test_suite(contact)
+asperity_test_suite(abaqus asperity_replay)
+asperity_test_suite(replay asperity_replay)
+asperity_test_suite(hysteresis asperity_hysteresis)
+asperity_test_suite(height_map asperity_surface)
+asperity_test_suite(surface asperity_surface)
+asperity_test_suite(deck asperity_deck)
 
 # The same tests of VUINTER against the file for single precision, all from sources, as its modules
 # are not those of the library
-set(single_sources
-   abaqus_stubs contact_cases extremes random_inputs threads vuinter_host test_vuinter
-   test_vuinter_agreement single/main)
+set(single_sources support/abaqus_stubs support/contact_cases support/extremes support/random_inputs
+   support/run_suites support/threads abaqus/vuinter_host abaqus/vuinter abaqus/vuinter_agreement
+   single/main)
 if(NOT PFUNIT_FOUND)
-   list(APPEND single_sources funit funit_assert)
+   list(APPEND single_sources support/funit support/funit_assert)
 endif()
 list(TRANSFORM single_sources PREPEND test/)
 list(TRANSFORM single_sources APPEND .f90)
@@ -39,30 +74,17 @@ add_executable(asperity_single_tests
    interface/abaqus/vuinter_signature.f90 src/replay/abaqus_host.f90)
 # one rule writes the file, not two at once
 add_dependencies(asperity_single_tests uinter_file)
-asperity_compile_options(asperity_single_tests)
-if(PFUNIT_FOUND)
-   target_link_libraries(asperity_single_tests PRIVATE PFUNIT::funit)
-endif()
-add_test(NAME single_tests COMMAND asperity_single_tests WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
+target_link_libraries(asperity_single_tests PRIVATE ${funit_target})
+asperity_test(single)
 
 # What the CalculiX interface computes itself, without CalculiX
-set(calculix_sources test/calculix/main.f90 test/calculix/test_springs.f90
-   test/calculix/test_keyword.f90 test/calculix/test_masters.f90 test/calculix/test_areas.f90
-   test/calculix/test_outputs.f90 test/extremes.f90 test/random_inputs.f90 test/abaqus_stubs.f90)
+file(GLOB calculix_sources CONFIGURE_DEPENDS test/calculix/main.f90 test/calculix/test_*.f90)
 foreach(name refusal faces kinematics interactions slots outputs host springs masters keyword areas)
    list(APPEND calculix_sources interface/calculix/${name}.f90)
 endforeach()
-if(NOT PFUNIT_FOUND)
-   list(APPEND calculix_sources test/funit.f90 test/funit_assert.f90)
-endif()
 add_executable(asperity_calculix_tests ${calculix_sources})
-asperity_compile_options(asperity_calculix_tests)
-target_link_libraries(asperity_calculix_tests PRIVATE asperity)
-if(PFUNIT_FOUND)
-   target_link_libraries(asperity_calculix_tests PRIVATE PFUNIT::funit)
-endif()
-add_test(NAME calculix_tests COMMAND asperity_calculix_tests
-   WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
+target_link_libraries(asperity_calculix_tests PRIVATE asperity_test_support)
+asperity_test(calculix)
 
 # The runner of CalculiX decks, with a fake CalculiX
 find_package(Python3 COMPONENTS Interpreter)

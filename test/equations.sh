@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Errors in docs/equations.md and the measurements of the tests, a file of lines `key value`.
+# Errors in docs/equations.md and the measurements of the tests, a folder of files of
+# lines `key value`.
 # usage: test/equations.sh update|check MEASUREMENTS
 #   update  write the largest value of each key before its mark <!-- key -->
 #   check   fail when a key is missing or its value has grown more than tenfold
@@ -9,7 +10,7 @@ document=docs/equations.md
 
 values() {
    awk '{ v = $2 ~ /^[-+0-9.eE]+$/ ? $2 + 0 : 1e300; if (!($1 in most) || v > most[$1]) most[$1] = v }
-      END { for (key in most) printf "%s %.1e\n", key, most[key] }' "$1"
+      END { for (key in most) printf "%s %.1e\n", key, most[key] }' "$1"/*
 }
 
 case ${1:-} in
@@ -38,7 +39,7 @@ check)
       END { if (n == 0) bad++; printf "%d passed, %d failed\n", n - bad, bad; exit bad > 0 }'
    ;;
 *)
-   sed -n '2,5s/^# //p' "${BASH_SOURCE[0]}" >&2
+   sed -n '2,6s/^# //p' "${BASH_SOURCE[0]}" >&2
    exit 2
    ;;
 esac

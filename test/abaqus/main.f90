@@ -1,0 +1,16 @@
+!> Tests of interface/abaqus.
+program test_abaqus
+   use funit, only: TestSuite
+   use run_suites, only: run_suite
+   use test_abaqus_uinter, only: suite_uinter
+   use test_abaqus_vuinter, only: suite_vuinter
+   use test_abaqus_vuinter_agreement, only: suite_vuinter_agreement
+   implicit none
+   type(TestSuite) :: suite
+
+   suite = TestSuite('abaqus')
+   call suite%addTest(suite_uinter())
+   call suite%addTest(suite_vuinter())
+   call suite%addTest(suite_vuinter_agreement())
+   call run_suite(suite)
+end program test_abaqus

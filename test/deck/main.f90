@@ -1,0 +1,16 @@
+!> Tests of src/deck.
+program test_deck
+   use funit, only: TestSuite
+   use run_suites, only: run_suite
+   use test_deck_law_rows, only: suite_law_table
+   use test_deck_meshes, only: suite_deck_meshes
+   use test_deck_models, only: suite_deck_models
+   implicit none
+   type(TestSuite) :: suite
+
+   suite = TestSuite('deck')
+   call suite%addTest(suite_law_table())
+   call suite%addTest(suite_deck_meshes())
+   call suite%addTest(suite_deck_models())
+   call run_suite(suite)
+end program test_deck

@@ -1,0 +1,22 @@
+!> Tests of src/height_map.
+program test_height_map
+   use funit, only: TestSuite
+   use run_suites, only: run_suite
+   use test_height_map_faults, only: suite_map_faults
+   use test_height_map_files, only: suite_map_files
+   use test_height_map_headers, only: suite_map_headers
+   use test_height_map_layouts, only: suite_map_layouts
+   use test_height_map_numbers, only: suite_map_numbers
+   use test_height_map_x3p, only: suite_map_x3p
+   implicit none
+   type(TestSuite) :: suite
+
+   suite = TestSuite('height_map')
+   call suite%addTest(suite_map_numbers())
+   call suite%addTest(suite_map_files())
+   call suite%addTest(suite_map_layouts())
+   call suite%addTest(suite_map_headers())
+   call suite%addTest(suite_map_faults())
+   call suite%addTest(suite_map_x3p())
+   call run_suite(suite)
+end program test_height_map

@@ -1,0 +1,38 @@
+!> Tests of src/law.
+program test_law
+   use funit, only: TestSuite
+   use run_suites, only: run_suite
+   use test_law_compiled_energy, only: suite_compiled_energy
+   use test_law_compiled_law, only: suite_compiled_law
+   use test_law_exponential, only: suite_exponential
+   use test_law_fixed_pieces, only: suite_fixed_pieces
+   use test_law_gaussian_tail, only: suite_gaussian_tail
+   use test_law_hermite_polynomial, only: suite_hermite_polynomial
+   use test_law_normal_inverse, only: suite_normal_inverse
+   use test_law_normal_law, only: suite_normal_law
+   use test_law_normal_law_reference, only: suite_normal_law_reference
+   use test_law_normal_properties, only: suite_properties
+   use test_law_pairs, only: suite_presets
+   use test_law_plausibility, only: suite_plausibility
+   use test_law_single_asperity, only: suite_single_asperity
+   use test_law_validity, only: suite_validity
+   implicit none
+   type(TestSuite) :: suite
+
+   suite = TestSuite('law')
+   call suite%addTest(suite_properties())
+   call suite%addTest(suite_plausibility())
+   call suite%addTest(suite_presets())
+   call suite%addTest(suite_single_asperity())
+   call suite%addTest(suite_exponential())
+   call suite%addTest(suite_gaussian_tail())
+   call suite%addTest(suite_hermite_polynomial())
+   call suite%addTest(suite_fixed_pieces())
+   call suite%addTest(suite_normal_law())
+   call suite%addTest(suite_validity())
+   call suite%addTest(suite_normal_law_reference())
+   call suite%addTest(suite_normal_inverse())
+   call suite%addTest(suite_compiled_law())
+   call suite%addTest(suite_compiled_energy())
+   call run_suite(suite)
+end program test_law

@@ -1,0 +1,114 @@
+!> The press replay against the law itself.
+module test_replay_press
+   use asperity, only: contact_properties, error_type, evaluate_normal_law, normal_response, &
+      rule_abaqus, wp
+   use asperity_replay_press, only: press_settings, press_step, run_press
+   use contact_cases, only: pair_properties
+   use funit, only: anyExceptions, assertEqual, assertFalse, assertLessThan, assertTrue, &
+      TestMethod, TestSuite
+   implicit none
+   private
+   public :: suite_press
+
+contains
+
+   function suite_press() result(suite)
+      type(TestSuite) :: suite
+
+      suite = TestSuite('press')
+      call suite%addTest(TestMethod('pressure ramp', test_pressure_ramp))
+      call suite%addTest(TestMethod('overclosure ramp', test_overclosure_ramp))
+      call suite%addTest(TestMethod('stages of Fig. 17', test_stages))
+      call suite%addTest(TestMethod('settings that are refused', test_refused))
+   end function suite_press
+
+   !> Up and down in equal steps; the law is reversible, so both ways give the same closure.
+   subroutine test_pressure_ramp()
+      type(contact_properties) :: p
+      type(press_settings) :: settings
+      type(press_step), allocatable :: steps(:)
+      type(error_type), allocatable :: error
+      type(normal_response) :: law
+      integer :: i, n
+
+      p = pair_properties()
+      n = 20
+      settings%increments = n
+      settings%step_time = 2.0_wp
+      call run_press(settings, p, steps, error)
+      call assertFalse(allocated(error), 'runs')
+      call assertEqual(2*n + 1, size(steps), 'steps')
+      do i = 1, n - 1
+         call assertEqual(4.7_wp*i/n, steps(1 + i)%pressure, 1.0e-11_wp, 'pressure')
+         call assertEqual(0.1_wp*i, steps(1 + i)%time, 1.0e-13_wp, 'time')
+         call assertEqual(steps(1 + i)%overclosure, steps(2*n + 1 - i)%overclosure, 1.0e-14_wp, &
+            'reversible')
+         law = evaluate_normal_law(p%normal, p%initial_separation - steps(1 + i)%overclosure)
+         call assertEqual(law%pressure, steps(1 + i)%pressure, 0.0_wp, 'law')
+         call assertEqual(law%stiffness, steps(1 + i)%stiffness, 0.0_wp, 'stiffness')
+         call assertEqual(law%energy, steps(1 + i)%energy, 0.0_wp, 'energy')
+         call assertEqual(1.0_wp, steps(1 + i)%elastic_share + steps(1 + i)%elastoplastic_share &
+            + steps(1 + i)%plastic_share, 1.0e-14_wp, 'shares')
+         if (anyExceptions()) return
+      end do
+      call assertLessThan(steps(1)%pressure, p%p_open, 'starts open')
+      call assertLessThan(steps(2*n + 1)%pressure, p%p_open, 'ends open')
+   end subroutine test_pressure_ramp
+
+   subroutine test_overclosure_ramp()
+      type(contact_properties) :: p
+      type(press_settings) :: settings
+      type(press_step), allocatable :: steps(:)
+      type(error_type), allocatable :: error
+      integer :: i
+
+      p = pair_properties(rule_abaqus, pair='tangential-tangential')
+      settings = press_settings('overclosure', 0.1_wp, 10, 1.0_wp)
+      call run_press(settings, p, steps, error)
+      call assertFalse(allocated(error), 'runs')
+      do i = 0, 20
+         call assertEqual(0.1_wp - 0.01_wp*abs(10 - i), steps(i + 1)%overclosure, 1.0e-15_wp, &
+            'overclosure')
+      end do
+   end subroutine test_overclosure_ramp
+
+   !> For wood the elasto-plastic stage carries nearly all; the plastic share grows with pressure.
+   subroutine test_stages()
+      type(press_settings) :: settings
+      type(press_step), allocatable :: steps(:)
+      type(error_type), allocatable :: error
+      integer :: i
+
+      call run_press(settings, pair_properties(), steps, error)
+      do i = 3, 51
+         call assertTrue(steps(i)%plastic_share > steps(i - 1)%plastic_share, 'plastic grows')
+         call assertLessThan(steps(i)%elastic_share, 1.0e-3_wp, 'elastic is below 0.1 %')
+         if (anyExceptions()) return
+      end do
+   end subroutine test_stages
+
+   subroutine test_refused()
+      call expect(press_settings(control='force'), 'control = ''force''')
+      call expect(press_settings(peak=-1.0_wp), 'peak = -1.0')
+      call expect(press_settings(increments=0), 'increments = 0')
+      call expect(press_settings(increments=2000000), 'increments = 2000000')
+      call expect(press_settings(step_time=0.0_wp), 'step_time = 0.0')
+      call expect(press_settings('overclosure', 1.0e15_wp, 1, accept_sizes=.true.), &
+         'UINTER cannot compute')
+      call expect(press_settings('overclosure', 140.0_wp), 'peak = 140.0 mm is outside')
+      call expect(press_settings('overclosure', 1.4e-4_wp), 'peak = 0.00014 mm is outside')
+      call expect(press_settings(peak=4.7e6_wp), 'peak = 4700000.0 MPa is outside')
+   end subroutine test_refused
+
+   subroutine expect(settings, text)
+      type(press_settings), intent(in) :: settings
+      character(len=*), intent(in) :: text
+      type(press_step), allocatable :: steps(:)
+      type(error_type), allocatable :: error
+
+      call run_press(settings, pair_properties(), steps, error)
+      call assertTrue(allocated(error), text)
+      if (allocated(error)) call assertEqual(1, index(error%message, text), error%message)
+   end subroutine expect
+
+end module test_replay_press
