@@ -28,7 +28,8 @@ contains
          if (value >= smallest .and. value <= largest) return
       end if
       call fatal_error(error, name//' = '//to_text(value)// &
-         ' is not allowed: it must be a number above zero (1e-20 to 1e20), in '//unit)
+         ' is not allowed: it must be a number above zero (1e-20 to 1e20), in '//unit, &
+         subject=name)
    end subroutine check_positive
 
    !> Set `error` unless `value` is a number between two limits.
@@ -47,7 +48,7 @@ contains
       end if
       call fatal_error(error, name//' = '//to_text(value)//unit// &
          ' is not allowed: it must be a number between '//to_text(lowest)//' and '// &
-         to_text(highest)//unit)
+         to_text(highest)//unit, subject=name)
    end subroutine check_range
 
 end module asperity_base_checks

@@ -18,21 +18,28 @@ module asperity_base_error
       integer :: category = computation_error
       !> One line of text without a full stop at its end
       character(len=:), allocatable :: message
+      !> Names of the values that it is about, as the API calls them, with a blank between: `sigma`,
+      !> `eta radius sigma`; empty when it is about none
+      character(len=:), allocatable :: subject
    end type error_type
 
 contains
 
    !> Set `error` to a failure.
-   pure subroutine fatal_error(error, message, category)
+   pure subroutine fatal_error(error, message, category, subject)
       !> Set on return
       type(error_type), allocatable, intent(out) :: error
       !> What went wrong
       character(len=*), intent(in) :: message
       !> Kind of failure; `input_error` when absent
       integer, intent(in), optional :: category
+      !> Names of the values that it is about; empty when absent
+      character(len=*), intent(in), optional :: subject
 
       allocate (error)
       error%message = message
+      error%subject = ''
+      if (present(subject)) error%subject = subject
       error%category = input_error
       if (present(category)) error%category = category
    end subroutine fatal_error
