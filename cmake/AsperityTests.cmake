@@ -14,7 +14,7 @@ if(PFUNIT_FOUND)
 else()
    message(STATUS "Tests use test/support/funit.f90, as pFUnit is not installed")
 endif()
-add_library(asperity_test_support OBJECT ${support_sources})
+add_library(asperity_test_support STATIC ${support_sources})
 asperity_compile_options(asperity_test_support)
 target_include_directories(asperity_test_support PUBLIC
    ${PROJECT_BINARY_DIR}/modules/asperity_test_support)
