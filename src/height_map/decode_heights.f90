@@ -4,8 +4,8 @@ module asperity_height_map_decode_heights
    use, intrinsic :: iso_fortran_env, only: int16, int32, int64, int8, real32, real64
    use asperity_base_finite, only: is_finite, is_nan
    use asperity_base_kinds, only: wp
+   use asperity_base_no_value, only: none
    use asperity_base_number_text, only: to_text
-   use asperity_height_map_type, only: missing_height
    implicit none
    private
    public :: byte_buffer, decode, height_message, is_allowed_scale, scale_heights
@@ -28,7 +28,7 @@ module asperity_height_map_decode_heights
 
 contains
 
-   !> The numbers in a buffer; infinities stay, what is no number becomes `missing_height`.
+   !> The numbers in a buffer; infinities stay, what is no number becomes `none`.
    subroutine decode(buffer, kind, values)
       !> The bytes of size(values) numbers
       type(byte_buffer), intent(in), target :: buffer
@@ -62,7 +62,7 @@ contains
       case default
          call c_f_pointer(c_loc(buffer%bytes), doubles, [n])
          values = doubles
-         where (is_nan(values)) values = missing_height
+         where (is_nan(values)) values = none
       end select
    end subroutine decode
 
@@ -75,7 +75,7 @@ contains
       if (iand(bits, exponent_bits) /= exponent_bits) then
          wide = real(transfer(bits, 1.0_real32), wp)
       else if (iand(bits, fraction_bits) /= 0_int32) then
-         wide = missing_height
+         wide = none
       else
          ! infinity, also of a double
          wide = transfer(int(z'7FF0000000000000', int64), 1.0_wp)
@@ -93,7 +93,7 @@ contains
 
    !> Heights in mm: values factor + offset. `bad` is the first that is infinite or beyond 1 km.
    pure subroutine scale_heights(values, factor, offset, bad)
-      !> Numbers of the file, then heights; those from `missing_height` on stay
+      !> Numbers of the file, then heights; those from `none` on stay
       real(wp), intent(inout) :: values(:)
       !> An allowed scale, and its zero, mm
       real(wp), intent(in) :: factor, offset
@@ -107,7 +107,7 @@ contains
       do i = 1, size(values)
          if (abs(values(i)) <= largest) then
             values(i) = values(i)*factor + offset
-         else if (.not. is_finite(values(i)) .or. values(i) < missing_height) then
+         else if (.not. is_finite(values(i)) .or. values(i) < none) then
             bad = i
             return
          end if

@@ -2,8 +2,9 @@
 !> missing points.
 module asperity_height_map_marker
    use asperity_base_kinds, only: wp
+   use asperity_base_no_value, only: none
    use asperity_base_number_text, only: to_text
-   use asperity_height_map_type, only: add_note, height_map, missing_height
+   use asperity_height_map_type, only: add_note, height_map
    implicit none
    private
    public :: note_marker
@@ -73,13 +74,13 @@ contains
       integer, intent(out) :: points(2)
       integer :: i, j
 
-      extreme = [missing_height, -missing_height]
+      extreme = [none, -none]
       next = extreme
       points = 0
       do j = 1, size(heights, 2)
          do i = 1, size(heights, 1)
             associate (z => heights(i, j))
-               if (z >= missing_height) cycle
+               if (z >= none) cycle
                if (z < extreme(1)) then
                   next(1) = extreme(1)
                   extreme(1) = z

@@ -3,13 +3,12 @@ module asperity_height_map_type
    use asperity_base_error, only: error_type, fatal_error
    use asperity_base_finite, only: is_finite
    use asperity_base_kinds, only: wp
+   use asperity_base_no_value, only: none
    use asperity_base_number_text, only: to_text
    implicit none
    private
    public :: add_note, check_height_map, height_map, missing_points
 
-   !> Stands for a height that was not measured: a number, as comparing NaN may trap
-   real(wp), parameter, public :: missing_height = huge(1.0_wp)
    !> Fewest points along either side of a map
    integer, parameter, public :: fewest_points = 5
 
@@ -19,7 +18,7 @@ module asperity_height_map_type
    !> Heights of one face, in mm throughout.
    type :: height_map
       !> Heights, mm, positive out of the material; (i, j) is at x = (i-1) step_x, y = (j-1) step_y.
-      !> Those from `missing_height` on were not measured
+      !> `none` where it was not measured
       real(wp), allocatable :: heights(:, :)
       !> Distance of neighbours, mm
       real(wp) :: step_x = 0.0_wp, step_y = 0.0_wp
@@ -94,7 +93,7 @@ contains
       !> The map
       type(height_map), intent(in) :: map
 
-      missing_points = count(map%heights >= missing_height)
+      missing_points = count(map%heights >= none)
    end function missing_points
 
 end module asperity_height_map_type

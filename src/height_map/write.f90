@@ -8,9 +8,10 @@ module asperity_height_map_write
    use asperity_base_error, only: error_type, fatal_error
    use asperity_base_kinds, only: wp
    use asperity_base_memory, only: check_memory, check_room
+   use asperity_base_no_value, only: none
    use asperity_base_number_text, only: to_text
    use asperity_height_map_decode_heights, only: bytes_of, float64, sint32
-   use asperity_height_map_type, only: check_height_map, height_map, missing_height, missing_points
+   use asperity_height_map_type, only: check_height_map, height_map, missing_points
    implicit none
    private
    public :: height_map_bytes
@@ -66,7 +67,7 @@ contains
       has_holes = missing_points(map) > 0
       scale = millimetre
       if (has_holes) scale = millimetre*max(maxval(abs(map%heights), &
-         mask=map%heights < missing_height), tiny_height)/largest_whole
+         mask=map%heights < none), tiny_height)/largest_whole
       associate (nx => size(map%heights, 1), ny => size(map%heights, 2))
          is_small = max(nx, ny) < 65536
          head = 'bISO-1.0asperity  '//repeat('0', 24)
@@ -95,7 +96,7 @@ contains
          do i = 1, size(map%heights, 1)
             if (.not. has_holes) then
                bytes(at + 1:at + width) = double(map%heights(i, j))
-            else if (map%heights(i, j) >= missing_height) then
+            else if (map%heights(i, j) >= none) then
                bytes(at + 1:at + width) = transfer(hole, '1234')
             else
                bytes(at + 1:at + width) = transfer(nint(map%heights(i, j)/(scale*metre), int32), &
@@ -194,7 +195,7 @@ contains
       real(wp), intent(in) :: height
       character(len=number_width) :: text
 
-      if (height >= missing_height) then
+      if (height >= none) then
          call add(map, bytes, used, error, 'NaN')
       else
          write (text, '(es24.16e3)') height

@@ -6,6 +6,7 @@ module asperity_hysteresis_analysis
    use asperity_base_finite, only: is_finite
    use asperity_base_kinds, only: wp
    use asperity_base_memory, only: check_work
+   use asperity_base_no_value, only: is_none, none
    use asperity_base_number_text, only: to_text
    use asperity_hysteresis_cycles, only: find_peaks, measure_cycles
    use asperity_hysteresis_record_kinds, only: classify
@@ -15,13 +16,13 @@ module asperity_hysteresis_analysis
    use asperity_hysteresis_turning_points, only: cut_cycles, find_turning_points
    use asperity_hysteresis_types, only: check_hysteresis_settings, hysteresis_cycle, &
       hysteresis_result, hysteresis_settings, hysteresis_skeleton, largest_value, negative_side, &
-      not_known, positive_side, record_gap, record_outlier, round_off_share
+      positive_side, record_gap, record_outlier, round_off_share
    implicit none
    private
    public :: analyse_hysteresis, leave_out
    public :: hysteresis_cycle, hysteresis_result, hysteresis_settings, hysteresis_skeleton
    public :: record_gap, record_outlier
-   public :: check_hysteresis_settings, negative_side, not_known, positive_side
+   public :: check_hysteresis_settings, negative_side, positive_side
 
    !> Default threshold over the record's range of displacement, over the standard deviation of
    !> noise if that is more, and the most that noise makes of it over the range
@@ -99,7 +100,7 @@ contains
             to_text(result%threshold, 4))
          return
       end if
-      if (result%unloaded_displacement < not_known) then
+      if (.not. is_none(result%unloaded_displacement)) then
          ! the sides of a displaced record say nothing
          call classify(displacement - result%unloaded_displacement, force, result%threshold, &
             result%turning_points, result%record_kind, sides)

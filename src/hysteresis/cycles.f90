@@ -2,8 +2,8 @@
 module asperity_hysteresis_cycles
    use asperity_base_constants, only: pi
    use asperity_base_kinds, only: wp
-   use asperity_hysteresis_types, only: hysteresis_cycle, negative_side, not_known, positive_side, &
-      side_sign
+   use asperity_base_no_value, only: is_none
+   use asperity_hysteresis_types, only: hysteresis_cycle, negative_side, positive_side, side_sign
    implicit none
    private
    public :: find_peaks, measure_cycles
@@ -79,7 +79,7 @@ contains
       do i = 1, size(cycles)
          loaded = any(cycles(i)%peak > 0 .and. abs(cycles(i)%force) > force_floor)
          if (loaded) call measure_stiffness(cycles(i))
-         if (all(cycles([1, i])%secant_stiffness < not_known) .and. &
+         if (.not. any(is_none(cycles([1, i])%secant_stiffness)) .and. &
             cycles(1)%secant_stiffness > 0.0_wp) &
             cycles(i)%stiffness_ratio = cycles(i)%secant_stiffness/cycles(1)%secant_stiffness
          cycles(i)%energy = work(cycles(i), displacement, force)

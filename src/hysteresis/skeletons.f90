@@ -1,9 +1,10 @@
 !> Skeleton of one side of a record, and its stiffness, yield and ultimate point.
 module asperity_hysteresis_skeletons
    use asperity_base_kinds, only: wp
+   use asperity_base_no_value, only: is_none
    use asperity_hysteresis_envelopes, only: find_envelope
    use asperity_hysteresis_types, only: hysteresis_cycle, hysteresis_settings, &
-      hysteresis_skeleton, initial_fraction, not_known, side_sign
+      hysteresis_skeleton, initial_fraction, side_sign
    implicit none
    private
    public :: new_skeleton, evaluate_skeleton
@@ -153,7 +154,7 @@ contains
             skeleton%area, skeleton%ultimate_reached)
          skeleton%ultimate_displacement = s*last_x
          skeleton%ultimate_force = s*last_f
-         if (skeleton%elastic_stiffness < not_known) call find_yield(s, last_x, skeleton)
+         if (.not. is_none(skeleton%elastic_stiffness)) call find_yield(s, last_x, skeleton)
       end associate
    end subroutine evaluate_skeleton
 

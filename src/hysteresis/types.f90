@@ -5,13 +5,12 @@ module asperity_hysteresis_types
    use asperity_base_checks, only: check_range
    use asperity_base_error, only: error_type, fatal_error
    use asperity_base_kinds, only: wp
+   use asperity_base_no_value, only: none
    implicit none
    private
    public :: hysteresis_settings, hysteresis_cycle, hysteresis_skeleton, hysteresis_result
    public :: check_hysteresis_settings, record_outlier, record_gap
 
-   !> Stands for a number that the record does not give
-   real(wp), parameter, public :: not_known = huge(1.0_wp)
    !> The two sides of a record, as places in arrays of two
    integer, parameter, public :: positive_side = 1, negative_side = 2
    !> Sign of displacement on each side
@@ -59,26 +58,26 @@ module asperity_hysteresis_types
       !> Sample of the peak on each side; zero where the record has none
       integer :: peak(2) = 0
       !> Displacement of each peak, signed
-      real(wp) :: displacement(2) = not_known
+      real(wp) :: displacement(2) = none
       !> Force of each peak, signed
-      real(wp) :: force(2) = not_known
+      real(wp) :: force(2) = none
       !> Whether the peak is a point of the skeleton
       logical :: in_skeleton(2) = .false.
       !> (|F+| + |F-|)/(|X+| + |X-|), of one side when there is no other
-      real(wp) :: secant_stiffness = not_known
+      real(wp) :: secant_stiffness = none
       !> Secant stiffness over that of the first cycle
-      real(wp) :: stiffness_ratio = not_known
+      real(wp) :: stiffness_ratio = none
       !> Work of the force in this cycle, in the record's order, and in all cycles up to it
       real(wp) :: energy = 0.0_wp, cumulative_energy = 0.0_wp
       !> Area of the loop, its small gap closed by a straight line; of closed cycles with both peaks
       !> only, as are the next three, which a loop that gives energy back does not have
-      real(wp) :: loop_area = not_known
+      real(wp) :: loop_area = none
       !> Equivalent viscous damping, area/(2 pi (F+ X+/2 + F- X-/2))
-      real(wp) :: damping = not_known
+      real(wp) :: damping = none
       !> Pinching ratio: height of the loop at zero displacement over F+ - F-
-      real(wp) :: pinching = not_known
+      real(wp) :: pinching = none
       !> Area over that of the rectangle (F+ - F-)(X+ - X-)
-      real(wp) :: fullness = not_known
+      real(wp) :: fullness = none
    end type hysteresis_cycle
 
    !> Skeleton of one side and what follows from it; displacement and force are signed.
@@ -93,25 +92,25 @@ module asperity_hysteresis_types
       !> Sample of the record's largest force on this side; zero if it has none there
       integer :: record_sample = 0
       !> Displacement and force of that sample, signed
-      real(wp) :: record_displacement = not_known, record_force = not_known
+      real(wp) :: record_displacement = none, record_force = none
       !> Slope between 0.1 of the peak force and the elastic fraction (EN 12512)
-      real(wp) :: initial_stiffness = not_known
+      real(wp) :: initial_stiffness = none
       !> Slope from the origin through the elastic fraction of the peak force, Ke of ASTM E2126
-      real(wp) :: elastic_stiffness = not_known
+      real(wp) :: elastic_stiffness = none
       !> Yield point of equal energy (EEEP)
-      real(wp) :: yield_displacement = not_known, yield_force = not_known
+      real(wp) :: yield_displacement = none, yield_force = none
       !> The equal-energy equation has no solution, and 0.85 of the peak force is taken instead
       logical :: yield_assumed = .false.
       !> Point of the largest force
-      real(wp) :: peak_displacement = not_known, peak_force = not_known
+      real(wp) :: peak_displacement = none, peak_force = none
       !> Point past the peak where the force has fallen to the ultimate fraction, or the last point
-      real(wp) :: ultimate_displacement = not_known, ultimate_force = not_known
+      real(wp) :: ultimate_displacement = none, ultimate_force = none
       !> The force has fallen so far
       logical :: ultimate_reached = .false.
       !> Area under the skeleton from the origin to the ultimate point
-      real(wp) :: area = not_known
+      real(wp) :: area = none
       !> Ultimate over yield displacement
-      real(wp) :: ductility = not_known
+      real(wp) :: ductility = none
    end type hysteresis_skeleton
 
    !> A sample far off those beside it.
@@ -146,9 +145,9 @@ module asperity_hysteresis_types
       !> Gaps in sampling
       type(record_gap), allocatable :: gaps(:)
       !> Displacement, far from zero, at which the record begins without force
-      real(wp) :: unloaded_displacement = not_known
+      real(wp) :: unloaded_displacement = none
       !> Force at which the record begins without displacement
-      real(wp) :: loaded_force = not_known
+      real(wp) :: loaded_force = none
       !> Samples at which the displacement turns, and the last extreme of a record that still moves;
       !> reversals that make no cycle are not among them
       integer, allocatable :: turning_points(:)

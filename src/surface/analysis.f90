@@ -4,10 +4,10 @@ module asperity_surface_analysis
    use asperity_base_error, only: error_type, fatal_error
    use asperity_base_kinds, only: wp
    use asperity_base_memory, only: check_room
+   use asperity_base_no_value, only: is_none, none
    use asperity_base_number_text, only: to_text
-   use asperity_height_map_type, only: check_height_map, fewest_points, height_map, &
-      missing_height, missing_points
-   use asperity_surface_parameters_from_sums, only: no_parameter, parameters_of
+   use asperity_height_map_type, only: check_height_map, fewest_points, height_map, missing_points
+   use asperity_surface_parameters_from_sums, only: parameters_of
    use asperity_surface_parameters_parameters, only: n_parameters
    use asperity_surface_parameters_sum_tiles, only: sum_map
    use asperity_surface_parameters_tile_sums, only: summed, surface_sums_type
@@ -52,10 +52,10 @@ module asperity_surface_analysis
 
    !> What was found.
    type :: surface_analysis_type
-      !> Parameters in the order of `parameters`, at the steps above; `no_parameter` for none
-      real(wp) :: values(n_parameters, size(steps)) = no_parameter
+      !> Parameters in the order of `parameters`, at the steps above; `none` where there is none
+      real(wp) :: values(n_parameters, size(steps)) = none
       !> Half widths of their 95 % intervals at the map's own step
-      real(wp) :: uncertainty(n_parameters) = no_parameter
+      real(wp) :: uncertainty(n_parameters) = none
       !> Summits of the map
       type(summit_set) :: summits
       !> Area of one point, and of all those where summits can be told, mm^2
@@ -139,7 +139,7 @@ contains
       largest_height = 0.0_wp
       do j = 1, size(map%heights, 2)
          do i = 1, size(map%heights, 1)
-            if (map%heights(i, j) < missing_height) &
+            if (.not. is_none(map%heights(i, j))) &
                largest_height = max(largest_height, abs(map%heights(i, j)))
          end do
       end do

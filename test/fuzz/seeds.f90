@@ -2,7 +2,8 @@
 module fuzz_seeds
    use asperity_base_error, only: error_type
    use asperity_base_kinds, only: wp
-   use asperity_height_map_type, only: height_map, missing_height
+   use asperity_base_no_value, only: none
+   use asperity_height_map_type, only: height_map
    use asperity_height_map_write, only: height_map_bytes
    implicit none
    private
@@ -58,7 +59,7 @@ contains
             map%heights(i, j) = 0.001_wp*i*i - 0.0003_wp*j*i
          end do
       end do
-      map%heights(2, 3) = missing_height
+      map%heights(2, 3) = none
       select case (form)
       case ('sdf', 'xyz', 'csv')
          call height_map_bytes(map, form, seed%bytes, error)

@@ -3,8 +3,9 @@ module test_height_map_faults
    use, intrinsic :: iso_fortran_env, only: int16, int32, real32
    use asperity_base_error, only: error_type
    use asperity_base_kinds, only: wp
+   use asperity_base_no_value, only: none
    use asperity_height_map_read, only: map_hints, read_height_map
-   use asperity_height_map_type, only: height_map, missing_height
+   use asperity_height_map_type, only: height_map
    use asperity_height_map_write, only: height_map_bytes
    use funit, only: assertEqual, assertTrue, TestMethod, TestSuite
    use map_file_cases, only: formula_map, has_text, in_mm, nl, refused
@@ -77,7 +78,7 @@ contains
       type(error_type), allocatable :: error
 
       call formula_map(map, 7, 6)
-      where (map%heights >= missing_height) map%heights = 0.5_wp
+      where (map%heights >= none) map%heights = 0.5_wp
       call height_map_bytes(map, 'sdf', bytes, error)
       call assertEqual(sdf_header + 8*42, len(bytes))
    end subroutine sdf_file

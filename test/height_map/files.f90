@@ -2,8 +2,9 @@
 module test_height_map_files
    use asperity_base_error, only: error_type
    use asperity_base_kinds, only: wp
+   use asperity_base_no_value, only: none
    use asperity_height_map_read, only: map_hints, read_height_map
-   use asperity_height_map_type, only: height_map, missing_height, missing_points
+   use asperity_height_map_type, only: height_map, missing_points
    use asperity_height_map_write, only: height_map_bytes
    use funit, only: assertEqual, assertFalse, assertLessThan, assertTrue, &
       TestMethod, TestSuite
@@ -111,10 +112,10 @@ contains
          call assertFalse(allocated(error), endings(k))
          call read_text(bytes, no_hints, back)
          if (endings(k) == 'sdf') then
-            call assertTrue(all((map%heights >= missing_height) .eqv. &
-               (back%heights >= missing_height)), 'holes')
+            call assertTrue(all((map%heights >= none) .eqv. &
+               (back%heights >= none)), 'holes')
             call assertEqual(81 + 4*size(map%heights), len(bytes))
-            largest = maxval(abs(map%heights), mask=map%heights < missing_height)
+            largest = maxval(abs(map%heights), mask=map%heights < none)
             call assertTrue(all(abs(map%heights - back%heights) <= &
                0.501_wp*largest/2147483647.0_wp), 'rounded')
          else
@@ -123,19 +124,19 @@ contains
          call assertEqual(map%step_x, back%step_x, 4.0_wp*epsilon(map%step_x)*map%step_x)
          call assertEqual(map%step_y, back%step_y, 4.0_wp*epsilon(map%step_y)*map%step_y)
       end do
-      where (map%heights >= missing_height) map%heights = -0.125_wp
+      where (map%heights >= none) map%heights = -0.125_wp
       call height_map_bytes(map, 'sdf', bytes, error)
       call read_text(bytes, no_hints, back)
       call assert_same(map, back, 'sdf without holes')
       ! a hole alone in a plane of height 0
       map%heights = 0.0_wp
-      map%heights(3, 4) = missing_height
+      map%heights(3, 4) = none
       call height_map_bytes(map, 'sdf', bytes, error)
       call read_text(bytes, no_hints, back)
       call assert_same(map, back, 'sdf of zeros with a hole')
       call height_map_bytes(map, 'png', bytes, error)
       call assertTrue(allocated(error), 'an unknown ending')
-      map%heights = missing_height
+      map%heights = none
       call height_map_bytes(map, 'sdf', bytes, error)
       call assertTrue(allocated(error), 'nothing to write')
    end subroutine test_round_trip
@@ -325,7 +326,7 @@ contains
          text = ''
          do i = 1, nx*ny
             associate (x => mod(order(i), nx), y => order(i)/nx)
-               if (map%heights(x + 1, y + 1) >= missing_height) cycle
+               if (map%heights(x + 1, y + 1) >= none) cycle
                write (line, '(f8.3, f8.2, es25.16)') x*0.5_wp - 1.0_wp, y*0.25_wp, &
                   map%heights(x + 1, y + 1)
             end associate
@@ -365,7 +366,7 @@ contains
          call assertEqual('text of x, y, z', map%format)
          call assertEqual(0.001_wp, map%step_x, 1.0e-18_wp)
          call assertEqual(1, missing_points(map))
-         call assertTrue(map%heights(2, 3) >= missing_height, 'hole')
+         call assertTrue(map%heights(2, 3) >= none, 'hole')
          call assertEqual(65.0e-6_wp, map%heights(6, 5), 1.0e-18_wp)
       end do
    end subroutine test_points

@@ -2,8 +2,9 @@
 module test_height_map_layouts
    use asperity_base_error, only: error_type
    use asperity_base_kinds, only: wp
+   use asperity_base_no_value, only: none
    use asperity_height_map_read, only: map_hints, read_height_map
-   use asperity_height_map_type, only: height_map, missing_height, missing_points
+   use asperity_height_map_type, only: height_map, missing_points
    use funit, only: assertEqual, assertTrue, TestMethod, TestSuite
    use map_file_cases, only: assert_map, has_text, nl, no_hints, read_text, refused, &
       small_heights, small_rows, with_steps
@@ -80,7 +81,7 @@ contains
          call assertEqual(missing, missing_points(map), name)
          expected = truth%heights
          do i = 1, 3
-            if (missing > 0) expected(holes(1, i), holes(2, i)) = missing_height
+            if (missing > 0) expected(holes(1, i), holes(2, i)) = none
          end do
          call assertTrue(all(abs(map%heights - expected) <= tolerance), name)
       end subroutine check

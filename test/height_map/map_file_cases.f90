@@ -3,8 +3,9 @@ module map_file_cases
    use, intrinsic :: iso_fortran_env, only: int64
    use asperity_base_error, only: error_type
    use asperity_base_kinds, only: wp
+   use asperity_base_no_value, only: none
    use asperity_height_map_read, only: map_hints, read_height_map_bytes
-   use asperity_height_map_type, only: height_map, missing_height
+   use asperity_height_map_type, only: height_map
    use funit, only: assertEqual, assertTrue
    implicit none
    private
@@ -45,7 +46,7 @@ contains
       do j = 1, ny
          do i = 1, nx
             map%heights(i, j) = sin(1.7_wp*i + 0.3_wp*j*j)*10.0_wp**(mod(i + 2*j, 7) - 5)
-            if (mod(3*i + j, 11) == 0) map%heights(i, j) = missing_height
+            if (mod(3*i + j, 11) == 0) map%heights(i, j) = none
          end do
       end do
    end subroutine formula_map
@@ -84,7 +85,7 @@ contains
       call assertEqual([nx, size(heights)/nx], shape(map%heights))
       if (size(map%heights) /= size(heights)) return
       found = reshape(map%heights, [size(heights)])
-      where (found >= missing_height) found = 9.0_wp
+      where (found >= none) found = 9.0_wp
       call assertEqual(heights, found, tolerance)
    end subroutine assert_map
 

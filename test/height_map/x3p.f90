@@ -2,8 +2,9 @@
 module test_height_map_x3p
    use, intrinsic :: iso_fortran_env, only: int16, int32, real32
    use asperity_base_kinds, only: wp
+   use asperity_base_no_value, only: none
    use asperity_height_map_read, only: map_hints
-   use asperity_height_map_type, only: height_map, missing_height
+   use asperity_height_map_type, only: height_map
    use funit, only: assertEqual, assertTrue, TestMethod, TestSuite
    use map_file_cases, only: read_text, refused
    use x3p_cases, only: x3p_members
@@ -54,9 +55,9 @@ contains
          call assertEqual([6, 5], shape(map%heights))
          if (size(map%heights) /= 30) return
          call assertEqual([0.001_wp, 0.002_wp], [map%step_x, map%step_y], 1.0e-18_wp)
-         call assertTrue(map%heights(3, 2) >= missing_height .and. map%heights(6, 4) >= &
-            missing_height, 'not valid')
-         call assertEqual(2, count(map%heights >= missing_height))
+         call assertTrue(map%heights(3, 2) >= none .and. map%heights(6, 4) >= &
+            none, 'not valid')
+         call assertEqual(2, count(map%heights >= none))
          call assertEqual(500.0_wp + 1.0e-4_wp, map%heights(1, 1), 1.0e-12_wp)
          call assertEqual(500.0_wp + 30.0e-4_wp, map%heights(6, 5), 1.0e-12_wp)
       end do
@@ -64,8 +65,8 @@ contains
       members(2)%bytes(9:16) = repeat(char(255), 8)
       call zip_of(members, archive)
       call read_text(archive, no_hints, map)
-      call assertEqual(3, count(map%heights >= missing_height))
-      call assertTrue(map%heights(2, 1) >= missing_height, 'NaN')
+      call assertEqual(3, count(map%heights >= none))
+      call assertTrue(map%heights(2, 1) >= none, 'NaN')
    end subroutine test_types
 
    subroutine test_list()

@@ -2,7 +2,8 @@
 !> cycles, brittle drops, force that the other side has left.
 module test_hysteresis_envelopes
    use asperity_base_kinds, only: wp
-   use asperity_hysteresis_analysis, only: hysteresis_result, hysteresis_settings, not_known
+   use asperity_base_no_value, only: none
+   use asperity_hysteresis_analysis, only: hysteresis_result, hysteresis_settings
    use backbone_models, only: backbone_fall, backbone_type, driven
    use funit, only: assertEqual, assertFalse, assertTrue, TestMethod, TestSuite
    use hysteresis_checks, only: analyse
@@ -184,7 +185,7 @@ contains
       loops%force = [0.0_wp, 5.0_wp, 8.0_wp, 10.0_wp, 7.0_wp]
       call analyse(loops, result)
       associate (s => result%skeleton(1))
-         call assertEqual([not_known, not_known, not_known, not_known, not_known], &
+         call assertEqual([none, none, none, none, none], &
             [s%initial_stiffness, s%elastic_stiffness, s%yield_force, s%yield_displacement, &
             s%ductility], 0.0_wp, 'nothing')
          call assertEqual([10.0_wp, 4.0_wp + 4.0_wp/3.0_wp], [s%peak_force, &

@@ -2,7 +2,8 @@
 !> a cycle, one-sided.
 module test_hysteresis_records
    use asperity_base_kinds, only: wp
-   use asperity_hysteresis_analysis, only: hysteresis_result, hysteresis_settings, not_known
+   use asperity_base_no_value, only: none
+   use asperity_hysteresis_analysis, only: hysteresis_result, hysteresis_settings
    use extremes, only: worsen
    use funit, only: assertEqual, assertFalse, assertTrue, TestMethod, TestSuite
    use hysteresis_checks, only: analyse
@@ -160,7 +161,7 @@ contains
       associate (last => result%cycles(2))
          call assertEqual(-1.0_wp, last%end_displacement, 0.0_wp, 'its end')
          call assertEqual(limit/2.0_wp, last%secant_stiffness, exact, 'its secant')
-         call assertEqual([not_known, not_known, not_known, not_known], [last%loop_area, &
+         call assertEqual([none, none, none, none], [last%loop_area, &
             last%damping, last%pinching, last%fullness], 0.0_wp, 'nothing of a loop')
          call assertEqual(total_work(loops), last%cumulative_energy, 100.0_wp*exact, 'work')
       end associate
@@ -210,12 +211,12 @@ contains
          call assertEqual(1, size(result%cycles), 'one cycle')
          call assertTrue(result%cycles(1)%closed, 'back at zero')
          call assertEqual(0, result%cycles(1)%peak(3 - side), 'no other peak')
-         call assertEqual(not_known, result%cycles(1)%damping, 0.0_wp, 'no damping of half a cycle')
+         call assertEqual(none, result%cycles(1)%damping, 0.0_wp, 'no damping of half a cycle')
          call assertEqual(total_work(loops), result%cycles(1)%energy, 100.0_wp*exact, 'work')
          call assertEqual(limit, abs(result%skeleton(side)%yield_force), 1.0e-11_wp, 'Py')
          call assertEqual(k, result%skeleton(side)%elastic_stiffness, 1.0e-11_wp, 'Ke')
          call assertEqual(0, size(result%skeleton(3 - side)%force), 'no skeleton there')
-         call assertEqual(not_known, result%skeleton(3 - side)%yield_force, 0.0_wp, 'no yield')
+         call assertEqual(none, result%skeleton(3 - side)%yield_force, 0.0_wp, 'no yield')
       end do
    end subroutine test_half
 

@@ -2,7 +2,8 @@
 !> formed from forces at round-off.
 module test_hysteresis_samples
    use asperity_base_kinds, only: wp
-   use asperity_hysteresis_analysis, only: hysteresis_result, hysteresis_settings, not_known
+   use asperity_base_no_value, only: none
+   use asperity_hysteresis_analysis, only: hysteresis_result, hysteresis_settings
    use backbone_models, only: backbone_type, driven, programme_turns
    use funit, only: assertEqual, assertTrue, TestMethod, TestSuite
    use hysteresis_checks, only: analyse
@@ -167,7 +168,7 @@ contains
       write (*, '(5x, a, i0)') 'seed ', stream%state
       loops = loops_of(stream, 0.2_wp)
       call analyse(loops, result)
-      call assertEqual([not_known, not_known], [result%unloaded_displacement, &
+      call assertEqual([none, none], [result%unloaded_displacement, &
          result%loaded_force], 0.0_wp, 'zeros are right')
       loops%displacement = loops%displacement + 60.0_wp
       call analyse(loops, result)
@@ -180,7 +181,7 @@ contains
       loops%displacement = [3.0_wp, -3.0_wp, 3.0_wp]
       loops%force = [2.0_wp, -2.0_wp, 2.0_wp]
       call analyse(loops, result)
-      call assertEqual([not_known, not_known], [result%unloaded_displacement, &
+      call assertEqual([none, none], [result%unloaded_displacement, &
          result%loaded_force], 0.0_wp, 'begun at a peak')
    end subroutine test_zeros
 
@@ -202,13 +203,13 @@ contains
       end do
       call analyse(loops, result)
       associate (c => result%cycles(1))
-         call assertEqual([not_known, not_known, not_known, not_known, not_known], &
+         call assertEqual([none, none, none, none, none], &
             [c%secant_stiffness, c%stiffness_ratio, c%damping, c%pinching, c%fullness], 0.0_wp, &
             'play')
          call assertEqual(0.0_wp, c%energy, 1.0e-10_wp, 'its work')
       end associate
       call assertEqual(2.0_wp, result%cycles(2)%secant_stiffness, 1.0e-11_wp, 'beyond it')
-      call assertEqual(not_known, result%cycles(2)%stiffness_ratio, 0.0_wp, 'over nothing')
+      call assertEqual(none, result%cycles(2)%stiffness_ratio, 0.0_wp, 'over nothing')
       call assertTrue(result%cycles(3)%damping < 1.0_wp, 'damping')
       ! a loop that gives energy back
       back = response(spring_type(stiffness=8.0_wp, limit=[4.0_wp, 4.0_wp]), &
@@ -217,7 +218,7 @@ contains
       call analyse(back, result)
       associate (c => result%cycles(2))
          call assertTrue(c%closed .and. c%loop_area < 0.0_wp, 'energy back')
-         call assertEqual([not_known, not_known, not_known], [c%damping, c%pinching, c%fullness], &
+         call assertEqual([none, none, none], [c%damping, c%pinching, c%fullness], &
             0.0_wp, 'is no damping')
       end associate
       call analyse(loops, result)
@@ -226,13 +227,13 @@ contains
       call analyse(loops, result, hysteresis_settings(force_floor=1.0e-7_wp))
       do i = 1, 3
          associate (c => result%cycles(i))
-            call assertEqual([not_known, not_known, not_known, not_known, not_known], &
+            call assertEqual([none, none, none, none, none], &
                [c%secant_stiffness, c%stiffness_ratio, c%damping, c%pinching, c%fullness], 0.0_wp, &
                'below the floor')
          end associate
       end do
-      call assertEqual([not_known, not_known], result%skeleton%peak_force, 0.0_wp, 'no peak')
-      call assertEqual([not_known, not_known], result%skeleton%elastic_stiffness, 0.0_wp, 'no Ke')
+      call assertEqual([none, none], result%skeleton%peak_force, 0.0_wp, 'no peak')
+      call assertEqual([none, none], result%skeleton%elastic_stiffness, 0.0_wp, 'no Ke')
    end subroutine test_round_off
 
 end module test_hysteresis_samples

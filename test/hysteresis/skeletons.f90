@@ -2,7 +2,8 @@
 module test_hysteresis_skeletons
    use asperity_base_constants, only: pi
    use asperity_base_kinds, only: wp
-   use asperity_hysteresis_analysis, only: hysteresis_result, hysteresis_settings, not_known
+   use asperity_base_no_value, only: none
+   use asperity_hysteresis_analysis, only: hysteresis_result, hysteresis_settings
    use extremes, only: worsen
    use funit, only: assertEqual, assertFalse, assertGreaterThan, assertTrue, TestMethod, TestSuite
    use hysteresis_checks, only: analyse
@@ -61,7 +62,7 @@ contains
          call assertEqual(-10.0_wp*(4.0_wp - sqrt(9.2_wp)), s%yield_force, 100.0_wp*exact, 'Py')
       end associate
       call assertFalse(result%cycles(5)%closed, 'ends at a peak')
-      call assertEqual(not_known, result%cycles(5)%damping, 0.0_wp, 'so it has no damping')
+      call assertEqual(none, result%cycles(5)%damping, 0.0_wp, 'so it has no damping')
    end subroutine test_softening
 
    !> A gap first: 1 at 2, then to 10 at 3. Area 6.5; Ke = 4/(2 + 3/9) leaves no real root.

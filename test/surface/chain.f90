@@ -4,9 +4,10 @@ module test_surface_chain
    use asperity_base_constants, only: pi
    use asperity_base_error, only: error_type
    use asperity_base_kinds, only: wp
+   use asperity_base_no_value, only: none
    use asperity_height_map_type, only: height_map
    use asperity_surface_generate_map, only: generate_surface, surface_settings
-   use asperity_surface_parameters_from_sums, only: no_parameter, parameters_of
+   use asperity_surface_parameters_from_sums, only: parameters_of
    use asperity_surface_parameters_nayak, only: nayak_summits, nayak_type
    use asperity_surface_parameters_parameters, only: n_parameters, p_direction, p_m0, p_m2_across, &
       p_m2_along, p_m2_x, p_m2_y, p_m4_across, p_m4_along, p_m4_x, p_m4_y, p_sku, p_ssk, &
@@ -204,7 +205,7 @@ contains
       total = 0
       counted = 0
       do p = 1, n_parameters
-         if (p == p_direction .or. widths(p, 1) >= no_parameter) cycle
+         if (p == p_direction .or. widths(p, 1) >= none) cycle
          mean = sum(values(p, :))/n
          covered = count(abs(values(p, :) - mean) <= widths(p, :))
          if (name == 'exponential' .and. depends_on_m4(p)) cycle

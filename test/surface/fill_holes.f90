@@ -3,8 +3,9 @@ module test_surface_fill_holes
    use, intrinsic :: iso_fortran_env, only: int64
    use asperity_base_error, only: error_type
    use asperity_base_kinds, only: wp
+   use asperity_base_no_value, only: none
    use asperity_base_number_text, only: to_text
-   use asperity_height_map_type, only: height_map, missing_height
+   use asperity_height_map_type, only: height_map
    use asperity_surface_prepare_fill_holes, only: fill_missing, missing_share
    use extremes, only: largest_of
    use funit, only: assertEqual, assertFalse, assertLessThan, assertTrue, TestMethod, TestSuite
@@ -49,14 +50,14 @@ contains
             j = random_whole(stream, 1, ny)
             k = random_whole(stream, 0, nx/2)
             l = random_whole(stream, 0, ny/2)
-            map%heights(i:min(i + k, nx), j:min(j + l, ny)) = missing_height
+            map%heights(i:min(i + k, nx), j:min(j + l, ny)) = none
             map%heights(1 + modulo(i, nx), 1 + modulo(j + ny/2, ny)) = 0.5_wp
          end associate
          if (allocated(before)) deallocate (before)
          allocate (before, source=map%heights)
          call fill_missing(map, error)
          call assertFalse(allocated(error))
-         associate (measured => before < missing_height)
+         associate (measured => before < none)
             call assertTrue(all(abs(map%heights - before) < tiny(1.0_wp) .or. .not. measured), &
                message='measured heights stay')
             call assertTrue(all(map%heights <= maxval(before, measured)) &
@@ -99,7 +100,7 @@ contains
       extremes = 0
       do j = 1, size(z, 2)
          do i = 1, size(z, 1)
-            if (before(i, j) < missing_height) cycle
+            if (before(i, j) < none) cycle
             higher = 0
             lower = 0
             around = -1
@@ -131,8 +132,8 @@ contains
          end do
       end do
       map%heights = exact
-      map%heights(21:60, 18:57) = missing_height
-      map%heights(3, 3) = missing_height
+      map%heights(21:60, 18:57) = none
+      map%heights(3, 3) = none
       call fill_missing(map, error)
       call assertFalse(allocated(error))
       worst = largest_of(map%heights - exact)/800.0_wp
@@ -147,7 +148,7 @@ contains
       type(error_type), allocatable :: error
 
       call flat_map(map, 13, 6, 1.0_wp, 1.0_wp)
-      map%heights = missing_height
+      map%heights = none
       map%heights(11, 5) = 2.5_wp
       call fill_missing(map, error)
       call assertFalse(allocated(error))
@@ -163,10 +164,10 @@ contains
       call fill_missing(map, error)
       call assertFalse(allocated(error))
       call assertLessThan(largest_of(map%heights), tiny(1.0_wp))
-      map%heights(2:6, 3) = missing_height
-      map%heights(1, 1:5) = missing_height
+      map%heights(2:6, 3) = none
+      map%heights(1, 1:5) = none
       call assertEqual(0.25_wp, missing_share(map), tolerance=1.0e-15_wp)
-      map%heights = missing_height
+      map%heights = none
       call assertEqual(1.0_wp, missing_share(map), tolerance=1.0e-15_wp)
       call fill_missing(map, error)
       call assertTrue(allocated(error))

@@ -3,8 +3,9 @@ module test_surface_gaussian_filter
    use, intrinsic :: iso_fortran_env, only: int64
    use asperity_base_error, only: error_type
    use asperity_base_kinds, only: wp
+   use asperity_base_no_value, only: none
    use asperity_base_number_text, only: to_text
-   use asperity_height_map_type, only: height_map, missing_height
+   use asperity_height_map_type, only: height_map
    use asperity_surface_prepare_gaussian_filter, only: filter_long, filter_short
    use extremes, only: largest_of, worsen
    use funit, only: assertEqual, assertFalse, assertLessThan, assertTrue, TestMethod, TestSuite
@@ -172,7 +173,7 @@ contains
          call random_map(map, stream, random_whole(stream, 25, 40), random_whole(stream, 25, 30), &
             0.1_wp, 0.08_wp)
          call punch_holes(map, stream, 0.5_wp)
-         map%heights(3:9, 5:20) = missing_height
+         map%heights(3:9, 5:20) = none
          map%heights(6, 12) = 1.0_wp
          cutoff = merge(0.4_wp, 1.9_wp, trial <= 2)
          if (allocated(before)) deallocate (before)
@@ -181,15 +182,15 @@ contains
          call assertFalse(allocated(error))
          do j = 1, size(before, 2)
             do i = 1, size(before, 1)
-               if (before(i, j) >= missing_height) then
-                  call assertTrue(map%heights(i, j) >= missing_height, message='stays missing')
+               if (before(i, j) >= none) then
+                  call assertTrue(map%heights(i, j) >= none, message='stays missing')
                   cycle
                end if
                total = 0.0_wp
                weights = 0.0_wp
                do l = 1, size(before, 2)
                   do k = 1, size(before, 1)
-                     if (before(k, l) >= missing_height) cycle
+                     if (before(k, l) >= none) cycle
                      w = weight(k - i, cutoff/0.1_wp)*weight(l - j, cutoff/0.08_wp)
                      weights = weights + w
                      total = total + w*before(k, l)
@@ -243,11 +244,11 @@ contains
          call assertFalse(allocated(error))
          call filter_long(long, 0.25_wp, error)
          call assertFalse(allocated(error))
-         associate (measured => map%heights < missing_height)
+         associate (measured => map%heights < none)
             call assertLessThan(largest_of(pack(short%heights, measured) + &
                pack(long%heights, measured) - pack(map%heights, measured)), 1.0e-14_wp)
          end associate
-         call assertTrue(all(map%heights >= missing_height .eqv. long%heights >= missing_height))
+         call assertTrue(all(map%heights >= none .eqv. long%heights >= none))
          call punch_holes(map, stream, 0.1_wp)
       end do
    end subroutine test_sum
@@ -263,7 +264,7 @@ contains
       do i = 1, 200
          map%heights(i, :) = real(i, wp)
       end do
-      map%heights(150, 20) = missing_height
+      map%heights(150, 20) = none
       call filter_short(map, 40.0_wp, error)
       call assertFalse(allocated(error))
       call assertEqual(alpha*40.0_wp/pi, map%heights(1, 20) - 1.0_wp, tolerance=0.4_wp)

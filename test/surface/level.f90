@@ -3,8 +3,9 @@ module test_surface_level
    use, intrinsic :: iso_fortran_env, only: int64
    use asperity_base_error, only: error_type
    use asperity_base_kinds, only: wp
+   use asperity_base_no_value, only: none
    use asperity_base_number_text, only: to_text
-   use asperity_height_map_type, only: height_map, missing_height
+   use asperity_height_map_type, only: height_map
    use asperity_surface_prepare_level, only: highest_degree, level_plane, remove_form
    use extremes, only: largest_of, worsen
    use funit, only: assertEqual, assertFalse, assertGreaterThan, assertLessThan, assertTrue, &
@@ -44,14 +45,14 @@ contains
       map = bare
       do j = 1, 23
          do i = 1, 37
-            if (map%heights(i, j) < missing_height) map%heights(i, j) = map%heights(i, j) &
+            if (map%heights(i, j) < none) map%heights(i, j) = map%heights(i, j) &
                + 1000.0_wp + 0.3_wp*i - 0.7_wp*j
          end do
       end do
       call level_plane(map)
       call level_plane(bare)
       call assertLessThan(largest_of(map%heights - bare%heights), 5.0e-13_wp)
-      call assertTrue(all(map%heights >= missing_height .eqv. bare%heights >= missing_height), &
+      call assertTrue(all(map%heights >= none .eqv. bare%heights >= none), &
          message='missing points stay')
    end subroutine test_plane
 
@@ -68,7 +69,7 @@ contains
       sums = 0.0_wp
       do j = 1, 17
          do i = 1, 41
-            if (map%heights(i, j) < missing_height) &
+            if (map%heights(i, j) < none) &
                sums = sums + map%heights(i, j)*[1.0_wp, real(i, wp)/41.0_wp, real(j, wp)/17.0_wp]
          end do
       end do
@@ -81,11 +82,11 @@ contains
       integer :: i
 
       call flat_map(map, 9, 7, 1.0_wp, 1.0_wp)
-      map%heights = missing_height
+      map%heights = none
       map%heights(:, 4) = [(real(i, wp), i=1, 9)]
       call level_plane(map)
       call assertLessThan(largest_of(map%heights(:, 4) - [(real(i - 5, wp), i=1, 9)]), 1.0e-14_wp)
-      call assertEqual(54, count(map%heights >= missing_height))
+      call assertEqual(54, count(map%heights >= none))
    end subroutine test_line
 
    !> Polynomials of magnitude up to some hundred: what is left is their rounding, 1e-13, times
@@ -102,7 +103,7 @@ contains
       do degree = 1, highest_degree
          call random_map(bare, stream, 31, 40, 0.01_wp, 0.02_wp)
          call punch_holes(bare, stream, 0.15_wp)
-         bare%heights(:9, :12) = missing_height
+         bare%heights(:9, :12) = none
          map = bare
          call add_polynomial(map, stream, degree)
          call remove_form(map, degree, error)
@@ -110,7 +111,7 @@ contains
          call remove_form(bare, degree, error)
          call assertFalse(allocated(error))
          call worsen(worst, largest_of(map%heights - bare%heights))
-         call assertTrue(all(map%heights >= missing_height .eqv. bare%heights >= missing_height))
+         call assertTrue(all(map%heights >= none .eqv. bare%heights >= none))
       end do
       call record('surface.form.of_100', worst)
       call assertLessThan(worst, 1.0e-11_wp)
@@ -129,7 +130,7 @@ contains
             factor = stream%uniform(-10.0_wp, 10.0_wp)
             do j = 1, size(map%heights, 2)
                do i = 1, size(map%heights, 1)
-                  if (map%heights(i, j) >= missing_height) cycle
+                  if (map%heights(i, j) >= none) cycle
                   map%heights(i, j) = map%heights(i, j) + factor &
                      *(2.0_wp*i/size(map%heights, 1) - 1.0_wp)**a &
                      *(2.0_wp*j/size(map%heights, 2) - 1.0_wp)**b
@@ -176,13 +177,13 @@ contains
       ! eight rows are one too few for the ninth power
       call remove_form(map, 8, error)
       call check('test map: the measured points do not determine a form of degree 8')
-      map%heights(4:, :) = missing_height
+      map%heights(4:, :) = none
       kept = map%heights
       call remove_form(map, 3, error)
       call check('test map: the measured points do not determine a form of degree 3')
       call remove_form(map, 2, error)
       call assertFalse(allocated(error), message='three columns determine degree 2')
-      map%heights = missing_height
+      map%heights = none
       kept = map%heights
       call remove_form(map, 1, error)
       call check('test map: the measured points do not determine a form of degree 1')

@@ -1,7 +1,8 @@
 !> Height maps for tests.
 module map_cases
    use asperity_base_kinds, only: wp
-   use asperity_height_map_type, only: height_map, missing_height
+   use asperity_base_no_value, only: none
+   use asperity_height_map_type, only: height_map
    use random_inputs, only: random_stream
    implicit none
    private
@@ -51,7 +52,7 @@ contains
 
       do j = 1, size(map%heights, 2)
          do i = 1, size(map%heights, 1)
-            if (stream%uniform(0.0_wp, 1.0_wp) < share) map%heights(i, j) = missing_height
+            if (stream%uniform(0.0_wp, 1.0_wp) < share) map%heights(i, j) = none
          end do
       end do
    end subroutine punch_holes

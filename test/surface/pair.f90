@@ -3,7 +3,8 @@ module test_surface_pair
    use, intrinsic :: ieee_arithmetic, only: ieee_quiet_nan, ieee_value
    use asperity_base_error, only: error_type
    use asperity_base_kinds, only: wp
-   use asperity_height_map_type, only: height_map, missing_height
+   use asperity_base_no_value, only: none
+   use asperity_height_map_type, only: height_map
    use asperity_law_normal_law, only: evaluate_normal_law, normal_response
    use asperity_law_normal_properties, only: new_normal_properties, normal_properties
    use asperity_law_single_asperity, only: asperity_response, evaluate_asperity
@@ -12,7 +13,7 @@ module test_surface_pair
       pair_uncertainties, sum_of_maps
    use asperity_surface_pair_first_touch_gap, only: find_gap, gap_distribution
    use asperity_surface_pair_law_on_summits, only: sum_over_summits, summit_curve
-   use asperity_surface_parameters_from_sums, only: no_parameter, parameters_of
+   use asperity_surface_parameters_from_sums, only: parameters_of
    use asperity_surface_parameters_parameters, only: n_parameters, p_alpha, p_eta_nayak, &
       p_eta_paper, p_m0, p_m2, p_m2_across, p_m2_along, p_m2_x, p_m2_y, p_m4, p_m4_x, p_m4_y, &
       p_radius_nayak, p_radius_paper, p_sigma_nayak, p_sigma_paper, p_sku, p_sq, p_ssk, &
@@ -90,7 +91,7 @@ contains
          two([p_alpha, p_eta_nayak, p_radius_nayak, p_sigma_nayak, p_summit_plane]) &
          /alone([p_alpha, p_eta_nayak, p_radius_nayak, p_sigma_nayak, p_summit_plane]), &
          32.0_wp*eps, 'of one')
-      call assertTrue(two(p_eta_paper) >= no_parameter, 'no rule for the paper''s eta')
+      call assertTrue(two(p_eta_paper) >= none, 'no rule for the paper''s eta')
    end subroutine test_equivalent
 
    !> Two faces with crossed lays make one without: moments along x add, and so do those along y.
@@ -146,7 +147,7 @@ contains
       call assertRelativelyEqual(one(p_m0)*sqrt(2.0_wp)*2.30600_wp/2.77645_wp, widths(p_m0), &
          1.0e-5_wp, 'both scatter')
       call pair_uncertainties(a(:1), b, 'x', widths)
-      call assertTrue(all(widths >= no_parameter), 'one tile')
+      call assertTrue(all(widths >= none), 'one tile')
    end subroutine test_uncertainty
 
    pure function map_of(heights, step) result(map)
@@ -171,11 +172,11 @@ contains
             w(i, j) = cos(real(3*i + j*j, wp))
          end do
       end do
-      w(2, 3) = missing_height
+      w(2, 3) = none
       a = map_of(z, 0.1_wp)
       b = map_of(w, 0.1_wp)
       call sum_of_maps(a, b, 'none', c, error)
-      call assertTrue(c%heights(2, 3) >= missing_height, 'missing')
+      call assertTrue(c%heights(2, 3) >= none, 'missing')
       c%heights(2, 3) = 0.0_wp
       z(2, 3) = 0.0_wp
       w(2, 3) = 0.0_wp
@@ -233,11 +234,11 @@ contains
       call assertRelativelyEqual(sqrt(sum((z - sum(z)/1.0e4_wp)**2)/1.0e4_wp), gap%sigma, &
          1.0e-12_wp, 'sigma')
       call assertRelativelyEqual(1.0_wp, sum(gap%density)*gap%ends(1), 1.0e-12_wp, 'density')
-      z(1:50, :) = missing_height
+      z(1:50, :) = none
       call find_gap(map_of(z, 1.0_wp), [0.5_wp], gap, error)
       ! what is left are 51 to 100, 151 to 200 ... 9951 to 10000
       call assertRelativelyEqual(1.0e8_wp - 51.0_wp**2, gap%largest, 1.0e-12_wp, 'missing points')
-      z = missing_height
+      z = none
       call find_gap(map_of(z, 1.0_wp), [0.5_wp], gap, error)
       call assertTrue(allocated(error), 'all missing')
       z = 0.0_wp
@@ -381,8 +382,8 @@ contains
       coarse(p_eta_nayak) = 1.2_wp*values(p_eta_nayak)
       call expect('step', values, widths, facts, coarse)
       ! nothing known is nothing to remark on but the peaks
-      values = no_parameter
-      widths = no_parameter
+      values = none
+      widths = none
       facts%peaks = 0.0_wp
       call expect('no_peaks', values, widths, facts, values)
    end subroutine test_remarks
@@ -416,7 +417,7 @@ contains
       values(p_radius_paper) = values(p_radius_nayak)
       values(p_sigma_paper) = values(p_sigma_nayak)
       widths = 0.05_wp*values
-      where (values >= no_parameter) widths = no_parameter
+      where (values >= none) widths = none
       widths([p_ssk, p_sku]) = 0.1_wp
       facts = map_facts(step_x=0.1_wp, step_y=0.1_wp, tile_x=9.0_wp, tile_y=9.0_wp, &
          peaks=100.0_wp)

@@ -3,8 +3,9 @@
 module test_surface_reference
    use asperity_base_error, only: error_type
    use asperity_base_kinds, only: wp
-   use asperity_height_map_type, only: height_map, missing_height
-   use asperity_surface_parameters_from_sums, only: no_parameter, parameters_of
+   use asperity_base_no_value, only: none
+   use asperity_height_map_type, only: height_map
+   use asperity_surface_parameters_from_sums, only: parameters_of
    use asperity_surface_parameters_parameters, only: n_parameters, p_direction, p_ssk, parameters
    use asperity_surface_parameters_sum_tiles, only: sum_map
    use asperity_surface_parameters_tile_sums, only: summed, surface_sums_type
@@ -30,7 +31,7 @@ module test_surface_reference
       real(wp) :: share = 0.0_wp
       integer :: degree = 1
       !> Parameters in the order of the table
-      real(wp) :: values(n_parameters) = no_parameter
+      real(wp) :: values(n_parameters) = none
    end type reference_map
 
 contains
@@ -89,8 +90,8 @@ contains
          call sum_map(map, summits, 3, 2, sums)
          call parameters_of(summed(sums), map%step_x*map%step_y, found)
          do p = 1, n_parameters
-            call assertTrue(max(found(p), expected(p)) < no_parameter, label(p))
-            if (max(found(p), expected(p)) >= no_parameter) cycle
+            call assertTrue(max(found(p), expected(p)) < none, label(p))
+            if (max(found(p), expected(p)) >= none) cycle
             if (p == p_direction) then
                off = abs(modulo(found(p) - expected(p) + 90.0_wp, 180.0_wp) - 90.0_wp)/180.0_wp
             else if (p == p_ssk) then
@@ -134,7 +135,7 @@ contains
       allocate (heights(nx, ny))
       read (unit, *, iostat=status) heights
       if (status /= 0) message = trim(reference%name)//': heights'
-      reference%map%heights = merge(missing_height, unit_of_heights*heights, heights == missing)
+      reference%map%heights = merge(none, unit_of_heights*heights, heights == missing)
       do while (message == '')
          read (unit, '(a)', iostat=status) line
          if (line == 'end') exit

@@ -3,8 +3,9 @@
 module test_surface_statistics
    use asperity_base_constants, only: pi
    use asperity_base_kinds, only: wp
+   use asperity_base_no_value, only: none
    use asperity_law_quadrature_gauss_legendre, only: n_points, nodes, weights
-   use asperity_surface_parameters_from_sums, only: no_parameter, parameters_of
+   use asperity_surface_parameters_from_sums, only: parameters_of
    use asperity_surface_parameters_nayak, only: nayak_summits, nayak_type, summit_curvature_density
    use asperity_surface_parameters_parameters, only: n_parameters, p_alpha, p_direction, &
       p_eta_nayak, p_eta_paper, p_m0, p_m2, p_m2_across, p_m2_along, p_m4, p_m4_across, &
@@ -169,7 +170,7 @@ contains
       real(wp) :: values(n_parameters), widths(n_parameters)
 
       call parameters_of(sums, 1.0_wp, values)
-      call assertTrue(all(values >= no_parameter), 'no points')
+      call assertTrue(all(values >= none), 'no points')
       ! flat
       sums = sums_of([0.0_wp, 0.0_wp])
       sums%pairs_x = 1.0_wp
@@ -181,17 +182,17 @@ contains
       call assertEqual([0.0_wp, 0.0_wp, 0.0_wp, 0.0_wp], values([p_sq, p_sdq, p_m4, p_spd]), &
          'flat')
       call assertTrue(all(values([p_ssk, p_sku, p_direction, p_alpha, p_spc, p_eta_paper, &
-         p_radius_paper, p_eta_nayak, p_sigma_nayak]) >= no_parameter), 'flat')
+         p_radius_paper, p_eta_nayak, p_sigma_nayak]) >= none), 'flat')
       call uncertainties([sums], 1.0_wp, widths)
-      call assertTrue(all(widths >= no_parameter), 'one tile')
+      call assertTrue(all(widths >= none), 'one tile')
       call uncertainties([sums, sums], 1.0_wp, widths)
-      call assertTrue(all(widths([p_sz, p_sp, p_sv, p_alpha]) >= no_parameter), 'extremes')
+      call assertTrue(all(widths([p_sz, p_sp, p_sv, p_alpha]) >= none), 'extremes')
       call assertEqual(0.0_wp, widths(p_sq), 'two equal tiles')
       ! alpha below 0.8968 leaves Nayak no sigma
       sums = sums_of_lay(0.0_wp, 1.0_wp, 1.0_wp)
       sums%second = 0.25_wp*sums%second
       call parameters_of(sums, 1.0_wp, values)
-      call assertTrue(values(p_sigma_nayak) >= no_parameter .and. values(p_alpha) < 0.76_wp, &
+      call assertTrue(values(p_sigma_nayak) >= none .and. values(p_alpha) < 0.76_wp, &
          'small alpha')
    end subroutine test_missing
 

@@ -3,8 +3,9 @@ module test_surface_sum_tiles
    use, intrinsic :: iso_fortran_env, only: int64
    use asperity_base_error, only: error_type
    use asperity_base_kinds, only: wp
+   use asperity_base_no_value, only: none
    use asperity_base_number_text, only: to_text
-   use asperity_height_map_type, only: height_map, missing_height
+   use asperity_height_map_type, only: height_map
    use asperity_surface_parameters_sum_tiles, only: sum_map
    use asperity_surface_parameters_tile_sums, only: summed, surface_sums_type
    use asperity_surface_prepare_every_nth, only: thinned
@@ -147,7 +148,7 @@ contains
       call flat_map(map, 5, 5, 1.0_wp, 1.0_wp)
       map%heights(2, 3) = -2.0_wp
       map%heights(4, 1) = 3.0_wp
-      map%heights(1, 5) = missing_height
+      map%heights(1, 5) = none
       call sum_whole(map, s)
       call assertRelativelyEqual([24.0_wp, 1.0_wp, 5.0_wp, 13.0_wp, 19.0_wp, 97.0_wp, -2.0_wp, &
          3.0_wp], [s%points, s%first, s%absolute, s%second, s%third, s%fourth, s%lowest, &
@@ -168,7 +169,7 @@ contains
       call punch_holes(map, stream, 0.15_wp)
       call sum_whole(map, s)
       m = .false.
-      m(1:30, 1:20) = map%heights < missing_height
+      m(1:30, 1:20) = map%heights < none
       counts = 0.0_wp
       sums = 0.0_wp
       associate (z => map%heights)
@@ -289,7 +290,7 @@ contains
 
       stream = random_stream(seed + 2)
       call random_map(map, stream, 17, 12, 0.5_wp, 0.25_wp)
-      map%heights(9, 5) = missing_height
+      map%heights(9, 5) = none
       do every = 1, 4
          call thinned(map, every, thin)
          call assertTrue(kept_map(thin, map%heights(::every, ::every)), message='heights')

@@ -1,7 +1,7 @@
 !> Hills of small maps by the words of their definitions: slow, and nothing shared with the library.
 module summit_models
    use asperity_base_kinds, only: wp
-   use asperity_height_map_type, only: missing_height
+   use asperity_base_no_value, only: none
    implicit none
    private
    public :: reliefs_by_flooding, wolf_pruned
@@ -52,10 +52,10 @@ contains
       integer, intent(in) :: i, j
       integer :: k, l
 
-      is_top = z(i, j) < missing_height
+      is_top = z(i, j) < none
       do l = max(j - 1, 1), min(j + 1, size(z, 2))
          do k = max(i - 1, 1), min(i + 1, size(z, 1))
-            if (z(k, l) >= missing_height) cycle
+            if (z(k, l) >= none) cycle
             if (is_higher(z, k, l, i, j)) is_top = .false.
          end do
       end do
@@ -74,7 +74,7 @@ contains
          before = count(island)
          do l = 1, size(z, 2)
             do k = 1, size(z, 1)
-               if (z(k, l) < sea .or. z(k, l) >= missing_height) cycle
+               if (z(k, l) < sea .or. z(k, l) >= none) cycle
                island(k, l) = any(island(max(k - 1, 1):min(k + 1, size(z, 1)), &
                   max(l - 1, 1):min(l + 1, size(z, 2))))
             end do
@@ -189,7 +189,7 @@ contains
       allocate (top_i(size(z)), top_j(size(z)))
       do j = 1, size(z, 2)
          do i = 1, size(z, 1)
-            if (z(i, j) >= missing_height) cycle
+            if (z(i, j) >= none) cycle
             at_i = i
             at_j = j
             do
@@ -197,7 +197,7 @@ contains
                best_j = at_j
                do l = max(at_j - 1, 1), min(at_j + 1, size(z, 2))
                   do k = max(at_i - 1, 1), min(at_i + 1, size(z, 1))
-                     if (z(k, l) >= missing_height) cycle
+                     if (z(k, l) >= none) cycle
                      if (.not. is_higher(z, k, l, best_i, best_j)) cycle
                      best_i = k
                      best_j = l

@@ -4,8 +4,9 @@ module test_surface_summits
    use, intrinsic :: iso_fortran_env, only: int64
    use asperity_base_error, only: error_type
    use asperity_base_kinds, only: wp
+   use asperity_base_no_value, only: none
    use asperity_base_number_text, only: to_text
-   use asperity_height_map_type, only: height_map, missing_height
+   use asperity_height_map_type, only: height_map
    use asperity_surface_summits_find, only: find_summits, summit_set
    use asperity_surface_summits_saddle_order, only: saddle_type, sort_saddles
    use extremes, only: largest_of
@@ -83,7 +84,7 @@ contains
          do j = 2, size(map%heights, 2) - 1
             do i = 2, size(map%heights, 1) - 1
                if (relief(i, j) < 0.0_wp) cycle
-               if (any(map%heights(i - 1:i + 1, j - 1:j + 1) >= missing_height)) cycle
+               if (any(map%heights(i - 1:i + 1, j - 1:j + 1) >= none)) cycle
                n = n + 1
                is_same = is_same .and. n <= size(summits%i)
                if (.not. is_same) cycle
@@ -205,10 +206,10 @@ contains
       call find_summits(map, 0.5_wp, summits, error)
       call assertTrue(all(summits%is_peak .eqv. [.false., .true.]), message='relief 0.5 and 4 of 8')
       ! without the higher top, the second is the highest; beside a missing point is no summit
-      map%heights(1, 3) = missing_height
+      map%heights(1, 3) = none
       call find_summits(map, 0.2_wp, summits, error)
       call assertTrue(all(summits%is_peak), message='the highest stays')
-      map%heights(6, 2) = missing_height
+      map%heights(6, 2) = none
       call find_summits(map, 0.2_wp, summits, error)
       call assertEqual([3], summits%i)
    end subroutine test_border
@@ -228,7 +229,7 @@ contains
       call find_summits(map, 0.05_wp, summits, error)
       call assertEqual([4], summits%i)
       call assertEqual([4], summits%j)
-      map%heights = missing_height
+      map%heights = none
       call find_summits(map, 0.05_wp, summits, error)
       call assertFalse(allocated(error))
       call assertEqual(0, size(summits%i))

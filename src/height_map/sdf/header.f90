@@ -11,12 +11,13 @@ module asperity_height_map_sdf_header
    use asperity_base_error, only: error_type
    use asperity_base_finite, only: is_finite
    use asperity_base_kinds, only: wp
+   use asperity_base_no_value, only: none
    use asperity_base_number_text, only: to_text
    use asperity_height_map_bytes_byte_source, only: byte_source, read_at
    use asperity_height_map_decode_heights, only: byte_buffer, decode, float32, float64, &
       is_allowed_scale, sint16, sint32, sint8, uint16, uint32, uint8
    use asperity_height_map_file_errors, only: byte_error, map_error
-   use asperity_height_map_type, only: height_map, missing_height
+   use asperity_height_map_type, only: height_map
    use asperity_height_map_units, only: map_hints, settle_step, settle_unit
    implicit none
    private
@@ -159,7 +160,7 @@ contains
       end if
    end subroutine set_step
 
-   !> Turn the values that mark missing points into `missing_height`. Of the proposal's signed
+   !> Turn the values that mark missing points into `none`. Of the proposal's signed
    !> numbers both ends do, as programs differ.
    pure subroutine drop_markers(values, kind, is_bcr)
       !> Numbers of the file
@@ -195,7 +196,7 @@ contains
          low = -1.7e308_wp
          high = 1.7e308_wp
       end select
-      where ((values <= low .or. values >= high) .and. is_finite(values)) values = missing_height
+      where ((values <= low .or. values >= high) .and. is_finite(values)) values = none
    end subroutine drop_markers
 
 end module asperity_height_map_sdf_header

@@ -5,6 +5,7 @@ module asperity_height_map_sdf_read
    use, intrinsic :: iso_fortran_env, only: int64, int8
    use asperity_base_error, only: error_type
    use asperity_base_kinds, only: wp
+   use asperity_base_no_value, only: none
    use asperity_height_map_allocate_map, only: allocate_heights
    use asperity_height_map_bytes_byte_source, only: byte_source, next_line, read_at, start_lines
    use asperity_height_map_decode_heights, only: byte_buffer, bytes_of, decode, float64, &
@@ -15,7 +16,7 @@ module asperity_height_map_sdf_read
    use asperity_height_map_sdf_text_header, only: read_text_header
    use asperity_height_map_text_fields, only: field_error, field_missing, field_too_large, &
       read_field, skip_field
-   use asperity_height_map_type, only: height_map, missing_height
+   use asperity_height_map_type, only: height_map
    use asperity_height_map_units, only: map_hints
    implicit none
    private
@@ -176,7 +177,7 @@ contains
             if (kind == field_too_large .and. header%kind == float64) then
                ! the largest double, printed
                call skip_field(source%block, at, source%last, ' ', is_last)
-               value(1) = missing_height
+               value(1) = none
             else if (kind > field_missing) then
                call field_error(error, source, at, kind)
                return

@@ -7,6 +7,7 @@ module asperity_height_map_sur_read
    use, intrinsic :: iso_fortran_env, only: int64
    use asperity_base_error, only: error_type
    use asperity_base_kinds, only: wp
+   use asperity_base_no_value, only: none
    use asperity_base_number_text, only: to_text
    use asperity_height_map_allocate_map, only: allocate_heights
    use asperity_height_map_bytes_byte_source, only: byte_source, read_at
@@ -16,7 +17,7 @@ module asperity_height_map_sur_read
       scale_heights, sint16, sint32, uint32
    use asperity_height_map_file_errors, only: byte_error, count_text, fits_memory
    use asperity_height_map_sur_header, only: check_sur_header, read_sur_header, sur_header
-   use asperity_height_map_type, only: add_note, height_map, missing_height
+   use asperity_height_map_type, only: add_note, height_map
    use asperity_height_map_units, only: map_hints
    implicit none
    private
@@ -216,7 +217,7 @@ contains
 
       call decode(buffer, kind, row)
       if (header%has_missing) then
-         where (abs(row - header%marker) < 0.5_wp) row = missing_height
+         where (abs(row - header%marker) < 0.5_wp) row = none
       end if
       call scale_heights(row, factor, zero, bad)
       if (bad == 0) return

@@ -2,11 +2,11 @@
 module asperity_height_map_text_fields
    use asperity_base_error, only: error_type
    use asperity_base_kinds, only: wp
+   use asperity_base_no_value, only: none
    use asperity_height_map_bytes_byte_source, only: byte_source
    use asperity_height_map_file_errors, only: excerpt, line_error
    use asperity_height_map_text_numbers, only: number_absent, number_found, number_too_large, &
       read_number
-   use asperity_height_map_type, only: missing_height
    implicit none
    private
    public :: choose_separator, field_error, read_field, skip_field
@@ -38,7 +38,7 @@ contains
       integer, intent(inout) :: at
       !> What separates fields; a blank for blanks and tabs
       character(len=1), intent(in) :: separator
-      !> The number, `missing_height` without one
+      !> The number, `none` without one
       real(wp), intent(out) :: value
       !> One of the parameters `field_*`
       integer, intent(out) :: kind
@@ -47,7 +47,7 @@ contains
       integer :: start, status
       logical :: is_quoted
 
-      value = missing_height
+      value = none
       kind = field_missing
       is_last = .true.
       call skip_blanks(text, at, last, separator)
@@ -79,7 +79,7 @@ contains
          kind = field_too_large
       else if (status /= number_empty) then
          call read_word(text, start, last, separator, at, kind)
-         value = missing_height
+         value = none
       end if
       if (kind > field_missing) then
          at = start

@@ -11,8 +11,9 @@ module asperity_height_map_text_frame
    use asperity_base_error, only: error_type
    use asperity_base_kinds, only: wp
    use asperity_base_memory, only: check_memory
+   use asperity_base_no_value, only: none
    use asperity_height_map_bytes_byte_source, only: byte_source
-   use asperity_height_map_type, only: fewest_points, missing_height
+   use asperity_height_map_type, only: fewest_points
    implicit none
    private
    public :: border_type, find_frame, frame_type
@@ -24,7 +25,7 @@ module asperity_height_map_text_frame
 
    !> The first three lines and columns of a matrix, in its own numbers.
    type :: border_type
-      !> (place, number of the line or of the column), `missing_height` without a number
+      !> (place, number of the line or of the column), `none` without a number
       real(wp), allocatable :: x(:, :), y(:, :)
    contains
       !> Keep a number
@@ -143,7 +144,7 @@ contains
       near = 0.0_wp
       behind = 0.0_wp
       do i = 1, size(lines, 1)
-         if (maxval(lines(i, :)) >= missing_height) cycle
+         if (maxval(lines(i, :)) >= none) cycle
          known = known + 1
          near = near + abs(lines(i, 2) - lines(i, 1))
          behind = behind + abs(lines(i, 3) - lines(i, 2))
@@ -164,7 +165,7 @@ contains
       n = size(values)
       first = values(1)
       step = 0.0_wp
-      are_equal = n >= fewest_points - 1 .and. all(values < missing_height)
+      are_equal = n >= fewest_points - 1 .and. all(values < none)
       if (.not. are_equal) return
       step = (values(n) - first)/real(n - 1, wp)
       are_equal = abs(step) > 0.0_wp

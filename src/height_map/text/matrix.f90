@@ -4,6 +4,7 @@ module asperity_height_map_text_matrix
    use, intrinsic :: iso_fortran_env, only: int64
    use asperity_base_error, only: error_type
    use asperity_base_kinds, only: wp
+   use asperity_base_no_value, only: none
    use asperity_height_map_allocate_map, only: allocate_heights
    use asperity_height_map_bytes_byte_source, only: byte_source, next_line
    use asperity_height_map_bytes_number_chunks, only: number_store
@@ -15,7 +16,7 @@ module asperity_height_map_text_matrix
    use asperity_height_map_text_frame, only: border_type, find_frame, frame_type
    use asperity_height_map_text_header, only: marks_missing, text_header
    use asperity_height_map_text_matrix_steps, only: check_size, check_units, settle_steps
-   use asperity_height_map_type, only: height_map, missing_height
+   use asperity_height_map_type, only: height_map
    use asperity_height_map_units, only: map_hints
    implicit none
    private
@@ -166,7 +167,7 @@ contains
          if (in_line > 0_int64) shape_of(2) = shape_of(2) + 1_int64
          if (in_line > 0_int64 .and. in_line /= header%fields) shape_of(1) = 0_int64
          if (n > 0_int64 .and. .not. is_broken) then
-            matrix%is_narrower = matrix%is_narrower .and. value(1) >= missing_height .and. &
+            matrix%is_narrower = matrix%is_narrower .and. value(1) >= none .and. &
                at > source%last
             if (matrix%is_narrower) &
                matrix%is_narrower = source%block(max(source%last, 1)) == header%separator
@@ -208,7 +209,7 @@ contains
          integer :: bad
 
          if (marks_missing(header, value(1))) then
-            value(1) = missing_height
+            value(1) = none
             return
          end if
          call scale_heights(value, factor, 0.0_wp, bad)
@@ -222,7 +223,7 @@ contains
          else if (.not. allocated(matrix%in_column)) then
             call move_alloc(fault, matrix%in_column)
          end if
-         value(1) = missing_height
+         value(1) = none
       end subroutine convert
 
    end subroutine read_rows

@@ -8,6 +8,7 @@ module asperity_height_map_text_xyz
    use asperity_base_error, only: error_type
    use asperity_base_kinds, only: wp
    use asperity_base_memory, only: check_room
+   use asperity_base_no_value, only: none
    use asperity_base_number_text, only: to_text
    use asperity_height_map_allocate_map, only: allocate_heights
    use asperity_height_map_bytes_byte_source, only: byte_source, next_line
@@ -21,7 +22,7 @@ module asperity_height_map_text_xyz
       read_field, skip_field
    use asperity_height_map_text_find_grid, only: find_grid
    use asperity_height_map_text_header, only: marks_missing, text_header
-   use asperity_height_map_type, only: height_map, missing_height
+   use asperity_height_map_type, only: height_map
    use asperity_height_map_units, only: map_hints, settle_step, settle_unit
    implicit none
    private
@@ -196,7 +197,7 @@ contains
       if (allocated(error)) return
       call allocate_heights(source, nx, ny, map, error)
       if (allocated(error)) return
-      map%heights = missing_height
+      map%heights = none
       call unload(source, store, axes, columns, rows, map, error)
 
    contains
@@ -237,7 +238,7 @@ contains
             x = iand(places(k), 65535_int32) + 1
             y = ishft(places(k), -16) + 1
             associate (height => map%heights(columns(x), rows(y)))
-               if (height < missing_height .and. abs(height - values(k)) > 0.0_wp) then
+               if (height < none .and. abs(height - values(k)) > 0.0_wp) then
                   call map_error(error, source, &
                      'two points at x = '//to_text(axes(1)%values(x), 9)// &
                      ', y = '//to_text(axes(2)%values(y), 9)//' with different heights, '// &

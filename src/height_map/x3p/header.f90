@@ -4,6 +4,7 @@ module asperity_height_map_x3p_header
    use asperity_base_error, only: error_type
    use asperity_base_finite, only: is_finite
    use asperity_base_kinds, only: wp
+   use asperity_base_no_value, only: none
    use asperity_base_number_text, only: to_text
    use asperity_height_map_bytes_byte_source, only: byte_source
    use asperity_height_map_bytes_number_chunks, only: number_store
@@ -12,7 +13,7 @@ module asperity_height_map_x3p_header
    use asperity_height_map_decode_heights, only: float32, float64, is_allowed_scale, sint16, sint32
    use asperity_height_map_file_errors, only: count_text, map_error
    use asperity_height_map_text_header_fields, only: number_in, plain_key
-   use asperity_height_map_type, only: height_map, missing_height
+   use asperity_height_map_type, only: height_map
    use asperity_height_map_units, only: map_hints, settle_step, settle_unit
    implicit none
    private
@@ -165,7 +166,7 @@ contains
       end if
       call plain_key(text(index(text, ';', back=.true.) + 1:), word)
       if (word == '' .or. word == 'nan') then
-         value = missing_height
+         value = none
       else
          call number_in(text(index(text, ';', back=.true.) + 1:), value, is_number, rest)
          if (.not. is_number .or. rest /= '') then

@@ -6,6 +6,7 @@ module asperity_height_map_x3p_read
    use, intrinsic :: iso_fortran_env, only: int64, int8
    use asperity_base_error, only: error_type
    use asperity_base_kinds, only: wp
+   use asperity_base_no_value, only: none
    use asperity_height_map_allocate_map, only: allocate_heights
    use asperity_height_map_bytes_byte_source, only: byte_source, memory_of, report_progress
    use asperity_height_map_bytes_zip, only: close_member, close_zip, find_member, open_member, &
@@ -13,7 +14,7 @@ module asperity_height_map_x3p_read
    use asperity_height_map_decode_heights, only: byte_buffer, bytes_of, decode, height_message, &
       scale_heights
    use asperity_height_map_file_errors, only: count_text, fits_memory, map_error
-   use asperity_height_map_type, only: height_map, missing_height
+   use asperity_height_map_type, only: height_map
    use asperity_height_map_units, only: map_hints
    use asperity_height_map_x3p_header, only: check_x3p_header, read_x3p_header, x3p_header
    implicit none
@@ -190,7 +191,7 @@ contains
             return
          end if
          if (.not. btest(bytes(mod(at, 8_int64*size(bytes))/8_int64 + 1), int(mod(at, 8_int64)))) &
-            map%heights(i, j) = missing_height
+            map%heights(i, j) = none
       end do
    end subroutine read_validity
 

@@ -1,9 +1,10 @@
 !> `asperity pairs`: the pairs of faces and the surfaces of the paper.
 module asperity_program_commands_pairs
    use asperity_base_kinds, only: wp
+   use asperity_base_no_value, only: none
    use asperity_paper_pairs, only: pairs, surfaces
    use asperity_program_report_report, only: report_type
-   use asperity_program_report_table, only: new_table, no_value
+   use asperity_program_report_table, only: new_table
    implicit none
    private
    public :: report_pairs
@@ -17,8 +18,8 @@ contains
       real(wp) :: none_s(size(surfaces)), none_p(size(pairs))
       integer :: i
 
-      none_s = no_value
-      none_p = no_value
+      none_s = none
+      none_p = none
       report%table = new_table(columns=12, rows=size(pairs) + size(surfaces))
       associate (table => report%table)
          call table%add_texts('kind', [character(len=7) :: ('pair', i=1, size(pairs)), &

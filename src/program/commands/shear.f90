@@ -4,12 +4,12 @@ module asperity_program_commands_shear
    use asperity_base_error, only: error_type
    use asperity_base_kinds, only: wp
    use asperity_base_memory, only: check_work
+   use asperity_base_no_value, only: none
    use asperity_base_number_text, only: to_text
    use asperity_contact_point, only: status_slip
    use asperity_program_commands_config, only: config_type
    use asperity_program_report_report, only: report_type, turning_points
-   use asperity_program_report_table, only: column_status, column_validity, new_table, no_value, &
-      table_type
+   use asperity_program_report_table, only: column_status, column_validity, new_table, table_type
    use asperity_program_report_units, only: joule
    use asperity_program_system_progress, only: progress_type
    use asperity_replay_shear_box, only: run_shear_box, shear_settings, shear_step
@@ -125,7 +125,7 @@ contains
       real(wp), dimension(size(runs)) :: slope, plateau_nominal, plateau
       integer :: i
 
-      slope = no_value
+      slope = none
       do i = 1, size(runs)
          associate (steps => runs(i)%steps)
             seated(i) = steps(1)
@@ -135,9 +135,9 @@ contains
          end associate
       end do
       ! The plateau is read where the box first turns; there is none unless it slips there
-      plateau_nominal = merge(abs(turned%shear_stress_nominal), no_value, &
+      plateau_nominal = merge(abs(turned%shear_stress_nominal), none, &
          turned%status == status_slip)
-      plateau = merge(abs(turned%shear_stress), no_value, turned%status == status_slip)
+      plateau = merge(abs(turned%shear_stress), none, turned%status == status_slip)
 
       table = new_table(columns=8, rows=size(runs))
       call table%add_numbers('normal_stress_nominal', 'MPa', config%normal_stress)

@@ -3,6 +3,7 @@ module asperity_program_commands_table
    use asperity_base_checks, only: check_positive
    use asperity_base_error, only: error_type
    use asperity_base_kinds, only: wp
+   use asperity_base_no_value, only: none
    use asperity_base_number_text, only: to_text
    use asperity_contact_properties, only: contact_properties
    use asperity_deck_law_rows, only: law_table, new_law_table, stick_slope
@@ -11,7 +12,7 @@ module asperity_program_commands_table
    use asperity_program_commands_config, only: config_type
    use asperity_program_commands_table_plot, only: law_table_script
    use asperity_program_report_report, only: report_type, turning_points
-   use asperity_program_report_table, only: column_counts, column_validity, new_table, no_value
+   use asperity_program_report_table, only: column_counts, column_validity, new_table
    implicit none
    private
    public :: report_law_table
@@ -85,7 +86,7 @@ contains
       separation = properties%initial_separation - table%overclosure
       law = evaluate_normal_law(properties%normal, separation)
       ! past the largest pressure the last row follows no law
-      law(n)%pressure = no_value
+      law(n)%pressure = none
       law(n)%validity = law(n - 1)%validity
       report%table = new_table(columns=5, rows=n)
       ! Parentheses make the copies that gfortran makes anyway, and would warn of when checking

@@ -3,6 +3,7 @@ module asperity_program_report_table
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
    use asperity_base_error, only: computation_error, error_type, fatal_error
    use asperity_base_kinds, only: wp
+   use asperity_base_no_value, only: is_none
    use asperity_base_number_text, only: to_text
    use asperity_contact_point, only: status_text
    use asperity_law_validity, only: validity_text
@@ -10,9 +11,6 @@ module asperity_program_report_table
    implicit none
    private
    public :: column_type, table_type, new_table, full_figures
-
-   !> Stands for "no value" in a column of numbers; files leave it out
-   real(wp), parameter, public :: no_value = huge(1.0_wp)
 
    !> Kinds of columns
    enum, bind(c)
@@ -196,7 +194,7 @@ contains
       select case (self%kind)
       case (column_numbers)
          text = ''
-         if (self%values(row) < no_value) text = full_figures(self%values(row))
+         if (.not. is_none(self%values(row))) text = full_figures(self%values(row))
       case (column_status)
          text = status_text(self%codes(row))
       case (column_validity)

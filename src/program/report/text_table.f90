@@ -1,9 +1,10 @@
 !> A table as aligned text: names over units over values.
 module asperity_program_report_text_table
    use asperity_base_kinds, only: wp
+   use asperity_base_no_value, only: is_none
    use asperity_base_number_text, only: to_text
    use asperity_program_report_table, only: column_counts, column_numbers, column_type, &
-      column_validity, no_value, table_type
+      column_validity, table_type
    use asperity_program_system_strings, only: string_type
    use asperity_program_system_text_buffer, only: text_buffer
    implicit none
@@ -106,7 +107,7 @@ contains
       do i = 1, size(rows)
          if (column%kind == column_numbers .and. column%figures > 0) then
             printed%cells(i)%text = '-'
-            if (column%values(rows(i)) < no_value) &
+            if (.not. is_none(column%values(rows(i)))) &
                printed%cells(i)%text = to_text(column%values(rows(i)), column%figures)
          else if (column%kind == column_numbers) then
             printed%cells(i)%text = number_text(column%values(rows(i)), form)
@@ -192,8 +193,8 @@ contains
       real(wp) :: largest, smallest
       integer :: decimals
 
-      largest = maxval(abs(values), mask=values < no_value)
-      smallest = minval(abs(values), mask=abs(values) > 0.0_wp .and. values < no_value)
+      largest = maxval(abs(values), mask=.not. is_none(values))
+      smallest = minval(abs(values), mask=abs(values) > 0.0_wp .and. .not. is_none(values))
       if (.not. largest > 0.0_wp) then
          form = '(f32.1)'
       else if (index(name, '_share') > 0) then
@@ -204,7 +205,7 @@ contains
          decimals = max(1, figures - 1 - floor(log10(largest)))
          if (largest < 1.0e6_wp .and. decimals <= 6 &
             .and. smallest*10.0_wp**decimals >= 10.0_wp) then
-            decimals = needed_decimals(pack(values, values < no_value), decimals)
+            decimals = needed_decimals(pack(values, .not. is_none(values)), decimals)
             write (form, '(a, i0, a)') '(f32.', decimals, ')'
          else
             form = '(es32.3)'
@@ -232,7 +233,7 @@ contains
       character(len=32) :: buffer
 
       text = '-'
-      if (.not. value < no_value) return
+      if (is_none(value)) return
       write (buffer, form) value
       text = trim(adjustl(buffer))
       ! what rounds to zero has no sign

@@ -1,6 +1,7 @@
 !> A growing text that also takes numbers for gnuplot.
 module asperity_program_system_text_buffer
    use asperity_base_kinds, only: wp
+   use asperity_base_no_value, only: is_none
    use asperity_base_text_builder, only: growing_text
    implicit none
    private
@@ -15,7 +16,7 @@ module asperity_program_system_text_buffer
 
 contains
 
-   !> Append a line of numbers for gnuplot; huge(1.0_wp), which stands for none, becomes NaN.
+   !> Append a line of numbers for gnuplot; `none` becomes NaN.
    pure subroutine numbers(self, values)
       !> The buffer
       class(text_buffer), intent(inout) :: self
@@ -26,7 +27,7 @@ contains
 
       do i = 1, size(values)
          number = ' NaN'
-         if (values(i) < huge(1.0_wp)) write (number, '(es17.8e3)') values(i)
+         if (.not. is_none(values(i))) write (number, '(es17.8e3)') values(i)
          call self%add(number)
       end do
       call self%line()

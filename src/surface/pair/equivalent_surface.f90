@@ -6,9 +6,10 @@ module asperity_surface_pair_equivalent_surface
    use asperity_base_error, only: error_type, fatal_error
    use asperity_base_kinds, only: wp
    use asperity_base_memory, only: check_memory
+   use asperity_base_no_value, only: is_none, none
    use asperity_base_number_text, only: to_text
-   use asperity_height_map_type, only: height_map, missing_height
-   use asperity_surface_parameters_from_sums, only: no_parameter, parameters_of
+   use asperity_height_map_type, only: height_map
+   use asperity_surface_parameters_from_sums, only: parameters_of
    use asperity_surface_parameters_parameters, only: n_parameters, p_eta_paper, p_peak_mean, &
       p_peak_sigma, p_radius_paper, p_sa, p_sku, p_sp, p_spc, p_spd, p_ssk, p_summit_curvature, &
       p_summit_density, p_summit_mean, p_summit_sigma, p_sv, p_sz
@@ -26,7 +27,7 @@ contains
 
    !> Parameters of the equivalent surface of a pair whose faces are not correlated: mean squares
    !> and products of heights, slopes and curvatures add, each along its own direction, and all that
-   !> follows from them. Parameters without such a rule are `no_parameter`.
+   !> follows from them. Parameters without such a rule are `none`.
    pure subroutine combine_values(sums_1, sums_2, mirror, values)
       !> Sums over each face
       type(surface_sums_type), intent(in) :: sums_1, sums_2
@@ -39,7 +40,7 @@ contains
          p_peak_mean, p_eta_paper, p_radius_paper]
 
       call parameters_of(added_means(sums_1, sums_2, mirror), 1.0_wp, values)
-      values(without_rule) = no_parameter
+      values(without_rule) = none
    end subroutine combine_values
 
    !> Means over the points of two faces added, as the sums over one point.
@@ -96,17 +97,17 @@ contains
       type(surface_sums_type), intent(in) :: sums_1(:), sums_2(:)
       !> How the second is turned over
       character(len=*), intent(in) :: mirror
-      !> Half widths in the order of the table; `no_parameter` where there is none
+      !> Half widths in the order of the table; `none` where there is none
       real(wp), intent(out) :: uncertainty(n_parameters)
       real(wp) :: variance_1(n_parameters), variance_2(n_parameters), total
       integer :: degrees_1, degrees_2, degrees, p
 
-      uncertainty = no_parameter
+      uncertainty = none
       call vary_one(sums_1, sums_2, mirror, variance_1, degrees_1)
       call vary_one(sums_2, sums_1, mirror, variance_2, degrees_2)
       if (min(degrees_1, degrees_2) < 1) return
       do p = 1, n_parameters
-         if (max(variance_1(p), variance_2(p)) >= no_parameter) cycle
+         if (is_none(max(variance_1(p), variance_2(p)))) cycle
          total = variance_1(p) + variance_2(p)
          uncertainty(p) = 0.0_wp
          if (.not. total > 0.0_wp) cycle
@@ -129,7 +130,7 @@ contains
       integer, allocatable :: tiles(:)
       integer :: i
 
-      variance = no_parameter
+      variance = none
       tiles = pack([(i, i=1, size(sums))], sums%inner > 0.0_wp)
       degrees = size(tiles) - 1
       if (degrees < 1) return
@@ -173,8 +174,8 @@ contains
          do i = 1, nx
             other = map_2%heights(merge(nx + 1 - i, i, mirror == 'x'), &
                merge(ny + 1 - j, j, mirror == 'y'))
-            map%heights(i, j) = missing_height
-            if (max(map_1%heights(i, j), other) < missing_height) &
+            map%heights(i, j) = none
+            if (.not. is_none(max(map_1%heights(i, j), other))) &
                map%heights(i, j) = map_1%heights(i, j) + other
          end do
       end do
@@ -209,7 +210,7 @@ contains
             a = map_1%heights(i, j)
             b = map_2%heights(merge(nx + 1 - i, i, mirror == 'x'), &
                merge(ny + 1 - j, j, mirror == 'y'))
-            if (max(a, b) >= missing_height) cycle
+            if (max(a, b) >= none) cycle
             points = points + 1.0_wp
             first = first + [a, b]
             second = second + [a*a, b*b]

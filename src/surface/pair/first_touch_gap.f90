@@ -4,7 +4,8 @@ module asperity_surface_pair_first_touch_gap
    use asperity_base_error, only: error_type, fatal_error
    use asperity_base_finite, only: all_finite
    use asperity_base_kinds, only: wp
-   use asperity_height_map_type, only: height_map, missing_height
+   use asperity_base_no_value, only: none
+   use asperity_height_map_type, only: height_map
    implicit none
    private
    public :: gap_distribution, find_gap
@@ -54,7 +55,7 @@ contains
       lowest = huge(1.0_wp)
       do j = 1, size(map%heights, 2)
          do i = 1, size(map%heights, 1)
-            if (map%heights(i, j) >= missing_height) cycle
+            if (map%heights(i, j) >= none) cycle
             highest = max(highest, map%heights(i, j))
             lowest = min(lowest, map%heights(i, j))
          end do
@@ -69,7 +70,7 @@ contains
       first = 0.0_wp
       do j = 1, size(map%heights, 2)
          do i = 1, size(map%heights, 1)
-            if (map%heights(i, j) >= missing_height) cycle
+            if (map%heights(i, j) >= none) cycle
             associate (g => highest - map%heights(i, j))
                bin = 1
                if (width > 0.0_wp) bin = min(n_bins, 1 + int(g/width))
@@ -93,7 +94,7 @@ contains
       second = 0.0_wp
       do j = 1, size(map%heights, 2)
          second = second + sum((highest - map%heights(:, j) - gap%mean)**2, &
-            mask=map%heights(:, j) < missing_height)
+            mask=map%heights(:, j) < none)
       end do
       gap%sigma = sqrt(second/points)
    end subroutine find_gap

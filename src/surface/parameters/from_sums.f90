@@ -2,6 +2,7 @@
 module asperity_surface_parameters_from_sums
    use asperity_base_constants, only: pi
    use asperity_base_kinds, only: wp
+   use asperity_base_no_value, only: is_none, none
    use asperity_surface_parameters_nayak, only: nayak_summits, nayak_type
    use asperity_surface_parameters_parameters, only: n_parameters, p_alpha, p_direction, &
       p_eta_nayak, p_eta_paper, p_m0, p_m2, p_m2_across, p_m2_along, p_m2_x, p_m2_y, p_m4, &
@@ -14,8 +15,6 @@ module asperity_surface_parameters_from_sums
    private
    public :: parameters_of
 
-   !> Stands for a value that does not exist, such as the curvature of no peaks
-   real(wp), parameter, public :: no_parameter = huge(1.0_wp)
    !> A variance below this share of the mean square is rounding
    real(wp), parameter :: rounding = 64.0_wp*epsilon(1.0_wp)
 
@@ -28,11 +27,11 @@ contains
       type(surface_sums_type), intent(in) :: sums
       !> Area of one inner point, step_x step_y, mm^2
       real(wp), intent(in) :: cell_area
-      !> Values in the order of the table; `no_parameter` where there is none
+      !> Values in the order of the table; `none` where there is none
       real(wp), intent(out) :: values(n_parameters)
       real(wp) :: mean
 
-      values = no_parameter
+      values = none
       if (.not. sums%points > 0.0_wp) return
       mean = sums%first/sums%points
       call evaluate_heights(sums, mean, values)
@@ -46,7 +45,7 @@ contains
          values(p_spd) = sums%peaks%number/(sums%inner*cell_area)
          if (sums%peaks%number > 0.0_wp) values(p_eta_paper) = values(p_spd)
       end if
-      if (values(p_spc) > 0.0_wp .and. values(p_spc) < no_parameter) &
+      if (values(p_spc) > 0.0_wp .and. .not. is_none(values(p_spc))) &
          values(p_radius_paper) = 1.0_wp/values(p_spc)
       values(p_sigma_paper) = values(p_sq)
       call values_of_moments(values)
@@ -127,9 +126,9 @@ contains
       real(wp), intent(out) :: curvature, sigma, mean
       real(wp) :: height
 
-      curvature = no_parameter
-      sigma = no_parameter
-      mean = no_parameter
+      curvature = none
+      sigma = none
+      mean = none
       if (summits%number < 1.0_wp) return
       height = summits%height/summits%number
       curvature = summits%curvature/summits%number
@@ -154,9 +153,9 @@ contains
       type(nayak_type) :: summits
 
       values([integer :: p_alpha, p_eta_nayak, p_radius_nayak, p_sigma_nayak, p_summit_plane]) = &
-         no_parameter
+         none
       associate (m0 => values(p_m0), m2 => values(p_m2), m4 => values(p_m4))
-         if (.not. min(m0, m2, m4) > 0.0_wp .or. max(m0, m2, m4) >= no_parameter) return
+         if (.not. min(m0, m2, m4) > 0.0_wp .or. is_none(max(m0, m2, m4))) return
          summits = nayak_summits(m0, m2, m4)
       end associate
       values(p_alpha) = summits%alpha

@@ -1,7 +1,8 @@
 !> Sums over the tiles of a map, in one sweep.
 module asperity_surface_parameters_sum_tiles
    use asperity_base_kinds, only: wp
-   use asperity_height_map_type, only: height_map, missing_height
+   use asperity_base_no_value, only: none
+   use asperity_height_map_type, only: height_map
    use asperity_surface_parameters_tile_sums, only: summed, summit_sums_type, surface_sums_type
    use asperity_surface_summits_find, only: summit_set
    implicit none
@@ -98,7 +99,7 @@ contains
       row%weight = 0.0_wp
       if (j < 1 .or. j > size(z, 2)) return
       do i = 1, size(z, 1)
-         if (z(i, j) >= missing_height) cycle
+         if (z(i, j) >= none) cycle
          row%z(i) = z(i, j)
          row%weight(i) = 1.0_wp
       end do

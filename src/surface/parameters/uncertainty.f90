@@ -3,7 +3,8 @@
 !> other maps of the same face would lie from it.
 module asperity_surface_parameters_uncertainty
    use asperity_base_kinds, only: wp
-   use asperity_surface_parameters_from_sums, only: no_parameter, parameters_of
+   use asperity_base_no_value, only: is_none, none
+   use asperity_surface_parameters_from_sums, only: parameters_of
    use asperity_surface_parameters_parameters, only: n_parameters, p_direction, p_sp, p_sv, p_sz
    use asperity_surface_parameters_student, only: student_factor
    use asperity_surface_parameters_tile_sums, only: summed, surface_sums_type
@@ -27,7 +28,7 @@ contains
       type(surface_sums_type), intent(in) :: sums(:)
       !> Area of one inner point, step_x step_y, mm^2
       real(wp), intent(in) :: cell_area
-      !> Half widths in the order of the table; `no_parameter` where there is none: for extremes,
+      !> Half widths in the order of the table; `none` where there is none: for extremes,
       !> for what does not exist on every remainder, for fewer than two tiles
       real(wp), intent(out) :: uncertainty(n_parameters)
       !> Sums over the tiles with the height of pruning `rise` times as high
@@ -39,7 +40,7 @@ contains
       integer, allocatable :: tiles(:)
       integer :: i
 
-      uncertainty = no_parameter
+      uncertainty = none
       tiles = pack([(i, i=1, size(sums))], sums%inner > 0.0_wp)
       if (size(tiles) < 2) return
       call parameters_of(summed(sums), cell_area, whole)
@@ -51,9 +52,9 @@ contains
       call jackknife(whole, left, weights, uncertainty)
       if (present(raised) .and. present(rise)) &
          call add_pruning(sums(tiles), summed(raised), rise, cell_area, whole, uncertainty)
-      where (uncertainty < no_parameter) &
+      where (.not. is_none(uncertainty)) &
          uncertainty = student_factor(confidence, size(tiles) - 1)*sqrt(uncertainty)
-      if (uncertainty(p_direction) < no_parameter) &
+      if (.not. is_none(uncertainty(p_direction))) &
          uncertainty(p_direction) = min(uncertainty(p_direction), any_direction)
    end subroutine uncertainties
 
@@ -68,11 +69,11 @@ contains
       integer :: n
 
       n = size(sums)
-      if (.not. (whole(p_sz) > 0.0_wp .and. whole(p_sz) < no_parameter)) return
+      if (.not. whole(p_sz) > 0.0_wp .or. is_none(whole(p_sz))) return
       call parameters_of(raised, cell_area, other)
       scatter = (sum((sums%highest - sum(sums%highest)/n)**2) &
          + sum((sums%lowest - sum(sums%lowest)/n)**2))/(n - 1)/whole(p_sz)**2
-      where (max(variance, whole, other) < no_parameter) &
+      where (.not. is_none(max(variance, whole, other))) &
          variance = variance + scatter*((other - whole)/log(rise))**2
    end subroutine add_pruning
 
@@ -85,15 +86,15 @@ contains
       real(wp), intent(in) :: left(:, :)
       !> Shares of the tiles in the map, of sum 1
       real(wp), intent(in) :: weights(:)
-      !> Variances; `no_parameter` where there is none
+      !> Variances; `none` where there is none
       real(wp), intent(out) :: variance(n_parameters)
       real(wp) :: change(size(weights)), bias
       integer :: p
 
-      variance = no_parameter
+      variance = none
       do p = 1, n_parameters
          if (p == p_sz .or. p == p_sp .or. p == p_sv) cycle
-         if (max(whole(p), maxval(left(p, :))) >= no_parameter) cycle
+         if (is_none(max(whole(p), maxval(left(p, :))))) cycle
          change = left(p, :) - whole(p)
          if (p == p_direction) change = modulo(change + 90.0_wp, 180.0_wp) - 90.0_wp
          bias = sum((1.0_wp - weights)*change)

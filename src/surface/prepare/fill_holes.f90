@@ -8,7 +8,8 @@ module asperity_surface_prepare_fill_holes
    use, intrinsic :: iso_fortran_env, only: int64, int8
    use asperity_base_error, only: error_type, fatal_error
    use asperity_base_kinds, only: wp
-   use asperity_height_map_type, only: height_map, missing_height
+   use asperity_base_no_value, only: none
+   use asperity_height_map_type, only: height_map
    use asperity_surface_prepare_membrane, only: mean_around, relax
    implicit none
    private
@@ -26,7 +27,7 @@ contains
       !> The map
       type(height_map), intent(in) :: map
 
-      missing_share = real(count(map%heights >= missing_height, kind=int64), wp) &
+      missing_share = real(count(map%heights >= none, kind=int64), wp) &
          /real(size(map%heights, kind=int64), wp)
    end function missing_share
 
@@ -37,7 +38,7 @@ contains
       !> Set when nothing was measured
       type(error_type), allocatable, intent(out) :: error
 
-      if (all(map%heights >= missing_height)) then
+      if (all(map%heights >= none)) then
          call fatal_error(error, map%source//': every point is missing, so nothing tells how '// &
             'to fill them')
          return
@@ -58,7 +59,7 @@ contains
       n = 0
       do j = 1, size(z, 2)
          do i = 1, size(z, 1)
-            if (z(i, j) >= missing_height) n = n + 1
+            if (z(i, j) >= none) n = n + 1
          end do
       end do
       if (n == 0) return
@@ -66,7 +67,7 @@ contains
       n = 0
       do j = 1, size(z, 2)
          do i = 1, size(z, 1)
-            if (z(i, j) < missing_height) cycle
+            if (z(i, j) < none) cycle
             n = n + 1
             holes(:, n) = [i, j]
          end do
@@ -103,12 +104,12 @@ contains
             n = 0
             do l = 2*j - 1, min(2*j, size(z, 2))
                do k = 2*i - 1, min(2*i, size(z, 1))
-                  if (z(k, l) >= missing_height) cycle
+                  if (z(k, l) >= none) cycle
                   n = n + 1
                   total = total + z(k, l)
                end do
             end do
-            coarse(i, j) = missing_height
+            coarse(i, j) = none
             if (n > 0) coarse(i, j) = total/real(n, wp)
          end do
       end do

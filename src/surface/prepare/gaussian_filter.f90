@@ -16,8 +16,9 @@ module asperity_surface_prepare_gaussian_filter
    use asperity_base_finite, only: is_finite
    use asperity_base_kinds, only: wp
    use asperity_base_memory, only: check_memory, check_room
+   use asperity_base_no_value, only: none
    use asperity_base_number_text, only: to_text
-   use asperity_height_map_type, only: height_map, missing_height, missing_points
+   use asperity_height_map_type, only: height_map, missing_points
    use asperity_surface_prepare_line_filter, only: delete_line_filter, filter_lines, line_filter, &
       new_line_filter
    implicit none
@@ -69,7 +70,7 @@ contains
       call smooth(long, cutoff/map%step_x, cutoff/map%step_y)
       do j = 1, size(long, 2)
          do i = 1, size(long, 1)
-            if (long(i, j) < missing_height) map%heights(i, j) = map%heights(i, j) - long(i, j)
+            if (long(i, j) < none) map%heights(i, j) = map%heights(i, j) - long(i, j)
          end do
       end do
    end subroutine filter_long
@@ -122,7 +123,7 @@ contains
       real(real32), allocatable :: weights(:, :)
       integer :: i, j
 
-      if (all(z < missing_height)) then
+      if (all(z < none)) then
          call smooth_along_x(z, cutoff_x)
          call smooth_along_y(z, cutoff_y)
          return
@@ -130,7 +131,7 @@ contains
       allocate (measured(size(z, 1), size(z, 2)), weights(size(z, 1), size(z, 2)))
       do j = 1, size(z, 2)
          do i = 1, size(z, 1)
-            measured(i, j) = merge(1_int8, 0_int8, z(i, j) < missing_height)
+            measured(i, j) = merge(1_int8, 0_int8, z(i, j) < none)
             weights(i, j) = real(measured(i, j), real32)
             if (measured(i, j) == 0_int8) z(i, j) = 0.0_wp
          end do
@@ -140,7 +141,7 @@ contains
       do j = 1, size(z, 2)
          do i = 1, size(z, 1)
             if (measured(i, j) == 0_int8) then
-               z(i, j) = missing_height
+               z(i, j) = none
             else
                z(i, j) = z(i, j)/real(weights(i, j), wp)
             end if

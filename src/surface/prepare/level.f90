@@ -2,8 +2,9 @@
 module asperity_surface_prepare_level
    use asperity_base_error, only: error_type, fatal_error
    use asperity_base_kinds, only: wp
+   use asperity_base_no_value, only: none
    use asperity_base_number_text, only: to_text
-   use asperity_height_map_type, only: height_map, missing_height
+   use asperity_height_map_type, only: height_map
    use asperity_surface_cholesky, only: factorize, reciprocal_condition, solve
    implicit none
    private
@@ -120,10 +121,10 @@ contains
       do j = 1, size(z, 2)
          has_holes = .false.
          do i = 1, size(z, 1)
-            if (z(i, j) >= missing_height) has_holes = .true.
+            if (z(i, j) >= none) has_holes = .true.
          end do
          height(:) = z(:, j)
-         if (has_holes) where (height >= missing_height) height = 0.0_wp
+         if (has_holes) where (height >= none) height = 0.0_wp
          do k = 0, ubound(px, 2)
             row_right(k) = dot_product(height, px(:, k))
          end do
@@ -133,7 +134,7 @@ contains
          if (only_right) cycle
          row_normal = full_normal
          if (has_holes) then
-            weight = merge(0.0_wp, 1.0_wp, z(:, j) >= missing_height)
+            weight = merge(0.0_wp, 1.0_wp, z(:, j) >= none)
             call sum_pairs(px, weight, weighted, row_normal)
          end if
          do l = 1, size(right)
@@ -186,7 +187,7 @@ contains
             form = form + row_factor*px(:, k)
          end do
          do i = 1, size(z, 1)
-            if (z(i, j) < missing_height) z(i, j) = z(i, j) - form(i)
+            if (z(i, j) < none) z(i, j) = z(i, j) - form(i)
          end do
       end do
    end subroutine subtract

@@ -1,8 +1,8 @@
 !> Remarks on a map, one after the other, and the words for quantities in them.
 module asperity_surface_remarks_remark
    use asperity_base_kinds, only: wp
+   use asperity_base_no_value, only: is_none
    use asperity_base_number_text, only: to_text
-   use asperity_surface_parameters_from_sums, only: no_parameter
    use asperity_surface_parameters_parameters, only: parameters
    implicit none
    private
@@ -45,7 +45,7 @@ contains
       !> Of the table
       real(wp), intent(in) :: value
 
-      is_known = abs(value) < no_parameter
+      is_known = .not. is_none(abs(value))
    end function is_known
 
    !> `12.3 +- 0.4 mm`, without what is not known or has no unit.

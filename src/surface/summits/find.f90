@@ -5,8 +5,9 @@ module asperity_surface_summits_find
    use asperity_base_finite, only: is_finite
    use asperity_base_kinds, only: wp
    use asperity_base_memory, only: check_room
+   use asperity_base_no_value, only: none
    use asperity_base_number_text, only: to_text
-   use asperity_height_map_type, only: height_map, missing_height
+   use asperity_height_map_type, only: height_map
    use asperity_surface_summits_hills, only: find_hills
    implicit none
    private
@@ -93,7 +94,7 @@ contains
       highest = -huge(1.0_wp)
       do j = 1, size(z, 2)
          do i = 1, size(z, 1)
-            if (z(i, j) >= missing_height) cycle
+            if (z(i, j) >= none) cycle
             lowest = min(lowest, z(i, j))
             highest = max(highest, z(i, j))
          end do
@@ -108,7 +109,7 @@ contains
       integer, intent(in) :: i, j
 
       is_surrounded = i > 1 .and. i < size(z, 1) .and. j > 1 .and. j < size(z, 2)
-      if (is_surrounded) is_surrounded = all(z(i - 1:i + 1, j - 1:j + 1) < missing_height)
+      if (is_surrounded) is_surrounded = all(z(i - 1:i + 1, j - 1:j + 1) < none)
    end function is_surrounded
 
    !> Mean curvature by three points either way, 1/mm.

@@ -1,7 +1,7 @@
 !> Which neighbours of a point are higher, and which of those touch one another.
 module asperity_surface_summits_higher_neighbours
    use asperity_base_kinds, only: wp
-   use asperity_height_map_type, only: missing_height
+   use asperity_base_no_value, only: none
    implicit none
    private
    public :: first_rows, group_table, higher_in_row, highest_in_row, new_group_table, next_rows
@@ -61,7 +61,7 @@ contains
       integer :: i
 
       do i = 1, size(z, 1)
-         if (z(i, j) < missing_height) row(i) = z(i, j)
+         if (z(i, j) < none) row(i) = z(i, j)
       end do
    end subroutine read_row
 

@@ -37,7 +37,7 @@ contains
 
    !> Find all hills.
    pure subroutine find_hills(z, least_relief, name, tops, stays, error)
-      !> Heights, `missing_height` where there is none
+      !> Heights, `none` where there is none
       real(wp), intent(in), contiguous :: z(:, :)
       !> Least relief
       real(wp), intent(in) :: least_relief

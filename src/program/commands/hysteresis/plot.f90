@@ -2,9 +2,10 @@
 module asperity_program_commands_hysteresis_plot
    use asperity_base_error, only: error_type
    use asperity_base_kinds, only: wp
+   use asperity_base_no_value, only: is_none
    use asperity_base_number_text, only: to_text
    use asperity_hysteresis_analysis, only: hysteresis_result, hysteresis_skeleton, negative_side, &
-      not_known, positive_side
+      positive_side
    use asperity_program_commands_hysteresis_tables, only: record_labels
    use asperity_program_system_strings, only: backslash, escaped, string_type
    use asperity_program_system_text_buffer, only: text_buffer
@@ -54,7 +55,7 @@ contains
          " title 'cumulative'"
       lines(2)%text = '$cycles using 1:4 with impulses lw 3 '//red//" title 'of the cycle'"
       call add_panel(b, 'cycle', 'energy ('//labels%energy_unit()//')', lines)
-      if (any(result%cycles%damping < not_known)) then
+      if (any(.not. is_none(result%cycles%damping))) then
          lines(1)%text = '$cycles using 1:6 with linespoints lw 2 pt 7 ps 0.7 '//blue// &
             " title 'viscous damping'"
          lines(2)%text = '$cycles using 1:7 with linespoints lw 2 pt 5 ps 0.7 '//green// &
@@ -126,11 +127,11 @@ contains
       if (maxval([size(result%skeleton(1)%force), size(result%skeleton(2)%force)]) > most_marks) &
          lines(2)%text = '$skeleton using 1:2 with lines lw 2 '//red//" title 'skeleton'"
       n = 2
-      if (any(result%skeleton%yield_force < not_known)) then
+      if (any(.not. is_none(result%skeleton%yield_force))) then
          n = n + 1
          lines(n)%text = '$points using 1:2 with points pt 6 ps 1.3 lw 2 '//black//" title 'yield'"
       end if
-      if (any(result%skeleton%ultimate_force < not_known)) then
+      if (any(.not. is_none(result%skeleton%ultimate_force))) then
          n = n + 1
          lines(n)%text = '$points using 3:4 with points pt 2 ps 1.3 lw 2 '//black// &
             " title 'ultimate'"

@@ -2,9 +2,10 @@
 module asperity_program_commands_hysteresis_remarks
    use asperity_base_constants, only: pi
    use asperity_base_kinds, only: wp
+   use asperity_base_no_value, only: is_none
    use asperity_base_number_text, only: to_text
    use asperity_hysteresis_analysis, only: hysteresis_result, hysteresis_settings, &
-      hysteresis_skeleton, negative_side, not_known, positive_side
+      hysteresis_skeleton, negative_side, positive_side
    use asperity_program_commands_hysteresis_tables, only: record_labels, side_names
    use asperity_program_system_strings, only: string_type
    implicit none
@@ -119,11 +120,11 @@ contains
       type(hysteresis_result), intent(in) :: result
       type(record_labels), intent(in) :: labels
 
-      if (result%unloaded_displacement < not_known) call list%add('The record begins at '// &
+      if (.not. is_none(result%unloaded_displacement)) call list%add('The record begins at '// &
          shown(result%unloaded_displacement, labels%x_unit)//' without '//labels%f//': zero of '// &
          labels%x//' looks wrong, and stiffness, ductility and cycles with it; '// &
          '--displacement-zero sets it (the reading at rest, before the factor).')
-      if (result%loaded_force < not_known) call list%add('The record begins with '//labels%f// &
+      if (.not. is_none(result%loaded_force)) call list%add('The record begins with '//labels%f// &
          ' '//shown(result%loaded_force, labels%f_unit)//' at zero '//labels%x// &
          ': unless that is so, --force-zero sets its zero.')
    end subroutine add_zeros
@@ -143,7 +144,7 @@ contains
          if (result%record_kind(:9) /= 'monotonic') call add_list(list, &
             'Not closed, so energy is the work done and there is no damping: ', .not. c%closed, '')
          call add_list(list, 'Closed, but giving energy back, so there is no damping: ', &
-            c%closed .and. c%loop_area < 0.0_wp .and. .not. c%fullness < not_known, '')
+            c%closed .and. c%loop_area < 0.0_wp .and. is_none(c%fullness), '')
          call add_list(list, 'Fullness above 1, a loop outside the rectangle of its peaks: ', &
             is_outside(c%fullness, 1.0_wp), cure)
          call add_list(list, 'Damping above 2/pi, that of a rectangle: ', &
@@ -157,7 +158,7 @@ contains
    pure elemental logical function is_outside(value, largest)
       real(wp), intent(in) :: value, largest
 
-      is_outside = value < not_known .and. &
+      is_outside = .not. is_none(value) .and. &
          (value < -allowance*largest .or. value > (1.0_wp + allowance)*largest)
    end function is_outside
 
@@ -194,7 +195,7 @@ contains
       if (size(skeleton%force) == 0) return
       if (size(skeleton%force) == 1) call list%add('The '//name//' skeleton is a straight '// &
          'line, having one amplitude: its stiffness and yield point say little.')
-      if (.not. skeleton%peak_force < not_known) then
+      if (is_none(skeleton%peak_force)) then
          call list%add('The '//name//' skeleton has no force in its own direction: nothing is '// &
             'formed from it.')
          return
@@ -212,7 +213,7 @@ contains
       if (abs(skeleton%left_force) > 0.0_wp) call list%add('The '//name//' side begins with '// &
          shown(skeleton%left_force, labels%f_unit)//' at zero '//labels%x//', left by the '// &
          'other side: a straight line goes to its first tip, whose stiffness says little.')
-      if (.not. skeleton%elastic_stiffness < not_known) then
+      if (is_none(skeleton%elastic_stiffness)) then
          call list%add('The '//name//' side has '//shown(skeleton%force(1), labels%f_unit)// &
             ' at its first sample beyond zero, which is past the point of the elastic '// &
             'stiffness: the record gives it no stiffness and no yield point.')
@@ -238,7 +239,7 @@ contains
       real(wp) :: more
 
       text = ''
-      if (.not. skeleton%peak_force < not_known) return
+      if (is_none(skeleton%peak_force)) return
       more = abs(skeleton%record_force)/abs(skeleton%peak_force) - 1.0_wp
       if (more > allowance) text = shown(skeleton%record_force, unit)//', '// &
          to_text(100.0_wp*more, 2)//' % more'

@@ -1,9 +1,10 @@
 !> Tables of what a record says: cycles, both sides, skeleton.
 module asperity_program_commands_hysteresis_tables
    use asperity_base_kinds, only: wp
+   use asperity_base_no_value, only: is_none, none
    use asperity_hysteresis_analysis, only: hysteresis_cycle, hysteresis_result, negative_side, &
-      not_known, positive_side
-   use asperity_program_report_table, only: column_counts, new_table, no_value, table_type
+      positive_side
+   use asperity_program_report_table, only: column_counts, new_table, table_type
    implicit none
    private
    public :: record_labels, cycle_table, side_table, skeleton_table
@@ -155,7 +156,7 @@ contains
       real(wp), intent(in) :: value
 
       shown = value
-      if (.not. value < not_known) shown = no_value
+      if (is_none(value)) shown = none
    end function shown
 
    pure elemental character(len=3) function yes_or_no(condition)

@@ -2,7 +2,8 @@
 module asperity_program_commands_surface_command
    use asperity_base_error, only: computation_error, error_type, fatal_error
    use asperity_base_kinds, only: wp
-   use asperity_height_map_type, only: height_map, missing_height, note_end
+   use asperity_base_no_value, only: is_none
+   use asperity_height_map_type, only: height_map, note_end
    use asperity_height_map_write, only: height_map_bytes
    use asperity_law_normal_properties, only: normal_properties
    use asperity_program_commands_surface_law, only: has_law, set_law, surface_case
@@ -161,7 +162,7 @@ contains
 
       facts%filled = filled
       facts%points = shape(map%heights)
-      facts%top = map_place(map, maxloc(map%heights, mask=map%heights < missing_height))
+      facts%top = map_place(map, maxloc(map%heights, mask=.not. is_none(map%heights)))
       facts%bottom = map_place(map, minloc(map%heights))
       facts%step_x = map%step_x
       facts%step_y = map%step_y

@@ -2,6 +2,7 @@
 module asperity_program_commands_surface_law
    use asperity_base_error, only: error_type
    use asperity_base_kinds, only: wp
+   use asperity_base_no_value, only: is_none
    use asperity_base_number_text, only: to_text
    use asperity_base_version, only: version
    use asperity_contact_properties, only: default_initial_separation
@@ -13,7 +14,6 @@ module asperity_program_commands_surface_law
    use asperity_program_input_ranges, only: linear_range
    use asperity_program_input_settings, only: assign_values, settings_type
    use asperity_program_system_strings, only: quoted, string_type
-   use asperity_surface_parameters_from_sums, only: no_parameter
    use asperity_surface_parameters_parameters, only: p_eta_nayak, p_eta_paper, p_radius_nayak, &
       p_radius_paper, p_sigma_nayak, p_sigma_paper, p_sp, p_summit_plane, parameters
    implicit none
@@ -50,7 +50,7 @@ contains
       !> One of `routes`
       character(len=*), intent(in) :: route
 
-      has_law = all(values(route_places(route)) < no_parameter)
+      has_law = .not. any(is_none(values(route_places(route))))
    end function has_law
 
    !> Complete settings by the parameters of a map and what a pair of the paper gives beside, and
@@ -148,7 +148,7 @@ contains
          do i = 1, size(names)
             heading(4)%text = heading(4)%text//' '//trim(names(i))//' '// &
                to_text(values(three(i)), 4)
-            if (uncertainty(three(i)) < no_parameter) heading(4)%text = heading(4)%text// &
+            if (.not. is_none(uncertainty(three(i)))) heading(4)%text = heading(4)%text// &
                ' +- '//to_text(uncertainty(three(i)), 2)
             heading(4)%text = heading(4)%text//' '//trim(parameters(three(i))%unit)
             if (i < size(names)) heading(4)%text = heading(4)%text//','
@@ -157,7 +157,7 @@ contains
       heading(5)%text = 'Separation is from the mean plane of summit heights, '// &
          to_text(values(p_summit_plane), 4)//' mm above the mean plane of the surface;'
       heading(6)%text = '  no first touch is known'
-      if (values(p_sp) < no_parameter) heading(6)%text = &
+      if (.not. is_none(values(p_sp))) heading(6)%text = &
          '  the highest point of the map touches at separation '// &
          to_text(values(p_sp) - values(p_summit_plane), 4)//' mm'
       heading(7)%text = 'Other properties: as given'

@@ -3,9 +3,10 @@ module asperity_program_commands_surface_plot
    use asperity_base_constants, only: pi
    use asperity_base_error, only: error_type
    use asperity_base_kinds, only: wp
+   use asperity_base_no_value, only: is_none, none
    use asperity_base_number_text, only: to_text
-   use asperity_height_map_type, only: height_map, missing_height
-   use asperity_program_report_table, only: no_value, table_type
+   use asperity_height_map_type, only: height_map
+   use asperity_program_report_table, only: table_type
    use asperity_program_system_strings, only: backslash
    use asperity_program_system_text_buffer, only: text_buffer
    use asperity_surface_parameters_parameters, only: p_sq
@@ -86,7 +87,7 @@ contains
       do j = 1, size(map%heights, 2), every
          do i = 1, size(map%heights, 1), every
             call b%numbers([real(i - 1, wp)*map%step_x, real(j - 1, wp)*map%step_y, &
-               merge(map%heights(i, j), no_value, map%heights(i, j) < missing_height)])
+               merge(none, map%heights(i, j), is_none(map%heights(i, j)))])
          end do
          call b%line()
       end do
@@ -141,7 +142,7 @@ contains
       call b%line('$law << EOD')
       do i = 1, law%rows
          row(1) = law%columns(1)%values(i)
-         row(2:) = no_value
+         row(2:) = none
          do j = 1, size(drawn)
             column = law%find(trim(drawn(j)))
             if (column == 0) cycle
@@ -198,7 +199,7 @@ contains
          column = law%find(trim(drawn(i)))
          if (column == 0) cycle
          if (.not. any(law%columns(column)%values > 0.0_wp &
-            .and. law%columns(column)%values < no_value)) cycle
+            .and. .not. is_none(law%columns(column)%values))) cycle
          if (lines /= '') lines = lines//', '
          lines = lines//'$law using 1:'//to_text(i + 1)//' '//trim(strokes(i))//' title "'// &
             trim(legends(i))//'"'

@@ -1,11 +1,11 @@
 !> Tables of `asperity surface`.
 module asperity_program_commands_surface_tables
    use asperity_base_kinds, only: wp
+   use asperity_base_no_value, only: is_none, none
    use asperity_height_map_type, only: height_map, missing_points
    use asperity_program_commands_surface_law, only: has_law, route_places, routes
-   use asperity_program_report_table, only: column_counts, new_table, no_value, table_type
+   use asperity_program_report_table, only: column_counts, new_table, table_type
    use asperity_surface_analysis, only: surface_analysis_type
-   use asperity_surface_parameters_from_sums, only: no_parameter
    use asperity_surface_parameters_parameters, only: n_parameters, p_sp, p_summit_plane, parameters
    use asperity_surface_summits_find, only: summit_set
    implicit none
@@ -68,7 +68,7 @@ contains
          do i = 1, size(routes)
             three(:, i) = values(route_places(routes(i)))
             spread(:, i) = analysis%uncertainty(route_places(routes(i)))
-            number(i) = no_value
+            number(i) = none
             if (has_law(values, routes(i))) number(i) = product(three(:, i))
          end do
          table = new_table(columns=10, rows=size(routes))
@@ -98,8 +98,8 @@ contains
    pure real(wp) function first_touch(values)
       real(wp), intent(in) :: values(:)
 
-      first_touch = no_value
-      if (max(values(p_summit_plane), values(p_sp)) < no_parameter) &
+      first_touch = none
+      if (.not. is_none(max(values(p_summit_plane), values(p_sp)))) &
          first_touch = values(p_sp) - values(p_summit_plane)
    end function first_touch
 

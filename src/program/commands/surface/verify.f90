@@ -3,6 +3,7 @@
 module asperity_program_commands_surface_verify
    use asperity_base_error, only: error_type
    use asperity_base_kinds, only: wp
+   use asperity_base_no_value, only: none
    use asperity_base_number_text, only: to_text
    use asperity_law_normal_inverse, only: separation_for_pressure
    use asperity_law_normal_law, only: evaluate_normal_law, normal_response
@@ -10,7 +11,7 @@ module asperity_program_commands_surface_verify
    use asperity_program_commands_surface_law, only: has_law, routes, set_law
    use asperity_program_input_keys, only: find_key
    use asperity_program_input_settings, only: settings_type
-   use asperity_program_report_table, only: new_table, no_value, table_type
+   use asperity_program_report_table, only: new_table, table_type
    use asperity_program_system_strings, only: string_type
    use asperity_surface_analysis, only: surface_analysis_type
    use asperity_surface_pair_law_on_summits, only: sum_over_summits, summit_curve
@@ -47,7 +48,7 @@ contains
             - separation)
          allocate (pressure(size(separation)), response(size(separation)))
          do i = 1, size(routes)
-            pressure = no_value
+            pressure = none
             if (has_law(values, routes(i))) then
                law = settings
                call set_law(law, values, routes(i), properties, error)

@@ -3,9 +3,10 @@ module asperity_program_commands_tenon_compare_models
    use, intrinsic :: iso_fortran_env, only: int64
    use asperity_base_error, only: error_type, fatal_error
    use asperity_base_kinds, only: wp
+   use asperity_base_no_value, only: is_none
    use asperity_base_number_text, only: to_text
    use asperity_hysteresis_analysis, only: analyse_hysteresis, hysteresis_result, &
-      hysteresis_settings, not_known
+      hysteresis_settings
    use asperity_program_commands_config, only: config_type
    use asperity_program_report_units, only: joule, kilonewton_metre
    use asperity_replay_tenon_run, only: bearing_faces, run_tenon, tenon_point, tenon_progress, &
@@ -113,7 +114,7 @@ contains
       real(wp), intent(in) :: energy
 
       loop_joules = energy
-      if (energy < not_known) loop_joules = energy*(joule/kilonewton_metre)
+      if (.not. is_none(energy)) loop_joules = energy*(joule/kilonewton_metre)
    end function loop_joules
 
    !> What is known of a record without a force: nothing.

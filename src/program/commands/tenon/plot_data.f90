@@ -1,9 +1,9 @@
 !> Data of the tenon joint's pictures as data blocks of gnuplot, named after model and content.
 module asperity_program_commands_tenon_plot_data
    use asperity_base_kinds, only: wp
+   use asperity_base_no_value, only: is_none
    use asperity_base_number_text, only: to_text
    use asperity_contact_point, only: status_slip, status_stick
-   use asperity_hysteresis_analysis, only: not_known
    use asperity_program_commands_tenon_compare_models, only: joint_type, largest_cycle, &
       loop_joules, model_names
    use asperity_program_report_units, only: joule, kilonewton_metre
@@ -75,7 +75,7 @@ contains
       call start_block(b, joint, 'yield')
       do i = 1, 2
          associate (skeleton => joint%loops%skeleton(i))
-            if (skeleton%yield_force < not_known) &
+            if (.not. is_none(skeleton%yield_force)) &
                call b%numbers([skeleton%yield_displacement, skeleton%yield_force])
          end associate
       end do

@@ -1,12 +1,13 @@
 !> Tables of `asperity tenon`: every step, every contact point, and both models side by side.
 module asperity_program_commands_tenon_tables
    use asperity_base_kinds, only: wp
+   use asperity_base_no_value, only: is_none, none
    use asperity_hysteresis_analysis, only: hysteresis_cycle, hysteresis_skeleton, negative_side
    use asperity_program_commands_tenon_compare_models, only: hard, joint_type, loop_joules, &
       model_names, rough
    use asperity_program_commands_tenon_paper_joint, only: published, published_methods
    use asperity_program_report_table, only: column_counts, column_status, column_validity, &
-      new_table, no_value, table_type
+      new_table, table_type
    use asperity_program_report_units, only: joule, kilonewton_metre
    use asperity_replay_tenon_run, only: tenon_face_names, tenon_faces, tenon_point, tenon_step
    implicit none
@@ -147,8 +148,8 @@ contains
    pure elemental real(wp) function ratio(a, b)
       real(wp), intent(in) :: a, b
 
-      ratio = no_value
-      if (a < no_value .and. b < no_value .and. abs(b) > 0.0_wp) ratio = a/b
+      ratio = none
+      if (.not. (is_none(a) .or. is_none(b)) .and. abs(b) > 0.0_wp) ratio = a/b
    end function ratio
 
    !> Energies and pull-out of both models over the whole programme.
@@ -195,8 +196,8 @@ contains
          n = min(size(hs), size(rs))
          ! one model may have no moment, and so no cycles
          if (n == 0) n = max(size(hs), size(rs))
-         allocate (h(n), r(n), source=hysteresis_cycle(energy=no_value, &
-            cumulative_energy=no_value))
+         allocate (h(n), r(n), source=hysteresis_cycle(energy=none, &
+            cumulative_energy=none))
          if (size(hs) > 0) h = hs(:n)
          if (size(rs) > 0) r = rs(:n)
       end associate

@@ -3,6 +3,7 @@
 module asperity_program_commands_tenon_sweeps_file
    use asperity_base_error, only: error_type, fatal_error, file_error
    use asperity_base_kinds, only: wp
+   use asperity_base_no_value, only: none
    use asperity_base_number_text, only: to_text
    use asperity_law_validity, only: all_flags, validity_text
    use asperity_program_commands_tenon_sweeps_cases, only: axis_type
@@ -11,7 +12,6 @@ module asperity_program_commands_tenon_sweeps_file
    use asperity_program_input_print_case, only: case_text
    use asperity_program_input_settings, only: settings_type
    use asperity_program_report_csv, only: write_csv
-   use asperity_program_report_table, only: no_value
    use asperity_program_system_atomic_files, only: open_target, output_file
    use asperity_program_system_checksum, only: checksum
    use asperity_program_system_files, only: read_file
@@ -177,7 +177,7 @@ contains
                result%validity = flags
                if (flags > all_flags) return
             else if (figure > 0) then
-               result%figures(figure) = no_value
+               result%figures(figure) = none
                if (cell /= '') read (cell, *, iostat=status) result%figures(figure)
             end if
          end associate

@@ -2,13 +2,13 @@
 module asperity_program_commands_tenon_sweeps_table
    use asperity_base_error, only: error_type
    use asperity_base_kinds, only: wp
+   use asperity_base_no_value, only: is_none, none
    use asperity_hysteresis_analysis, only: hysteresis_skeleton, negative_side
    use asperity_program_commands_tenon_compare_models, only: joint_type, loop_joules, model_names
    use asperity_program_commands_tenon_sweeps_cases, only: axis_type, set_case
    use asperity_program_input_keys, only: keys, kind_integer, kind_logical, kind_real
    use asperity_program_input_settings, only: setting_type, settings_type
-   use asperity_program_report_table, only: column_counts, column_validity, new_table, no_value, &
-      table_type
+   use asperity_program_report_table, only: column_counts, column_validity, new_table, table_type
    use asperity_program_report_units, only: joule
    implicit none
    private
@@ -32,7 +32,7 @@ module asperity_program_commands_tenon_sweeps_table
       !> It was run
       logical :: done = .false.
       !> Figures of hard contact, of the rough law, and ratios
-      real(wp) :: figures(n_figures) = no_value
+      real(wp) :: figures(n_figures) = none
       !> Validity flags
       integer :: validity = 0
       !> `done`, or why there are no figures
@@ -52,7 +52,7 @@ contains
       integer :: i
 
       result%done = .true.
-      result%figures = no_value
+      result%figures = none
       if (allocated(error)) then
          result%outcome = error%message
          return
@@ -70,7 +70,7 @@ contains
                joints(i)%steps(ubound(joints(i)%steps, 1))%validity)
          end do
          do i = 1, n_ratios
-            if (all(f([i, n_names + i]) < no_value) .and. abs(f(i)) > 0.0_wp) &
+            if (.not. any(is_none(f([i, n_names + i]))) .and. abs(f(i)) > 0.0_wp) &
                f(2*n_names + i) = f(n_names + i)/f(i)
          end do
       end associate
@@ -83,9 +83,9 @@ contains
 
       associate (s => joint%loops%skeleton(negative_side), cycles => joint%loops%cycles, &
             last => joint%steps(ubound(joint%steps, 1)))
-         figures = [s%yield_force, s%peak_force, no_value, no_value, joule*last%work, &
+         figures = [s%yield_force, s%peak_force, none, none, joule*last%work, &
             joule*last%friction, maxval(abs(joint%steps%pull_out))]
-         if (s%peak_force < no_value .and. abs(s%ultimate_displacement) > 0.0_wp) &
+         if (.not. is_none(s%peak_force) .and. abs(s%ultimate_displacement) > 0.0_wp) &
             figures(3) = s%peak_force/s%ultimate_displacement
          if (size(cycles) > 0) figures(4) = loop_joules(cycles(size(cycles))%cumulative_energy)
       end associate
