@@ -51,7 +51,7 @@ contains
 
       if (points < 0) then
          call fatal_error(error, 'points = '//to_text(points)// &
-            ' is not allowed: the number of contact points is zero or more')
+            ' is not allowed: the number of contact points is zero or more', subject='points')
          return
       end if
       allocate (zero(points), source=0.0_wp)
@@ -182,7 +182,7 @@ contains
       end do
       call fatal_error(error, name//' has the extent '//to_text(found(i))//' in dimension '// &
          to_text(i)//', not '//to_text(needed(i))//': states of '//to_text(needed(1))// &
-         ' points were given')
+         ' points were given', subject=name)
    end subroutine check_shape
 
 end module asperity_contact_points

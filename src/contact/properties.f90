@@ -118,11 +118,11 @@ contains
       if (properties%friction_rule /= rule_abaqus &
             .and. properties%friction_rule /= rule_dissipative) then
          call fatal_error(error, 'friction_rule = '//to_text(properties%friction_rule)// &
-            ' is unknown: 1 is abaqus, 2 is dissipative')
+            ' is unknown: 1 is abaqus, 2 is dissipative', subject='friction_rule')
       else if (properties%slip_integration /= slip_exact &
             .and. properties%slip_integration /= slip_backward_euler) then
          call fatal_error(error, 'slip_integration = '//to_text(properties%slip_integration)// &
-            ' is unknown: 1 is exact, 2 is backward_euler')
+            ' is unknown: 1 is exact, 2 is backward_euler', subject='slip_integration')
       end if
       if (allocated(error) .or. .not. present(compiled)) return
       if (.not. compiled) return

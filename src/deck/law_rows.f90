@@ -151,15 +151,15 @@ contains
       if (allocated(error)) return
       if (most_rows < fewest_rows) then
          call fatal_error(error, 'rows = '//to_text(most_rows)//' is not allowed: a table has '// &
-            to_text(fewest_rows)//' at least')
+            to_text(fewest_rows)//' at least', subject='rows')
       else if (largest > normal%hardness) then
          call fatal_error(error, 'largest_pressure = '//to_text(largest)// &
             ' MPa is above the hardness, '//to_text(normal%hardness)// &
-            ' MPa: the law reaches no such pressure')
+            ' MPa: the law reaches no such pressure', subject='largest_pressure hardness')
       else if (.not. largest > smallest) then
          call fatal_error(error, 'largest_pressure = '//to_text(largest)// &
             ' MPa is not allowed: it must be above smallest_pressure, '//to_text(smallest, 4)// &
-            ' MPa')
+            ' MPa', subject='largest_pressure smallest_pressure')
       end if
    end subroutine check_arguments
 
@@ -177,7 +177,7 @@ contains
          to_text(tolerance)//' from '//to_text(table%smallest_pressure, 3)//' to '// &
          to_text(table%largest_pressure, 3)//' MPa needs '//to_text(size(table%pressure))// &
          '; allow so many, a tolerance of about '//to_text(1.05_wp*enough, 2)// &
-         ', or raise smallest_pressure')
+         ', or raise smallest_pressure', subject='rows tolerance')
    end subroutine refuse_rows
 
    !> `error` is set when rows are too close to each other, for where they are.
@@ -190,7 +190,7 @@ contains
          if (minval(x(2:) - x(:size(x) - 1)) < closest_rows*maxval(abs(x))) &
             call fatal_error(error, 'initial_separation = '// &
             to_text(properties%initial_separation)//' mm is not allowed: so far from the rows '// &
-            'their overclosures would differ too little')
+            'their overclosures would differ too little', subject='initial_separation')
       end associate
    end subroutine check_spacing
 

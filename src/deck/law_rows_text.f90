@@ -51,7 +51,7 @@ contains
       if (host == host_calculix .and. size(table%pressure) > calculix_rows) then
          call fatal_error(error, 'rows = '//to_text(size(table%pressure))//' is too many '// &
             'for CalculiX, which puts '//to_text(calculix_rows)//' equally spaced ones in '// &
-            'their place')
+            'their place', subject='rows')
          return
       end if
       call describe(text, table, properties)

@@ -96,7 +96,7 @@ contains
       if (allocated(error)) return
       if (choice%mesh_size > extent*(1.0_wp + 1.0e-9_wp)) call fatal_error(error, &
          'mesh_size = '//to_text(choice%mesh_size)//' mm is larger than the part: '//name// &
-         ' is '//to_text(extent)//' mm')
+         ' is '//to_text(extent)//' mm', subject='mesh_size')
    end subroutine check_mesh_size
 
 end module asperity_deck_options

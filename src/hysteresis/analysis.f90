@@ -178,7 +178,7 @@ contains
          if (abs(value) < largest_value) return
       end if
       call fatal_error(error, name//' = '//to_text(value)//' in sample '//to_text(sample)// &
-         ' is not a number below 1e100 in size')
+         ' is not a number below 1e100 in size', subject=name)
    end subroutine check_number
 
    !> Refuse a record without a peak, or whose forces point against the displacement: at the peaks,

@@ -178,10 +178,10 @@ contains
       if (allocated(error)) return
       if (all(settings%peaks /= [character(len=12) :: 'envelope', 'displacement', 'force'])) then
          call fatal_error(error, "peaks = '"//trim(settings%peaks)// &
-            "' is unknown; known: envelope, displacement, force")
+            "' is unknown; known: envelope, displacement, force", subject='peaks')
       else if (all(settings%outliers /= [character(len=12) :: 'drop', 'keep'])) then
          call fatal_error(error, "outliers = '"//trim(settings%outliers)// &
-            "' is unknown; known: drop, keep")
+            "' is unknown; known: drop, keep", subject='outliers')
       end if
    end subroutine check_hysteresis_settings
 

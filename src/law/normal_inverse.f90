@@ -46,7 +46,8 @@ contains
          far = near
          near = 2.0_wp*near
          if (near < -closest*properties%sigma) then
-            call fatal_error(error, 'pressure = '//to_text(pressure)//' MPa is out of reach')
+            call fatal_error(error, 'pressure = '//to_text(pressure)//' MPa is out of reach', &
+               subject='pressure')
             return
          end if
       end do
@@ -98,7 +99,8 @@ contains
          if (pressure >= tiny(1.0_wp)) return
       end if
       call fatal_error(error, 'pressure = '//to_text(pressure)// &
-         ' MPa has no separation: it must be a finite number above zero (2.3e-308 or more)')
+         ' MPa has no separation: it must be a finite number above zero (2.3e-308 or more)', &
+         subject='pressure')
    end subroutine check_pressure
 
 end module asperity_law_normal_inverse

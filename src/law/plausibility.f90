@@ -36,8 +36,8 @@ module asperity_law_plausibility
 
    !> A range that no solid and no face is outside of.
    type :: range_type
-      !> Name and unit, with a blank before it
-      character(len=18) :: name
+      !> Name, the values that it is made of, and its unit with a blank before it
+      character(len=17) :: name, subject
       character(len=4) :: unit
       real(wp) :: lowest, highest
    end type range_type
@@ -47,12 +47,13 @@ module asperity_law_plausibility
    !> H/E*: metals have 6e-4 (indium) to 0.05, wood 0.002 to 0.1, the hardest glasses 0.15; from 1
    !> on a summit would yield only when pressed in by its whole radius
    type(range_type), parameter, public :: ranges(6) = [ &
-      range_type('sigma', ' mm', 1.0e-7_wp, 5.0_wp), &
-      range_type('radius', ' mm', 1.0e-7_wp, 1.0e4_wp), &
-      range_type('eta*radius*sigma', '', roughness_number_min, roughness_number_max), &
-      range_type('modulus', ' MPa', 0.0_wp, 1.3e6_wp), &
-      range_type('hardness', ' MPa', 0.1_wp, 1.5e5_wp), &
-      range_type('hardness/modulus', '', 1.0e-4_wp, 1.0_wp)]
+      range_type('sigma', 'sigma', ' mm', 1.0e-7_wp, 5.0_wp), &
+      range_type('radius', 'radius', ' mm', 1.0e-7_wp, 1.0e4_wp), &
+      range_type('eta*radius*sigma', 'eta radius sigma', '', roughness_number_min, &
+      roughness_number_max), &
+      range_type('modulus', 'modulus', ' MPa', 0.0_wp, 1.3e6_wp), &
+      range_type('hardness', 'hardness', ' MPa', 0.1_wp, 1.5e5_wp), &
+      range_type('hardness/modulus', 'hardness modulus', '', 1.0e-4_wp, 1.0_wp)]
 
    !> Largest critical slip and distance of the datum, mm: the paper's critical slip is 0.31; a
    !> datum is farther only where the law reaches as far
@@ -128,7 +129,8 @@ contains
          trim(allowed%unit)//' is '//trim(merge('below', 'above', is_low))//' '// &
          to_text(merge(allowed%lowest, allowed%highest, is_low), 3)//trim(allowed%unit)// &
          ', which '//trim(merge('no isotropic Gaussian surface', 'no known face or solid       ', &
-         is_low .and. i == of_number))//' has: '//trim(remedy)//way_past)
+         is_low .and. i == of_number))//' has: '//trim(remedy)//way_past, &
+         subject=trim(allowed%subject))
    end subroutine check_plausible
 
    !> The same of a length of the contact point, critical slip or datum.
@@ -148,7 +150,7 @@ contains
       flags = ior(flags, implausible_property)
       if (.not. is_accepted) call fatal_error(error, name//' = '//to_text(value, 3)// &
          ' mm is above '//to_text(highest, 3)//' mm, which no known face has: '//name// &
-         ' looks like um, give it in mm (times 1e-3)'//way_past)
+         ' looks like um, give it in mm (times 1e-3)'//way_past, subject=name)
    end subroutine check_plausible_length
 
    !> Name the slip of eta, radius and sigma that leaves a usual face.

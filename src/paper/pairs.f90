@@ -123,7 +123,8 @@ contains
       do i = 2, size(known)
          list = list//', '//trim(known(i))
       end do
-      call fatal_error(error, kind//" = '"//name//"' is unknown; known "//kind//'s: '//list)
+      call fatal_error(error, kind//" = '"//name//"' is unknown; known "//kind//'s: '//list, &
+         subject=kind)
    end subroutine refuse_name
 
 end module asperity_paper_pairs

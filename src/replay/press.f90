@@ -175,10 +175,11 @@ contains
 
       if (settings%control /= 'pressure' .and. settings%control /= 'overclosure') then
          call fatal_error(error, "control = '"//trim(settings%control)// &
-            "' is unknown: it must be 'pressure' or 'overclosure'")
+            "' is unknown: it must be 'pressure' or 'overclosure'", subject='control')
       else if (settings%increments < 1 .or. settings%increments > max_increments) then
          call fatal_error(error, 'increments = '//to_text(settings%increments)// &
-            ' is not allowed: it must lie between 1 and '//to_text(max_increments))
+            ' is not allowed: it must lie between 1 and '//to_text(max_increments), &
+            subject='increments')
       else
          call check_positive(error, 'peak', settings%peak, 'MPa or mm')
          if (.not. allocated(error)) &

@@ -85,7 +85,8 @@ contains
       if (settings%normal_stress <= close_pressure_ratio*properties%p_open) then
          call fatal_error(error, 'normal_stress = '//to_text(settings%normal_stress)// &
             ' MPa leaves the faces open: it must be above '// &
-            to_text(close_pressure_ratio*properties%p_open, 3)//' MPa; check the units (N-mm-MPa)')
+            to_text(close_pressure_ratio*properties%p_open, 3)//' MPa; check the units '// &
+            '(N-mm-MPa)', subject='normal_stress')
          return
       end if
       call box_path(turns, settings%displacement_increment, path)

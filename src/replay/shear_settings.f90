@@ -62,7 +62,8 @@ contains
       end do
       if (allocated(error)) return
       if (size(turns) == 0) then
-         call fatal_error(error, 'displacement is empty: give at least one turning point in mm')
+         call fatal_error(error, 'displacement is empty: give at least one turning '// &
+            'point in mm', subject='displacement')
          return
       end if
       associate (accepted => settings%accept_sizes)
@@ -76,7 +77,7 @@ contains
             i=1, size(turns))]) > max_steps) then
          call fatal_error(error, 'displacement_increment = '// &
             to_text(settings%displacement_increment)//' mm gives more than '// &
-            to_text(max_steps)//' steps; make it larger')
+            to_text(max_steps)//' steps; make it larger', subject='displacement_increment')
       end if
    end subroutine check_shear_settings
 
@@ -93,7 +94,7 @@ contains
          else if (.not. allocated(error)) then
             call fatal_error(error, 'displacement = '//to_text(displacement)// &
                ' mm is not allowed: the discs overlap up to '//to_text(high)//' mm; '// &
-               trim(slip_text(displacement, low, high, 'mm')))
+               trim(slip_text(displacement, low, high, 'mm')), subject='displacement')
          end if
       end associate
    end subroutine check_way

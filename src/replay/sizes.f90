@@ -114,7 +114,7 @@ contains
       if (.not. (abs(value) > highest .or. (abs(value) > 0.0_wp .and. abs(value) < lowest))) return
       call fatal_error(error, name//' = '//to_text(value)//' '//unit//' is outside '// &
          to_text(lowest, 4)//' to '//to_text(highest, 4)//' '//unit//': '// &
-         trim(slip_text(value, lowest, highest, unit))//'; accept_sizes lets it pass')
+         trim(slip_text(value, lowest, highest, unit))//'; accept_sizes lets it pass', subject=name)
    end subroutine check_between
 
    !> What a value outside its range looks like, such as `0.25 looks like metres, write 250.0`.

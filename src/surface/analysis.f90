@@ -229,7 +229,8 @@ contains
       most = most_tiles(map)
       if (tiles < 1 .or. tiles > most) call fatal_error(error, 'tiles = '//to_text(tiles)// &
          ' is not allowed: it must be from 1 to '//to_text(most)//' for '// &
-         to_text(size(map%heights, 1))//' x '//to_text(size(map%heights, 2))//' points')
+         to_text(size(map%heights, 1))//' x '//to_text(size(map%heights, 2))//' points', &
+         subject='tiles')
    end subroutine check_tiles
 
 end module asperity_surface_analysis

@@ -14,6 +14,7 @@ module test_contact_point
       assertTrue, TestMethod, TestSuite
    use measurements, only: record
    use random_inputs, only: random_stream
+   use subjects, only: fits_subject
    implicit none
    private
    public :: suite_contact_point
@@ -364,7 +365,9 @@ contains
          character(len=*), intent(in) :: text
 
          call assertTrue(allocated(error), text)
-         if (allocated(error)) call assertEqual(1, index(error%message, text), error%message)
+         if (.not. allocated(error)) return
+         call assertEqual(1, index(error%message, text), error%message)
+         call assertTrue(fits_subject(error), error%message)
       end subroutine expect
 
    end subroutine test_refused

@@ -7,6 +7,7 @@ module test_contact_states
    use funit, only: assertEqual, assertFalse, assertTrue, TestMethod, TestSuite
    use points_cases, only: call_arguments, numbers_of, random_arguments, update
    use random_inputs, only: random_stream
+   use subjects, only: fits_subject
    implicit none
    private
    public :: suite_contact_states
@@ -140,6 +141,7 @@ contains
       if (.not. allocated(error)) return
       call assertEqual(message, error%message)
       call assertEqual(input_error, error%category, 'category')
+      call assertTrue(fits_subject(error), error%message)
    end subroutine expect
 
    !> Take all optional arrays away but one, or none.

@@ -11,6 +11,7 @@ module test_deck_law_rows
       assertGreaterThanOrEqual, assertLessThan, assertLessThanOrEqual, assertTrue, TestMethod, &
       TestSuite
    use random_inputs, only: random_stream
+   use subjects, only: fits_subject
    implicit none
    private
    public :: suite_law_table
@@ -263,6 +264,7 @@ contains
          'from 2.78E-7 to 4.7 MPa needs 4'), 0, message=error%message)
       call assertGreaterThan(index(error%message, 'a tolerance of about 0.00044,'), 0, &
          message=error%message)
+      call assertEqual('rows tolerance', error%subject)
       call new_law_table(table, p, 4.7_wp, error, 4.4e-4_wp)
       call assertFalse(allocated(error), 'this tolerance is enough')
       if (anyExceptions()) return
@@ -301,7 +303,9 @@ contains
          call new_law_table(table, pair_properties(), largest, error, tolerance, most_rows, &
             smallest)
          call assertTrue(allocated(error), message)
-         if (allocated(error)) call assertEqual(1, index(error%message, message), error%message)
+         if (.not. allocated(error)) return
+         call assertEqual(1, index(error%message, message), error%message)
+         call assertTrue(fits_subject(error), error%message)
       end subroutine check
 
    end subroutine test_refused

@@ -12,6 +12,7 @@ module test_deck_models
    use asperity_replay_tenon_settings, only: tenon_settings
    use contact_cases, only: pair_properties
    use funit, only: assertEqual, assertFalse, assertLessThan, assertTrue, TestMethod, TestSuite
+   use subjects, only: fits_subject
    implicit none
    private
    public :: suite_deck_models
@@ -334,6 +335,7 @@ contains
          call assertTrue(allocated(error), message=start)
          if (.not. allocated(error)) return
          call assertEqual(1, index(error%message, start), message=error%message)
+         call assertTrue(fits_subject(error), message=error%message)
       end subroutine refused
 
    end subroutine test_refused

@@ -183,6 +183,7 @@ contains
       if (.not. allocated(error)) return
       call assertEqual(input_error, error%category)
       call assertEqual(begin, error%message(:min(len(begin), len(error%message))))
+      call assertEqual('pressure', error%subject)
    end subroutine check_refused
 
 end module test_law_normal_inverse

@@ -14,6 +14,7 @@ module test_law_normal_properties
       assertRelativelyEqual, assertTrue, TestMethod, TestSuite
    use measurements, only: record
    use random_inputs, only: random_properties, random_stream
+   use subjects, only: fits_subject
    implicit none
    private
    public :: suite_properties
@@ -92,6 +93,7 @@ contains
       if (.not. allocated(error)) return
       call assertEqual(input_error, error%category)
       call assertTrue(index(error%message, text) > 0, text//' expected in: '//error%message)
+      call assertTrue(fits_subject(error), error%message)
       if (present(text_2)) call assertTrue(index(error%message, text_2) > 0, &
          text_2//' expected in: '//error%message)
    end subroutine check_message

@@ -115,6 +115,7 @@ contains
       call assertTrue(allocated(error), 'pair is refused')
       if (.not. allocated(error)) return
       call assertEqual(input_error, error%category)
+      call assertEqual('pair', error%subject)
       call assertTrue(index(error%message, "'radial-radial'") > 0, 'message holds the name')
       do i = 1, size(pairs)
          call assertTrue(index(error%message, trim(pairs(i)%name)) > 0, 'message lists the pairs')
@@ -122,6 +123,7 @@ contains
       call find_surface('', surface, error)
       call assertTrue(allocated(error), 'surface is refused')
       if (.not. allocated(error)) return
+      call assertEqual('surface', error%subject)
       do i = 1, size(surfaces)
          call assertTrue(index(error%message, trim(surfaces(i)%name)) > 0, &
             'message lists the surfaces')

@@ -23,6 +23,7 @@ contains
       type(TestSuite) :: suite
 
       suite = TestSuite('plausibility')
+      call suite%addTest(TestMethod('each names its values', test_subjects))
       call suite%addTest(TestMethod('least eta R sigma, in closed form', test_least_number))
       call suite%addTest(TestMethod('slips of units of wood are named', test_wood))
       call suite%addTest(TestMethod('slips of other faces and solids are refused', test_others))
@@ -118,6 +119,31 @@ contains
       end subroutine strength
 
    end subroutine test_wood
+
+   !> The values that a property outside its range is made of.
+   subroutine test_subjects()
+      call expect([206.0_wp, 297.0_wp, 0.1477_wp, 24.53_wp, 6.0_wp], 'sigma')
+      call expect([1.0e-3_wp, 297.0_wp, 2.0e4_wp, 24.53_wp, 0.0593_wp], 'radius')
+      call expect([1.0_wp, 297.0_wp, 0.1477_wp, 24.53_wp, 0.0593_wp], 'eta radius sigma')
+      call expect([206.0_wp, 2.0e6_wp, 0.1477_wp, 2.0e3_wp, 0.0593_wp], 'modulus')
+      call expect([206.0_wp, 297.0_wp, 0.1477_wp, 0.09_wp, 0.0593_wp], 'hardness')
+      call expect([206.0_wp, 297.0_wp, 0.1477_wp, 300.0_wp, 0.0593_wp], 'hardness modulus')
+
+   contains
+
+      subroutine expect(values, subject)
+         real(wp), intent(in) :: values(5)
+         character(len=*), intent(in) :: subject
+         type(normal_properties) :: p
+         type(error_type), allocatable :: error
+
+         call new_normal_properties(p, values(1), values(2), values(3), values(4), 0.4_wp, &
+            values(5), error)
+         call assertTrue(allocated(error), subject)
+         if (allocated(error)) call assertEqual(subject, error%subject)
+      end subroutine expect
+
+   end subroutine test_subjects
 
    !> Refused with a message that names the slip and the way past it, and let pass with a flag.
    subroutine refused(eta, modulus, radius, hardness, sigma, text)

@@ -6,6 +6,7 @@ module test_replay_press
    use contact_cases, only: pair_properties
    use funit, only: anyExceptions, assertEqual, assertFalse, assertLessThan, assertTrue, &
       TestMethod, TestSuite
+   use subjects, only: fits_subject
    implicit none
    private
    public :: suite_press
@@ -108,7 +109,9 @@ contains
 
       call run_press(settings, pair_properties(), steps, error)
       call assertTrue(allocated(error), text)
-      if (allocated(error)) call assertEqual(1, index(error%message, text), error%message)
+      if (.not. allocated(error)) return
+      call assertEqual(1, index(error%message, text), error%message)
+      call assertTrue(fits_subject(error), error%message)
    end subroutine expect
 
 end module test_replay_press

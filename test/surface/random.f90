@@ -396,30 +396,38 @@ contains
       s = surface_settings(spectrum='self_affine', longest_wave=4.0_wp)
       call refuse(s, 'longest_wave')
       s = surface_settings(spectrum='self_affine', shortest_wave=0.6_wp)
-      call refuse(s, 'shortest_wave')
+      call refuse(s, 'shortest_wave', 'longest_wave shortest_wave')
       s = surface_settings(ssk=2.0_wp, sku=4.9_wp)
-      call refuse(s, 'ssk^2 + 1')
+      call refuse(s, 'ssk^2 + 1', 'ssk sku')
       s = surface_settings(ssk=0.0_wp, sku=1.01_wp)
-      call refuse(s, 'cannot be reached')
+      call refuse(s, 'cannot be reached', 'ssk sku')
       s = surface_settings(sku=1.0e9_wp)
       call refuse(s, 'sku')
       s = surface_settings(ssk=0.0_wp, sku=1.0e5_wp)
-      call refuse(s, 'cannot be reached')
+      call refuse(s, 'cannot be reached', 'ssk sku')
       s = surface_settings(points_x=100000, points_y=100000)
-      call refuse(s, 'memory')
+      call refuse(s, 'memory', '')
       s = surface_settings(direction=huge(1.0_wp))
       call refuse(s, 'direction')
    end subroutine test_refused
 
-   subroutine refuse(settings, word)
+   !> The message holds the word, which is the subject unless that is given.
+   subroutine refuse(settings, word, subject)
       type(surface_settings), intent(in) :: settings
       character(len=*), intent(in) :: word
+      character(len=*), intent(in), optional :: subject
       type(height_map) :: map
       type(error_type), allocatable :: error
 
       call generate_surface(settings, map, error)
       call assertTrue(allocated(error), word//' is refused')
-      if (allocated(error)) call assertTrue(index(error%message, word) > 0, error%message)
+      if (.not. allocated(error)) return
+      call assertTrue(index(error%message, word) > 0, error%message)
+      if (present(subject)) then
+         call assertEqual(subject, error%subject)
+      else
+         call assertEqual(word, error%subject)
+      end if
    end subroutine refuse
 
 end module test_surface_random

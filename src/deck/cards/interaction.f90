@@ -63,7 +63,7 @@ contains
       if (allocated(error) .or. .not. for_calculix(choice)) return
       if (size(interaction%table%pressure) > calculix_rows) call fatal_error(error, 'rows = '// &
          to_text(choice%rows)//' lets the table have '//to_text(size(interaction%table%pressure)) &
-         //', too many for CalculiX, which takes '//to_text(calculix_rows))
+         //', too many for CalculiX, which takes '//to_text(calculix_rows), subject='rows')
    end subroutine new_interaction
 
    !> Overclosure of the mesh faces at which contact has a pressure. `error` is set when the law
@@ -89,7 +89,7 @@ contains
       else if (pressure > interaction%properties%normal%hardness) then
          call fatal_error(error, name//' = '//to_text(pressure)//' MPa is above the hardness, '// &
             to_text(interaction%properties%normal%hardness)// &
-            ' MPa: the law reaches no such pressure')
+            ' MPa: the law reaches no such pressure', subject=name)
       else
          call separation_for_pressure(interaction%properties%normal, pressure, separation, error)
          overclosure = interaction%properties%initial_separation - separation

@@ -74,7 +74,7 @@ contains
          call fatal_error(error, 'initial_separation = '// &
             to_text(properties%initial_separation)//' mm leaves the meshes apart by '// &
             to_text(-deck%overclosure, 3)//' mm under the normal stress, where CalculiX makes '// &
-            'no springs for a table; raise it')
+            'no springs for a table; raise it', subject='initial_separation')
          return
       end if
       call check_mesh_room(error, 0.5_wp*pi*settings%diameter**2*disc_height, choice%mesh_size)

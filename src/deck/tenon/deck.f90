@@ -106,14 +106,14 @@ contains
 
       if (settings%shoulders) then
          call fatal_error(error, 'shoulders = true is not in the deck: its beam has one '// &
-            'section throughout')
+            'section throughout', subject='shoulders')
       else if (settings%axial_rule /= 'spring' .and. settings%axial_rule /= 'fixed') then
          call fatal_error(error, 'axial_rule = '//trim(settings%axial_rule)//' leaves the beam '// &
             'without axial hold: in three dimensions it then loses all contact while it passes '// &
-            'zero; take spring or fixed')
+            'zero; take spring or fixed', subject='axial_rule')
       else if (.not. settings%column_modulus > 0.0_wp) then
          call fatal_error(error, 'column_modulus = 0 is a rigid column, which the deck has '// &
-            'not: give the modulus along the grain in MPa')
+            'not: give the modulus along the grain in MPa', subject='column_modulus')
       end if
    end subroutine check_joint
 

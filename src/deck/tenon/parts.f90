@@ -96,11 +96,11 @@ contains
             settings%clearance_below))
          if (.not. sizes%column_height > high) call fatal_error(error, 'column_height = '// &
             to_text(sizes%column_height)//' mm is too small for the mortise, '//to_text(high)// &
-            ' mm high')
+            ' mm high', subject='column_height')
       end associate
       if (.not. sizes%column_width > settings%width) call fatal_error(error, 'column_width = '// &
          to_text(sizes%column_width)//' mm is too small for the mortise, '// &
-         to_text(settings%width)//' mm wide')
+         to_text(settings%width)//' mm wide', subject='column_width')
    end subroutine check_tenon_sizes
 
    !> The column with its mortise.

@@ -42,14 +42,14 @@ contains
       if (sku < ssk**2 + 1.0_wp) then
          call fatal_error(error, 'ssk = '//to_text(ssk)//' with sku = '//to_text(sku)// &
             ' is not allowed: no heights have sku below ssk^2 + 1 = '// &
-            to_text(ssk**2 + 1.0_wp, 5))
+            to_text(ssk**2 + 1.0_wp, 5), subject='ssk sku')
          return
       end if
       call find_johnson(abs(ssk), sku, marginal%johnson, is_found)
       if (.not. is_found) then
          call fatal_error(error, 'ssk = '//to_text(ssk)//' with sku = '//to_text(sku)// &
             ' cannot be reached: give ssk from -4 to 4, and sku from 1.1 ssk^2 + 1.3 = '// &
-            to_text(1.1_wp*ssk**2 + 1.3_wp, 5)//' to 60')
+            to_text(1.1_wp*ssk**2 + 1.3_wp, 5)//' to 60', subject='ssk sku')
          return
       end if
       marginal%is_gaussian = .false.

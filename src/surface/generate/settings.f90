@@ -78,10 +78,10 @@ contains
          if (allocated(error)) return
          if (s%longest_wave < s%shortest_wave) call fatal_error(error, 'longest_wave = '// &
             to_text(s%longest_wave)//' mm is below shortest_wave = '// &
-            to_text(s%shortest_wave)//' mm')
+            to_text(s%shortest_wave)//' mm', subject='longest_wave shortest_wave')
       case default
          call fatal_error(error, 'spectrum = '//trim(s%spectrum)//' is not known: give '// &
-            'gaussian, exponential or self_affine')
+            'gaussian, exponential or self_affine', subject='spectrum')
       end select
    end subroutine check_surface_settings
 
@@ -93,7 +93,7 @@ contains
 
       if (points < fewest_points .or. points > most_points) call fatal_error(error, &
          name//' = '//to_text(points)//' is not allowed: it must be from '// &
-         to_text(fewest_points)//' to '//to_text(most_points))
+         to_text(fewest_points)//' to '//to_text(most_points), subject=name)
    end subroutine check_points
 
    !> Refuse what is not finite.
@@ -106,7 +106,7 @@ contains
          if (abs(value) < 1.0e6_wp) return
       end if
       call fatal_error(error, name//' = '//to_text(value)// &
-         ' is not allowed: it must be a number below 1e6 in size')
+         ' is not allowed: it must be a number below 1e6 in size', subject=name)
    end subroutine check_number
 
    !> Refuse a length that the step does not resolve or that the map does not hold.
@@ -119,10 +119,10 @@ contains
       if (allocated(error)) return
       if (length < fewest_steps*step*(1.0_wp - 1.0e-9_wp)) then
          call fatal_error(error, name//' = '//to_text(length)//' mm is not resolved by step = '// &
-            to_text(step)//' mm: at least two steps are needed')
+            to_text(step)//' mm: at least two steps are needed', subject=name)
       else if (length > longest) then
          call fatal_error(error, name//' = '//to_text(length)//' mm is longer than the map, '// &
-            to_text(longest, 5)//' mm: give more points or a longer step')
+            to_text(longest, 5)//' mm: give more points or a longer step', subject=name)
       end if
    end subroutine check_length
 

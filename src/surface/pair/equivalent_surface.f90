@@ -234,7 +234,8 @@ contains
 
       steps = reshape([map_1%step_x, map_1%step_y, map_2%step_x, map_2%step_y], [2, 2])
       if (all(mirror /= ['x   ', 'y   ', 'none'])) then
-         call fatal_error(error, 'mirror = '//trim(mirror)//' is not known: give x, y or none')
+         call fatal_error(error, 'mirror = '//trim(mirror)//' is not known: give x, y or none', &
+            subject='mirror')
       else if (any(shape(map_1%heights) /= shape(map_2%heights))) then
          call fatal_error(error, 'the maps have different points, '// &
             trim(size_text(map_1))//' in '// &

@@ -89,17 +89,17 @@ contains
       if (is_allowed) is_allowed = cutoff > 0.0_wp
       if (.not. is_allowed) then
          call fatal_error(error, name//' = '//to_text(cutoff)// &
-            ' mm is not allowed: it must be above 0 and finite')
+            ' mm is not allowed: it must be above 0 and finite', subject=name)
          return
       end if
       shortest = shortest_cutoff*max(map%step_x, map%step_y)
       longest = min((size(map%heights, 1) - 1)*map%step_x, (size(map%heights, 2) - 1)*map%step_y)
       if (cutoff < shortest) then
          call fatal_error(error, name//' = '//to_text(cutoff)//' mm is below two '// &
-            'steps of the map, '//to_text(shortest)//' mm')
+            'steps of the map, '//to_text(shortest)//' mm', subject=name)
       else if (cutoff > longest) then
          call fatal_error(error, name//' = '//to_text(cutoff)//' mm is longer '// &
-            'than the map''s shorter side, '//to_text(longest)//' mm')
+            'than the map''s shorter side, '//to_text(longest)//' mm', subject=name)
       end if
    end subroutine check_cutoff
 

@@ -41,7 +41,7 @@ contains
 
       if (degree < 1 .or. degree > highest_degree) then
          call fatal_error(error, 'a form of degree '//to_text(degree)//' is not allowed: from 1'// &
-            ' to '//to_text(highest_degree))
+            ' to '//to_text(highest_degree), subject='form')
          return
       end if
       call subtract_fit(map, degree, is_determined)

@@ -47,7 +47,8 @@ contains
       is_allowed = is_finite(share)
       if (is_allowed) is_allowed = share >= 0.0_wp .and. share <= 1.0_wp
       if (.not. is_allowed) then
-         call fatal_error(error, 'pruning share '//to_text(share)//' is not allowed: from 0 to 1')
+         call fatal_error(error, 'pruning share '//to_text(share)//' is not allowed: from 0 to 1', &
+            subject='pruning')
          return
       end if
       if (size(map%heights, kind=int64) > huge(1)) then
