@@ -10,6 +10,7 @@ module test_replay_tenon_joint
    use funit, only: anyExceptions, assertEqual, assertGreaterThan, assertLessThan, assertTrue, &
       TestMethod, TestSuite
    use measurements, only: record
+   use subjects, only: fits_subject
    use tenon_cases, only: face_pair, plain_joint, run_joint, scaled_pair, side_pair
    implicit none
    private
@@ -476,7 +477,9 @@ contains
 
       call run_tenon(settings, face_pair(), side_pair(), steps, error)
       call assertTrue(allocated(error), text)
-      if (allocated(error)) call assertEqual(1, index(error%message, text), error%message)
+      if (.not. allocated(error)) return
+      call assertEqual(1, index(error%message, text), error%message)
+      call assertTrue(fits_subject(error), error%message)
    end subroutine expect
 
 end module test_replay_tenon_joint

@@ -155,7 +155,8 @@ contains
       if (abs(settings%axial_force) > 0.0_wp .and. .not. abs(settings%axial_force) < grip) &
          call fatal_error(error, 'axial_force = '//to_text(settings%axial_force)// &
          ' N has no equilibrium while the joint is open: friction of the sides holds '// &
-         to_text(grip, 4)//' N; raise side_pressure or take another axial_rule')
+         to_text(grip, 4)//' N; raise side_pressure or take another axial_rule', &
+         subject='axial_force')
    end subroutine check_axial_force
 
    !> Compile the law unless it is.

@@ -199,7 +199,7 @@ contains
       if (allocated(error)) return
       if (.not. tenon_face_arm(s) > 0.0_wp) call fatal_error(error, 'arm = '//to_text(s%arm)// &
          ' mm from the column axis ends inside the column: it must be above length/2 = '// &
-         to_text(0.5_wp*s%length)//' mm')
+         to_text(0.5_wp*s%length)//' mm', subject='arm length')
    end subroutine check_sizes
 
    pure subroutine check_wood(s, error)
@@ -279,7 +279,8 @@ contains
          call need_range(error, 'axial_force', s%axial_force, -huge_value, huge_value, ' N')
       if (allocated(error)) return
       if (s%through_uinter .and. s%contact /= 'rough') call fatal_error(error, &
-         "through_uinter needs contact = 'rough': UINTER has no hard contact")
+         "through_uinter needs contact = 'rough': UINTER has no hard contact", &
+         subject='through_uinter')
    end subroutine check_choices
 
    !> Set `error`, unless it is set, when a text is none of those known.
@@ -294,7 +295,8 @@ contains
       do i = 2, size(known)
          list = list//', '//trim(known(i))
       end do
-      call fatal_error(error, name//" = '"//trim(value)//"' is unknown: it must be one of "//list)
+      call fatal_error(error, name//" = '"//trim(value)//"' is unknown: it must be one of "//list, &
+         subject=name)
    end subroutine check_choice
 
 end module asperity_replay_tenon_settings

@@ -43,23 +43,25 @@ contains
       integer :: i
 
       if (size(amplitudes) == 0) then
-         call fatal_error(error, 'amplitudes is empty: give at least one in mm')
+         call fatal_error(error, 'amplitudes is empty: give at least one in mm', &
+            subject='amplitudes')
       else if (size(cycles) /= size(amplitudes)) then
          call fatal_error(error, 'cycles has '//to_text(size(cycles))//' entries, but there are '&
-            //to_text(size(amplitudes))//' amplitudes: give one count an amplitude')
+            //to_text(size(amplitudes))//' amplitudes: give one count an amplitude', &
+            subject='cycles amplitudes')
       end if
       do i = 1, size(amplitudes)
          if (allocated(error)) return
          call check_positive(error, 'amplitudes', amplitudes(i), 'mm')
          if (allocated(error)) return
          if (cycles(i) < 1 .or. cycles(i) > max_steps) call fatal_error(error, 'cycles = '// &
-            to_text(cycles(i))//' is not allowed: it must be 1 or more')
+            to_text(cycles(i))//' is not allowed: it must be 1 or more', subject='cycles')
       end do
       do i = 2, size(amplitudes)
          if (allocated(error)) return
          if (amplitudes(i) < amplitudes(i - 1)) call fatal_error(error, 'amplitudes = '// &
             to_text(amplitudes(i))//' mm after '//to_text(amplitudes(i - 1))// &
-            ' mm is out of order: they must not fall; give a history instead')
+            ' mm is out of order: they must not fall; give a history instead', subject='amplitudes')
       end do
       if (.not. allocated(error)) &
          call check_reach(error, 'amplitudes', maxval(amplitudes), arm, accepted)
@@ -80,7 +82,8 @@ contains
 
       n = size(displacement)
       if (n == 0) then
-         call fatal_error(error, 'displacement is empty: give at least one in mm')
+         call fatal_error(error, 'displacement is empty: give at least one in mm', &
+            subject='displacement')
          return
       end if
       do i = 1, n
@@ -116,7 +119,7 @@ contains
       if (abs(reach) <= arm) slip = slip//'; accept_sizes lets it pass'
       call fatal_error(error, name//' = '//to_text(reach)//' mm is a rotation of '// &
          to_text(abs(reach)/arm, 3)//' rad at arm = '//to_text(arm)//' mm, outside '// &
-         to_text(least_rotation)//' to '//to_text(largest_rotation)//' rad: '//slip)
+         to_text(least_rotation)//' to '//to_text(largest_rotation)//' rad: '//slip, subject=name)
    end subroutine check_reach
 
    pure subroutine check_steps(travel, turns, increment, error)
@@ -125,7 +128,8 @@ contains
 
       if (travel/increment + turns > max_steps) call fatal_error(error, &
          'displacement_increment = '//to_text(increment)// &
-         ' mm gives more than '//to_text(max_steps)//' steps; make it larger')
+         ' mm gives more than '//to_text(max_steps)//' steps; make it larger', &
+         subject='displacement_increment')
    end subroutine check_steps
 
 end module asperity_replay_tenon_turns
