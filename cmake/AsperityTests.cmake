@@ -78,11 +78,12 @@ target_link_libraries(asperity_single_tests PRIVATE ${funit_target})
 asperity_test(single)
 
 # What the CalculiX interface computes itself, without CalculiX
-file(GLOB calculix_sources CONFIGURE_DEPENDS test/calculix/main.f90 test/calculix/test_*.f90)
+file(GLOB calculix_sources CONFIGURE_DEPENDS test/calculix/*.f90)
 # by name, as nothing here calls it: UINTER does, which comes last
 list(APPEND calculix_sources test/support/abaqus_stubs.f90)
-foreach(name refusal faces kinematics interactions slots outputs host springs masters keyword areas)
-   list(APPEND calculix_sources interface/calculix/${name}.f90)
+foreach(name refusal faces kinematics interactions spring_state outputs ccx_state springs master_faces
+      keyword areas)
+   list(APPEND calculix_sources interface/calculix/glue/${name}.f90)
 endforeach()
 add_executable(asperity_calculix_tests ${calculix_sources})
 target_link_libraries(asperity_calculix_tests PRIVATE asperity_test_support)
@@ -92,9 +93,9 @@ asperity_test(calculix)
 find_package(Python3 COMPONENTS Interpreter)
 if(Python3_FOUND)
    add_test(NAME calculix_run_tests
-      COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/test/calculix/test_run.py)
+      COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/test/calculix/tools/test_run.py)
    add_test(NAME calculix_source_tests
-      COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/test/calculix/test_source.py)
+      COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/test/calculix/tools/test_source.py)
 endif()
 
 if(ASPERITY_BUILD_PROGRAM)

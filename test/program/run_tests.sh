@@ -17,8 +17,8 @@ trap 'rm -rf "$work"' EXIT
 cd "$work" || exit 3
 
 . "$here/harness.sh"
-for part in options curve press shear tenon table deck hysteresis records surface surface_files case_file \
-   bad_input output writing picture; do
+for part in input/options commands/{curve,press,shear,tenon,table,deck,hysteresis,records,surface} \
+   input/{surface_files,case_file,bad_input} output/{output,writing,picture}; do
    echo "-- $part"
    . "$here/$part.sh"
 done

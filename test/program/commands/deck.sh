@@ -197,7 +197,7 @@ check 'deck: nothing is written then' sh -c '! ls never* 2>/dev/null'
 
 # Syntax, and that the checker finds what is wrong
 if command -v python3 >/dev/null; then
-   syntax() { python3 -B "$here/check_deck.py" "$@"; }
+   syntax() { python3 -B "$here/commands/check_deck.py" "$@"; }
    finds() { ! syntax "$1" wrong.inp >wrong.log && grep -q "$2" wrong.log; }
    for deck in {shear,tenon}.{uinter,table,hard}.{calculix,abaqus} plastic.{calculix,abaqus} open.calculix; do
       check "deck $deck: syntax" syntax ${deck##*.} $deck.inp
@@ -215,7 +215,7 @@ if command -v python3 >/dev/null; then
    sed 's/^\*CONTROLS.*/*CONTROL/' tenon.hard.calculix.inp >wrong.inp
    check 'deck syntax: keyword' finds calculix 'CONTROL is unknown'
    check 'deck syntax: the other solver' sh -c \
-      '! python3 -B "$1" abaqus shear.table.calculix.inp | grep -q " 0 faults"' _ "$here/check_deck.py"
+      '! python3 -B "$1" abaqus shear.table.calculix.inp | grep -q " 0 faults"' _ "$here/commands/check_deck.py"
    sed 's/^0.5, 0.25, 134.0/0.5, 0.25, 134.00000000000000000/' shear.uinter.abaqus.inp >wrong.inp
    check 'deck syntax: long field' finds abaqus 'more than 20 characters'
    sed '/^\*ELEMENT/{n;d;}' shear.hard.abaqus.inp >wrong.inp

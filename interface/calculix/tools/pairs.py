@@ -1,7 +1,7 @@
 """What CalculiX (2.20) computes wrongly, without a word, of a deck's contact pairs."""
 
-from deck import DeckError
-from mesh import cards
+from .files.deck import DeckError
+from .files.mesh import cards
 
 # Types of contact pairs whose springs are node to surface
 NODE_TO_SURFACE = ("NODETOSURFACE", "MASSLESS")

@@ -4,11 +4,10 @@ import json
 import os
 import shutil
 
-import history
-import restart
-import tables
-from progress import say
-from whole_file import whole_file
+from . import history
+from .files import restart, tables
+from .files.whole_file import whole_file
+from .progress import say
 
 # What a run leaves of a job
 ENDINGS = ("inp", "dat", "frd", "sta", "cvg", "12d", "rout", "rin", "uinter", "log",

@@ -5,7 +5,7 @@ import math
 
 from blocks import Deck, Interaction
 from harness import Run, at_most, check
-from test_arguments import props
+from .arguments import props
 
 SIDE, HEIGHT, MODULUS = 30.0, 10.0, 351.0
 # ccx's EXPONENTIAL: p = p0 exp(ln(100) overclosure/c0)

@@ -75,7 +75,7 @@ round_trip 'unphysical' curve --eta 1e-9 --accept-unphysical
 round_trip 'press' press --control overclosure --peak 0.123 --increments 9 --step-time 3
 round_trip 'tenon' tenon --amplitudes 1,4 --face-points 20 --side-points 4 --clearance 0.3 \
    --clearance-above 0.1 --shoulders --axial-rule free --friction-coefficient 0.3 \
-   --gap first_touch --displacement-increment 2 --history "$here/joint_history.csv"
+   --gap first_touch --displacement-increment 2 --history "$here/input/joint_history.csv"
 round_trip 'table' table --tolerance 0.02 --rows 150 --largest-pressure 3 --smallest-pressure 1e-4 \
    --initial-separation 0.3 --friction-coefficient 0.3
 round_trip 'table, stick pressure' table --stick-pressure 0.2
@@ -118,7 +118,7 @@ read_alike() {
 
 if [ -z "$compiler" ]; then
    skip 'namelist READ' 'no Fortran compiler'
-elif ! "$compiler" "$here/read_case.f90" -o read_case >check.log 2>&1; then
+elif ! "$compiler" "$here/input/read_case.f90" -o read_case >check.log 2>&1; then
    check "compile read_case.f90 with $compiler" false
 else
    accepted=0
@@ -127,7 +127,7 @@ else
    check 'all of them were accepted' test "$accepted" -ge 13
    accepted=0
    for seed in $(seq 300); do
-      awk -v seed="$seed" -f "$here/random_case.awk" >"random-$seed.nml"
+      awk -v seed="$seed" -f "$here/input/random_case.awk" >"random-$seed.nml"
    done
    check 'READ reads 300 random cases alike' read_alike random-*.nml
    # About 3 in 10 of them are proper

@@ -6,7 +6,7 @@ import shutil
 import subprocess
 import textwrap
 
-from whole_file import whole_file
+from .files.whole_file import whole_file
 
 STATES = {"open": (0, "#56b4e9"), "slip": (1, "#009e73"), "stick": (2, "#d55e00"),
           "closed": (2, "#d55e00")}

@@ -5,10 +5,10 @@ import math
 import os
 from collections import namedtuple
 
-import frd
-import history
-from deck import Deck
-from mesh import new_mesh
+from . import history
+from .files import frd
+from .files.deck import Deck
+from .files.mesh import new_mesh
 
 # state is 'open', 'stick', 'slip', or 'closed' where friction is unknown
 Point = namedtuple("Point", "step increment time pair node x y z ux uy uz area opening slip_1 "

@@ -2,8 +2,7 @@
 
 import os
 
-import dat
-import tables
+from .files import dat, tables
 
 INCREMENT_COLUMNS = ("step", "increment", "attempts", "iterations", "springs", "increment_time",
                      "step_time", "total_time", "wall_time", "cpu_time")

@@ -4,9 +4,8 @@ import math
 import sys
 from pathlib import Path
 
-sys.path.append(str(Path(__file__).resolve().parents[2] / "interface" / "calculix"))
-import dat  # noqa: E402
-import frd  # noqa: E402
+sys.path.append(str(Path(__file__).resolve().parents[3] / "interface" / "calculix"))
+from tools.files import dat, frd  # noqa: E402
 
 
 def numbers(values):

@@ -2,7 +2,7 @@
 
 from collections import namedtuple
 
-from dat import number
+from .dat import number
 
 # values: {node: (number, ...)} in the order of components; time is that of the whole programme.
 # rows: [(node, (number, ...))] as they stand in the file, where a node can come more than once

@@ -4,7 +4,7 @@ import os
 
 from blocks import Deck, Interaction
 from harness import Run, at_most, check
-from test_cutback import ends, far
+from .cutback import ends, far
 
 SIDE, HEIGHT, MODULUS = 30.0, 10.0, 351.0
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Tests of interface/calculix/source.py: which files have a UINTER with ABAQUS' arguments.
+"""Tests of interface/calculix/tools/source.py: which files have a UINTER with ABAQUS' arguments.
 
 usage: test_source.py      prints `N passed, N failed` at the end. Types are looked at by gfortran.
 """
@@ -13,8 +13,8 @@ import tempfile
 
 sys.dont_write_bytecode = True
 HERE = os.path.dirname(os.path.abspath(__file__))
-SOURCE = os.path.join(HERE, "..", "..", "interface", "calculix", "source.py")
-DATA = os.path.join(HERE, "..", "data", "uinter")
+SOURCE = os.path.join(HERE, "..", "..", "..", "interface", "calculix", "tools", "source.py")
+DATA = os.path.join(HERE, "..", "..", "data", "uinter")
 FIXED = "-ffixed-form -ffixed-line-length-none\n"
 FREE = "-ffree-form -ffree-line-length-none\n"
 # ABAQUS' list, as its manual has it; not from the file that is tested

@@ -31,10 +31,10 @@ fi
 folder="$work/a folder, o'clock \"new\"; \$(x)"
 ln -s "$(dirname "$uinter")" "$folder" || exit 3
 build() {
-   "$here/../../interface/calculix/build" --uinter "$here/$1" --folder "$folder" \
+   "$here/../../../interface/calculix/build" --uinter "$here/uinter/$1" --folder "$folder" \
       --output "$2" >"$2.log" 2>&1 && return
    cat "$2.log"
-   echo "FAIL ccx with test/calculix/$1 was not built"
+   echo "FAIL ccx with test/calculix/ccx/uinter/$1 was not built"
    echo "0 passed, 1 failed"
    exit 1
 }

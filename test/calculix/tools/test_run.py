@@ -21,12 +21,14 @@ import time
 sys.dont_write_bytecode = True
 HERE = os.path.dirname(os.path.abspath(__file__))
 INTERFACE = os.path.abspath(sys.argv[1] if len(sys.argv) > 1 else
-                            os.path.join(HERE, "..", "..", "interface", "calculix"))
+                            os.path.join(HERE, "..", "..", "..", "interface", "calculix"))
 RUN, CONTACT = os.path.join(INTERFACE, "run"), os.path.join(INTERFACE, "contact")
 FAKE = os.path.join(HERE, "fake_ccx.py")
 sys.path.insert(0, INTERFACE)
-deck, dat, frd, faces, history, mesh, restart, watch = map(
-    importlib.import_module, ("deck", "dat", "frd", "faces", "history", "mesh", "restart", "watch"))
+deck, dat, frd, mesh, restart = (importlib.import_module("tools.files." + name)
+                                 for name in ("deck", "dat", "frd", "mesh", "restart"))
+faces, history, watch = (importlib.import_module("tools." + name)
+                         for name in ("faces", "history", "watch"))
 
 MODEL = """*HEADING
 two blocks
@@ -597,7 +599,7 @@ def test_contact():
 
 
 def test_whole_files():
-    whole_file = importlib.import_module("whole_file").whole_file
+    whole_file = importlib.import_module("tools.files.whole_file").whole_file
     write("w.csv.part", "mine")
     os.symlink("w.csv.part", "l.csv.part")
     write("w.csv", "before")

@@ -2,7 +2,7 @@
 
 import csv
 
-from whole_file import whole_file
+from .whole_file import whole_file
 
 UNITS = {"displacement": "mm", "force": "N", "wall_time": "s", "cpu_time": "s", "area": "mm^2",
          **dict.fromkeys(("x", "y", "z", "ux", "uy", "uz", "opening", "slip_1", "slip_2"), "mm"),

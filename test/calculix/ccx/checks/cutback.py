@@ -4,7 +4,7 @@ stays: the run ends as one whose increments were short from the start."""
 from blocks import Deck, Interaction
 from harness import Run, at_most, check
 from results import recorded_calls
-from test_arguments import last_of_increments, props
+from .arguments import last_of_increments, props
 
 SIDE, HEIGHT, MODULUS = 30.0, 10.0, 351.0
 CUT_AFTER, LONGEST, FACTOR = 1.3, 0.1, 0.4

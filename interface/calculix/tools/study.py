@@ -6,11 +6,10 @@ import shutil
 import subprocess
 import sys
 
-import history
-import pictures
-import tables
+from . import history, pictures
+from .files import tables
 
-HERE = os.path.dirname(os.path.abspath(__file__))
+HERE = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
 ROOT = os.path.dirname(os.path.dirname(HERE))
 PALETTE = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#555555")
 

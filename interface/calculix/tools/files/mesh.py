@@ -2,7 +2,7 @@
 
 from collections import namedtuple
 
-from deck import DeckError, keyword, parameters
+from .deck import DeckError, keyword, parameters
 
 # Corners of the faces S1 to S6 of a hexahedron, as ccx numbers them
 HEX_FACES = ((0, 1, 2, 3), (4, 7, 6, 5), (0, 4, 5, 1), (1, 5, 6, 2), (2, 6, 7, 3), (3, 7, 4, 0))

@@ -8,7 +8,7 @@ from pathlib import Path
 from blocks import Deck, Interaction
 from harness import Run, at_most, check, close
 
-ROOT = Path(__file__).resolve().parents[2]
+ROOT = Path(__file__).resolve().parents[4]
 SIDE, PENALTY = 10.0, 1000.0
 RIGID = 1e9
 NAME = "two blocks"

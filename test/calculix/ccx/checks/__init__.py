@@ -1,0 +1,1 @@
+"""Checks of CalculiX with UINTER, by subject."""
