@@ -1,8 +1,8 @@
 !> Slave surfaces that are given by nodes: which faces of an element count. Faces are found here by
 !> where the nodes of a unit element lie, nothing is taken from the tables that are tested.
-module test_areas
+module test_calculix_areas
    use asperity_base_kinds, only: wp
-   use calculix_areas, only: leave_out_sides
+   use asperity_calculix_areas, only: leave_out_sides
    use funit, only: assertEqual, TestMethod, TestSuite
    implicit none
    private
@@ -162,4 +162,4 @@ contains
       end do
    end function shares
 
-end module test_areas
+end module test_calculix_areas

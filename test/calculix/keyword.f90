@@ -1,9 +1,9 @@
 !> The keyword line of a UINTER in a CalculiX deck, as the solver passes it: without blanks, in
 !> capitals, word by word.
-module test_keyword
+module test_calculix_keyword
    use asperity_base_kinds, only: wp
-   use calculix_interactions, only: interaction_type
-   use calculix_keyword, only: is_uinter, read_parameters, read_property
+   use asperity_calculix_interactions, only: interaction_type
+   use asperity_calculix_keyword, only: is_uinter, read_parameters, read_property
    use funit, only: assertEqual, assertFalse, assertTrue, TestMethod, TestSuite
    implicit none
    private
@@ -92,4 +92,4 @@ contains
       call assertTrue(index(problem, 'property WOOD is no number') > 0, 'no number')
    end subroutine test_properties
 
-end module test_keyword
+end module test_calculix_keyword

@@ -1,13 +1,13 @@
 !> The master face of a spring is left only by a margin.
-module test_masters
+module test_calculix_master_faces
    use asperity_base_kinds, only: wp
-   use calculix_host, only: know_pairs
-   use calculix_interactions, only: add_interaction, interaction_type
-   use calculix_masters, only: keep_faces, margin
+   use asperity_calculix_ccx_state, only: know_pairs
+   use asperity_calculix_interactions, only: add_interaction, interaction_type
+   use asperity_calculix_master_faces, only: keep_faces, margin
    use funit, only: assertEqual, TestMethod, TestSuite
    implicit none
    private
-   public :: suite_masters
+   public :: suite_master_faces
 
    !> Two quadrilaterals side by side, 10 long, nodes 1 to 6, a triangle behind them, 2 5 7, and a
    !> slave node, 8
@@ -18,7 +18,7 @@ module test_masters
 
 contains
 
-   function suite_masters() result(suite)
+   function suite_master_faces() result(suite)
       type(TestSuite) :: suite
 
       suite = TestSuite('master faces')
@@ -27,7 +27,7 @@ contains
       call suite%addTest(TestMethod('after a cut', test_cut))
       call suite%addTest(TestMethod('of another kind of face', test_kinds))
       call suite%addTest(TestMethod('springs of others are not touched', test_others))
-   end function suite_masters
+   end function suite_master_faces
 
    !> The face of the spring when the slave node is at x and the solver found that face; 0 for none.
    function face_kept(x, found, material, depth, now) result(face)
@@ -162,4 +162,4 @@ contains
       end do
    end subroutine check
 
-end module test_masters
+end module test_calculix_master_faces

@@ -1,7 +1,7 @@
 !> What a poisoned call of UINTER tells.
-module test_outputs
+module test_calculix_outputs
    use asperity_base_kinds, only: wp
-   use calculix_outputs, only: new_outputs, note_optional, optional_left, outputs_type, &
+   use asperity_calculix_outputs, only: new_outputs, note_optional, optional_left, outputs_type, &
       unset_outputs
    use funit, only: assertEqual, assertTrue, TestMethod, TestSuite
    implicit none
@@ -60,4 +60,4 @@ contains
       call assertTrue(a%sfd + a%spd + a%scd - 0.25_wp <= 0.0_wp, 'they count as zero')
    end subroutine test_optional
 
-end module test_outputs
+end module test_calculix_outputs

@@ -1,15 +1,15 @@
 !> Contact springs of the CalculiX interface: faces, kinematics, forces, and every derivative
 !> against differences.
-module test_springs
+module test_calculix_springs
    use, intrinsic :: iso_c_binding, only: c_char, c_int, c_loc, c_null_ptr, c_ptr
    use asperity_base_kinds, only: wp
-   use calculix_faces, only: face_point, most_nodes, project_onto_face, shape_functions
-   use calculix_host, only: before_results, know_pairs
-   use calculix_interactions, only: add_interaction, find_interaction, interaction_type
-   use calculix_kinematics, only: find_motion, motion_type
-   use calculix_slots, only: own_slots, slot_time
-   use calculix_springs, only: evaluate_spring, fill_spring, response_type, spring_force, &
-      spring_stiffness, spring_type
+   use asperity_calculix_ccx_state, only: before_results, know_pairs
+   use asperity_calculix_faces, only: face_point, most_nodes, project_onto_face, shape_functions
+   use asperity_calculix_interactions, only: add_interaction, find_interaction, interaction_type
+   use asperity_calculix_kinematics, only: find_motion, motion_type
+   use asperity_calculix_spring_state, only: own_slots, slot_time
+   use asperity_calculix_springs, only: evaluate_spring, fill_spring, response_type, &
+      spring_force, spring_stiffness, spring_type
    use extremes, only: largest_of, worsen
    use funit, only: assertEqual, assertLessThan, assertTrue, TestMethod, TestSuite
    use random_inputs, only: random_stream
@@ -392,4 +392,4 @@ contains
       v(2:, :) = to - from
    end function to_displacements
 
-end module test_springs
+end module test_calculix_springs

@@ -1,6 +1,6 @@
 !> Areas of the slave nodes of a surface that is given by nodes. The solver shares out every outer
 !> face that one of the nodes belongs to, sides of the body included: a rim's nodes get too much.
-module calculix_areas
+module asperity_calculix_areas
    use asperity_base_kinds, only: wp
    implicit none
    private
@@ -126,4 +126,4 @@ contains
       end do
    end subroutine add_middles
 
-end module calculix_areas
+end module asperity_calculix_areas

@@ -1,14 +1,14 @@
 !> What UINTER wants to know and CalculiX does not pass to its springs: time, names, displacements
 !> at the start of the increment. Wrappers of the solver's routines hand it over, on one thread,
 !> before the springs are called on several; those only read it.
-module calculix_host
+module asperity_calculix_ccx_state
    use, intrinsic :: iso_c_binding, only: c_char, c_double, c_f_pointer, c_int, c_ptr
    use, intrinsic :: iso_fortran_env, only: int64
    use asperity_base_kinds, only: wp
-   use calculix_interactions, only: find_interaction, has_interactions
-   use calculix_outputs, only: optional_left
-   use calculix_refusal, only: refuse
-   use calculix_slots, only: slot_pnewdt
+   use asperity_calculix_interactions, only: find_interaction, has_interactions
+   use asperity_calculix_outputs, only: optional_left
+   use asperity_calculix_refusal, only: refuse
+   use asperity_calculix_spring_state, only: slot_pnewdt
    implicit none
    private
    public :: before_results, after_results, report_time, count_call, host_type, host, know_job, &
@@ -254,4 +254,4 @@ contains
       if (last > 0) name(last:last) = ' '
    end function surface_name
 
-end module calculix_host
+end module asperity_calculix_ccx_state

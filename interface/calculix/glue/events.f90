@@ -1,11 +1,11 @@
 !> What ABAQUS tells user subroutines of the course of a job: UEXTERNALDB at the beginning and end
 !> of job, step and increment, URDFIL after every increment. They are called if UINTER's file has
 !> them.
-module calculix_events
+module asperity_calculix_events
    use asperity_base_kinds, only: wp
-   use calculix_host, only: host
-   use calculix_interactions, only: has_interactions
-   use calculix_refusal, only: refuse
+   use asperity_calculix_ccx_state, only: host
+   use asperity_calculix_interactions, only: has_interactions
+   use asperity_calculix_refusal, only: refuse
    implicit none
    private
    public :: begin_attempt, end_increment, end_job
@@ -94,4 +94,4 @@ contains
       call uexternaldb(lop, 0, time, length, step, increment)
    end subroutine tell
 
-end module calculix_events
+end module asperity_calculix_events

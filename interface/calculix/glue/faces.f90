@@ -1,6 +1,6 @@
 !> Faces of solid elements: shape functions with their derivatives, and the point of a face that a
 !> position projects onto.
-module calculix_faces
+module asperity_calculix_faces
    use asperity_base_kinds, only: wp
    implicit none
    private
@@ -217,4 +217,4 @@ contains
       end do
    end subroutine serendipity
 
-end module calculix_faces
+end module asperity_calculix_faces

@@ -1,7 +1,7 @@
 !> The interactions of a deck that a UINTER serves: what the lines after
 !>    *SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=UINTER, PROPERTIES=n, DEPVAR=m, SEARCH DISTANCE=c
 !> say. The deck is read on one thread, and nothing is changed afterwards.
-module calculix_interactions
+module asperity_calculix_interactions
    use asperity_base_kinds, only: wp
    implicit none
    private
@@ -73,4 +73,4 @@ contains
       if (allocated(interactions)) most_depvar = maxval([0, interactions%depvar])
    end function most_depvar
 
-end module calculix_interactions
+end module asperity_calculix_interactions

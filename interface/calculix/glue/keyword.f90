@@ -1,9 +1,9 @@
 !> Reading of *SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=UINTER, PROPERTIES=n, DEPVAR=m,
 !> SEARCH DISTANCE=c and of the properties after it. The solver passes words without blanks, in
 !> capitals.
-module calculix_keyword
+module asperity_calculix_keyword
    use asperity_base_kinds, only: wp
-   use calculix_interactions, only: interaction_type
+   use asperity_calculix_interactions, only: interaction_type
    implicit none
    private
    public :: is_uinter, read_parameters, read_property
@@ -87,4 +87,4 @@ contains
       if (status /= 0) problem = 'property '//trim(word)//' is no number'
    end subroutine read_property
 
-end module calculix_keyword
+end module asperity_calculix_keyword

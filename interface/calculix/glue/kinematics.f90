@@ -1,8 +1,8 @@
 !> How a slave node lies and moves over a master face: overclosure, slip and local axes, with their
 !> derivatives by the positions of all nodes. Node order: those of the face, then the slave node.
-module calculix_kinematics
+module asperity_calculix_kinematics
    use asperity_base_kinds, only: wp
-   use calculix_faces, only: face_point, most_nodes, point_of_face, project_onto_face
+   use asperity_calculix_faces, only: face_point, most_nodes, point_of_face, project_onto_face
    implicit none
    private
    public :: frame_type, motion_type, variation_type, find_motion, find_variation, frame_at
@@ -245,4 +245,4 @@ contains
       c = [a(2)*b(3) - a(3)*b(2), a(3)*b(1) - a(1)*b(3), a(1)*b(2) - a(2)*b(1)]
    end function cross
 
-end module calculix_kinematics
+end module asperity_calculix_kinematics

@@ -2,12 +2,12 @@
 !> near an edge may go from one face to the next and back without end, and one at the rim of the
 !> whole surface may lose its spring and get it again. A spring of ours keeps its face as long as
 !> its node leaves that by no more than a margin.
-module calculix_masters
+module asperity_calculix_master_faces
    use asperity_base_kinds, only: wp
-   use calculix_faces, only: has_face, project_onto_face
-   use calculix_host, only: host, pair_of
-   use calculix_interactions, only: find_interaction, interaction_type
-   use calculix_kinematics, only: frame_at, frame_type
+   use asperity_calculix_ccx_state, only: host, pair_of
+   use asperity_calculix_faces, only: has_face, project_onto_face
+   use asperity_calculix_interactions, only: find_interaction, interaction_type
+   use asperity_calculix_kinematics, only: frame_at, frame_type
    implicit none
    private
    public :: keep_faces
@@ -158,4 +158,4 @@ contains
       end if
    end function inside
 
-end module calculix_masters
+end module asperity_calculix_master_faces

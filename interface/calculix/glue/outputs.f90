@@ -1,6 +1,6 @@
 !> What UINTER returns beside states and wishes. Everything is zero before a call; poisoned, it is
 !> no number, so that what UINTER never sets shows.
-module calculix_outputs
+module asperity_calculix_outputs
    use, intrinsic :: ieee_arithmetic, only: ieee_is_nan, ieee_quiet_nan, ieee_value
    use asperity_base_kinds, only: wp
    implicit none
@@ -100,4 +100,4 @@ contains
       end do
    end function optional_left
 
-end module calculix_outputs
+end module asperity_calculix_outputs

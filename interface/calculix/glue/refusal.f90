@@ -1,5 +1,5 @@
 !> The end of a job that would compute something wrong.
-module calculix_refusal
+module asperity_calculix_refusal
    implicit none
    private
    public :: refuse
@@ -15,4 +15,4 @@ contains
       stop 201
    end subroutine refuse
 
-end module calculix_refusal
+end module asperity_calculix_refusal

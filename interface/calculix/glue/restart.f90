@@ -1,10 +1,10 @@
 !> The interactions of a job in a file of their own, JOB.uinter: CalculiX' restart file has no place
 !> for them. It is written when a job begins, and read when one begins from a restart file.
-module calculix_restart
+module asperity_calculix_restart
    use asperity_base_kinds, only: wp
-   use calculix_interactions, only: add_interaction, all_interactions, find_interaction, &
+   use asperity_calculix_interactions, only: add_interaction, all_interactions, find_interaction, &
       interaction_type
-   use calculix_refusal, only: refuse
+   use asperity_calculix_refusal, only: refuse
    implicit none
    private
    public :: keep_interactions
@@ -86,4 +86,4 @@ contains
       if (status /= 0) call refuse(name//' is damaged')
    end subroutine read_interactions
 
-end module calculix_restart
+end module asperity_calculix_restart

@@ -1,6 +1,6 @@
 !> What a spring keeps from increment to increment, in the solver's state variables of its slave
 !> node. All zero is a spring that never was.
-module calculix_slots
+module asperity_calculix_spring_state
    implicit none
    private
 
@@ -21,4 +21,4 @@ module calculix_slots
    !> How many there are; STATEV comes after them
    integer, parameter, public :: own_slots = slot_user_status
 
-end module calculix_slots
+end module asperity_calculix_spring_state

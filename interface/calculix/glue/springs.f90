@@ -1,18 +1,18 @@
 !> One contact spring: kinematics, the call of UINTER with every argument as ABAQUS fills it, forces
 !> and stiffness. Start-of-increment values in, end-of-increment values out; nothing is kept here.
-module calculix_springs
+module asperity_calculix_springs
    use, intrinsic :: iso_fortran_env, only: int64
    use asperity_abaqus_uinter_signature, only: uinter_interface
    use asperity_base_kinds, only: wp
-   use calculix_faces, only: has_face, most_nodes
-   use calculix_host, only: count_call, host, name_of, pair_of, surface_name
-   use calculix_interactions, only: interaction_type
-   use calculix_kinematics, only: find_motion, find_variation, most_freedoms, motion_type, &
-      variation_type
-   use calculix_outputs, only: new_outputs, note_optional, outputs_type, unset_outputs
-   use calculix_refusal, only: refuse
-   use calculix_slots, only: own_slots, slot_energy, slot_pnewdt, slot_slip, slot_status, &
-      slot_stress, slot_time, slot_user_status
+   use asperity_calculix_ccx_state, only: count_call, host, name_of, pair_of, surface_name
+   use asperity_calculix_faces, only: has_face, most_nodes
+   use asperity_calculix_interactions, only: interaction_type
+   use asperity_calculix_kinematics, only: find_motion, find_variation, most_freedoms, &
+      motion_type, variation_type
+   use asperity_calculix_outputs, only: new_outputs, note_optional, outputs_type, unset_outputs
+   use asperity_calculix_refusal, only: refuse
+   use asperity_calculix_spring_state, only: own_slots, slot_energy, slot_pnewdt, slot_slip, &
+      slot_status, slot_stress, slot_time, slot_user_status
    implicit none
    private
    public :: spring_type, response_type, fill_spring, evaluate_spring, spring_force, &
@@ -274,4 +274,4 @@ contains
       end associate
    end function spring_stiffness
 
-end module calculix_springs
+end module asperity_calculix_springs

@@ -1,10 +1,10 @@
 !> STATEV of every contact spring after every increment, as a CSV file, JOB.states.csv.
-module calculix_states
+module asperity_calculix_states
    use asperity_base_kinds, only: wp
-   use calculix_host, only: host, pair_of, surface_name
-   use calculix_interactions, only: find_interaction, interaction_type, most_depvar
-   use calculix_refusal, only: refuse
-   use calculix_slots, only: own_slots, slot_time
+   use asperity_calculix_ccx_state, only: host, pair_of, surface_name
+   use asperity_calculix_interactions, only: find_interaction, interaction_type, most_depvar
+   use asperity_calculix_refusal, only: refuse
+   use asperity_calculix_spring_state, only: own_slots, slot_time
    implicit none
    private
    public :: write_states
@@ -58,4 +58,4 @@ contains
          (',statev_', i, i=1, most_depvar())
    end subroutine open_file
 
-end module calculix_states
+end module asperity_calculix_states

@@ -90,7 +90,7 @@ end subroutine getoutdir
 
 !> Name of the job: that of the deck where the runner tells it.
 subroutine getjobname(jobname, lenjobname)
-   use calculix_host, only: host
+   use asperity_calculix_ccx_state, only: host
    implicit none
    !> The name, and its length
    character(len=*), intent(out) :: jobname
@@ -104,7 +104,7 @@ end subroutine getjobname
 !> ABAQUS' results file is not there to be read.
 subroutine posfil(nstep, ninc, array, jrcd)
    use asperity_base_kinds, only: wp
-   use calculix_refusal, only: refuse
+   use asperity_calculix_refusal, only: refuse
    implicit none
    integer, intent(in) :: nstep, ninc
    real(wp), intent(inout) :: array(*)
@@ -116,7 +116,7 @@ end subroutine posfil
 !> ABAQUS' results file is not there to be read.
 subroutine dbfile(lop, array, jrcd)
    use asperity_base_kinds, only: wp
-   use calculix_refusal, only: refuse
+   use asperity_calculix_refusal, only: refuse
    implicit none
    integer, intent(in) :: lop
    real(wp), intent(inout) :: array(*)

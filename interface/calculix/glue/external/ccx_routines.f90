@@ -8,10 +8,10 @@ subroutine springforc_n2f(xl, konl, vl, imat, elcon, nelcon, elas, fnl, ncmat_, 
    nmethod, ne0, nstate_, xstateini, xstate, reltime, ielas, venergy, ielorien, orab, norien, &
    nelem, smscale, mscalmethod)
    use asperity_base_kinds, only: wp
-   use calculix_interactions, only: find_interaction, interaction_type
-   use calculix_slots, only: slot_slip
-   use calculix_springs, only: evaluate_spring, fill_spring, response_type, spring_force, &
-      spring_type
+   use asperity_calculix_interactions, only: find_interaction, interaction_type
+   use asperity_calculix_spring_state, only: slot_slip
+   use asperity_calculix_springs, only: evaluate_spring, fill_spring, response_type, &
+      spring_force, spring_type
    implicit none
    character(len=8) :: lakonl
    integer :: konl(*), imat, nelcon(2, *), ncmat_, ntmat_, nope, kode, npmat_, nener, mi(*)
@@ -55,10 +55,10 @@ subroutine springstiff_n2f(xl, elas, konl, voldl, s, imat, elcon, nelcon, ncmat_
    lakonl, t1l, kode, elconloc, plicon, nplicon, npmat_, iperturb, springarea, nmethod, mi, ne0, &
    nstate_, xstateini, xstate, reltime, nasym, ielorien, orab, norien, nelem)
    use asperity_base_kinds, only: wp
-   use calculix_host, only: host
-   use calculix_interactions, only: find_interaction, interaction_type
-   use calculix_springs, only: evaluate_spring, fill_spring, response_type, spring_stiffness, &
-      spring_type
+   use asperity_calculix_ccx_state, only: host
+   use asperity_calculix_interactions, only: find_interaction, interaction_type
+   use asperity_calculix_springs, only: evaluate_spring, fill_spring, response_type, &
+      spring_stiffness, spring_type
    implicit none
    character(len=8) :: lakonl
    integer :: konl(*), imat, nelcon(2, *), ncmat_, ntmat_, nope, kode, npmat_, mi(*)
@@ -96,9 +96,9 @@ subroutine surfacebehaviors(inpc, textpart, elcon, nelcon, imat, ntmat_, ncmat_,
    istat, n, iline, ipol, inl, ipoinp, inp, ipoinpc, npmat_, plicon, nplicon, nstate_, &
    ichangesurfacebehavior, ier)
    use asperity_base_kinds, only: wp
-   use calculix_interactions, only: add_interaction, interaction_type, mark, most_depvar
-   use calculix_keyword, only: is_uinter, read_parameters, read_property
-   use calculix_slots, only: own_slots
+   use asperity_calculix_interactions, only: add_interaction, interaction_type, mark, most_depvar
+   use asperity_calculix_keyword, only: is_uinter, read_parameters, read_property
+   use asperity_calculix_spring_state, only: own_slots
    implicit none
    character(len=1) :: inpc(*)
    character(len=132) :: textpart(16)
@@ -158,11 +158,11 @@ subroutine gencontelem_n2f(tieset, ntie, itietri, ne, ipkon, kon, lakon, cg, str
    inoels, springarea, set, nset, istartset, iendset, ialset, tietol, reltime, filab, nasym, &
    xnoels, icutb, ne0, jobnamef, mortar, auw, jqw, iroww, nzsw, imastnode, nmastnode)
    use asperity_base_kinds, only: wp
-   use calculix_areas, only: leave_out_sides
-   use calculix_host, only: host, know_job, know_pairs
-   use calculix_interactions, only: mark
-   use calculix_masters, only: keep_faces
-   use calculix_restart, only: keep_interactions
+   use asperity_calculix_areas, only: leave_out_sides
+   use asperity_calculix_ccx_state, only: host, know_job, know_pairs
+   use asperity_calculix_interactions, only: mark
+   use asperity_calculix_master_faces, only: keep_faces
+   use asperity_calculix_restart, only: keep_interactions
    implicit none
    character(len=81) :: tieset(3, *), set(*)
    character(len=8) :: lakon(*)
@@ -212,9 +212,9 @@ end subroutine gencontelem_n2f
 !> Write a line of JOB.sta: an increment has converged.
 subroutine writesta(istep, j, icutb, l, ttime, time, dtime)
    use asperity_base_kinds, only: wp
-   use calculix_events, only: end_increment
-   use calculix_interactions, only: has_interactions
-   use calculix_states, only: write_states
+   use asperity_calculix_events, only: end_increment
+   use asperity_calculix_interactions, only: has_interactions
+   use asperity_calculix_states, only: write_states
    implicit none
    integer :: istep, j, icutb, l
    real(wp) :: ttime, time, dtime
