@@ -56,7 +56,7 @@ set(bench_environment ${CMAKE_COMMAND} -E env OMP_WAIT_POLICY=passive)
 add_custom_target(bench
    COMMAND ${bench_environment} ${bench_command_O3} --level-only
    COMMAND ${bench_environment} ${bench_command_native} --level-only
-   COMMAND ${bench_environment} ${bench_command_O2} --markdown ${bench_folder}/readme.md
+   COMMAND ${bench_environment} ${bench_command_O2} --markdown ${bench_folder}/page.md
       --other ${bench_folder}/O3.csv --other ${bench_folder}/native.csv
    COMMAND ${CMAKE_COMMAND} -E copy ${bench_folder}/O2.csv ${bench_folder}/results.csv
    DEPENDS asperity_bench_O2 asperity_bench_O3 asperity_bench_native

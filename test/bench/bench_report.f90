@@ -1,4 +1,4 @@
-!> Results as tables: for the terminal, and as Markdown for the README.
+!> Results as tables: for the terminal, and as Markdown for docs/performance.md.
 module bench_report
    use, intrinsic :: iso_fortran_env, only: output_unit
    use asperity, only: version, wp
@@ -147,7 +147,7 @@ contains
       end do
    end function times_at
 
-   !> The table of the README: contenders, then compiling and growth in a few lines.
+   !> The table of docs/performance.md: contenders, then compiling and growth in a few lines.
    subroutine write_markdown(path, machine, options, rows)
       character(len=*), intent(in) :: path
       type(machine_type), intent(in) :: machine
@@ -230,7 +230,7 @@ contains
       end do
    end subroutine write_growth
 
-   !> Rows that the README can do without.
+   !> Rows that the page can do without.
    pure logical function is_minor(name)
       character(len=*), intent(in) :: name
 

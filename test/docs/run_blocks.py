@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Compile and run every fenced block of a Markdown file, so that no example in it can rot.
+"""Compile and run every fenced block of Markdown pages and follow their links, so that none can rot.
 
-usage: run_blocks.py FILE.md --source PROJECT --prefix PREFIX --work FOLDER
+usage: run_blocks.py PAGE.md... --source PROJECT --prefix PREFIX --work FOLDER
 
 The language of a block tells what is done with it:
     fortran    a complete program: compiled against the package installed in PREFIX, and run
@@ -15,9 +15,11 @@ An HTML comment on the line before the fence (blank lines may stand between) mar
     <!-- not run: WHY -->   only shown
 A block with neither such a language nor a mark is a failure: nothing is passed over silently.
 
-All blocks share one folder, a fresh copy of the project, and find the installed program on PATH,
-the package by CMAKE_PREFIX_PATH, PKG_CONFIG_PATH and LD_LIBRARY_PATH. Expected output is compared line by line
-without trailing blanks; a line of three dots stands for any number of lines.
+The blocks of a page share one folder, a fresh copy of the project, and find the installed program on
+PATH, the package by CMAKE_PREFIX_PATH, PKG_CONFIG_PATH and LD_LIBRARY_PATH. Expected output is compared
+line by line without trailing blanks; a line of three dots stands for any number of lines.
+
+Links to files must meet a file, `#...` a heading, and links lead from the first page to every other.
 """
 
 import argparse
@@ -30,6 +32,7 @@ import sys
 from pathlib import Path
 
 FENCE = re.compile(r"^(?P<indent> {0,3})(?P<ticks>`{3,}|~{3,})\s*(?P<language>[\w+-]*)")
+LINK = re.compile(r"\[(?:[^\[\]]|\[[^\]]*\]\([^)]*\))*\]\((?P<target>[^)\s]+)\)")
 MARK = re.compile(r"^\s*<!--\s*(?P<mark>output|file:\s*\S+|not run:\s*\S.*?)\s*-->\s*$")
 
 
@@ -48,9 +51,9 @@ class Block:
         return "\n".join(self.lines) + "\n"
 
 
-def read_blocks(path):
-    """All fenced blocks of a Markdown file; a fence left open is an error."""
-    blocks, current, fence, mark = [], None, None, ""
+def read_page(path):
+    """All fenced blocks of a Markdown file and, by number, its other lines; a fence left open is an error."""
+    blocks, prose, current, fence, mark = [], {}, None, None, ""
     for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
         if current is not None:
             if line.strip().startswith(fence) and not line.strip().strip(fence[0]):
@@ -63,12 +66,46 @@ def read_blocks(path):
             fence = opening["ticks"]
             current = Block(number, opening["language"].lower(), mark)
             blocks.append(current)
+        else:
+            prose[number] = line
         found = MARK.match(line)
         if found or line.strip():
             mark = found["mark"] if found else ""
     if current is not None:
         sys.exit(f"{path}:{current.line}: this block is never closed")
-    return blocks
+    return blocks, prose
+
+
+def anchors(prose):
+    """What `#...` can name on a page: its headings as GitHub spells them, the second of a kind with -1."""
+    found = set()
+    for line in prose.values():
+        if re.match(r"#{1,6} ", line):
+            plain = re.sub(r"\]\([^)]*\)", "", line.lstrip("#").strip()).lower()
+            name = re.sub(r"[^\w\- ]", "", plain).replace(" ", "-")
+            same = sum(re.fullmatch(re.escape(name) + r"(-\d+)?", other) is not None for other in found)
+            found.add(f"{name}-{same}" if name in found else name)
+    return found
+
+
+def check_links(pages):
+    """Follow the links between files; return how many there are and what is wrong."""
+    links, wrong, reached = 0, [], {next(iter(pages))}
+    for path, (_, prose) in pages.items():
+        for number, line in prose.items():
+            for link in LINK.finditer(re.sub(r"`[^`]*`", "", line)):
+                if re.match(r"[a-z]+:", link["target"]):
+                    continue
+                links += 1
+                name, _, anchor = link["target"].partition("#")
+                file = (path.parent / name).resolve() if name else path
+                reached.add(file)
+                if not file.exists():
+                    wrong.append(f"{path}:{number}: there is no file {link['target']}")
+                elif anchor and anchor not in anchors(read_page(file)[1]):
+                    wrong.append(f"{path}:{number}: no heading of {file.name} is called #{anchor}")
+    wrong += [f"{path}: no link leads to this page" for path in pages if path not in reached]
+    return links, wrong
 
 
 def compare(expected, printed):
@@ -88,8 +125,8 @@ class Runner:
     def __init__(self, source, prefix, work):
         self.folder = work / "asperity"
         shutil.rmtree(work, ignore_errors=True)
-        shutil.copytree(source, self.folder, symlinks=True, ignore=shutil.ignore_patterns(
-            "build", "build-*", ".git", "*.o", "*.mod"))
+        shutil.copytree(source, self.folder, symlinks=True, ignore=lambda folder, names: [
+            name for name in names if name == ".git" or (folder == str(source) and name == "build")])
         self.printed = None
         libraries = [str(path) for path in prefix.glob("lib*/**/pkgconfig")]
         self.environment = dict(
@@ -169,24 +206,29 @@ class Runner:
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.split("\n", maxsplit=1)[0])
-    parser.add_argument("file", type=Path)
+    parser.add_argument("page", type=Path, nargs="+")
     for option in ("--source", "--prefix", "--work"):
         parser.add_argument(option, type=Path, required=True)
     options = parser.parse_args()
-    blocks = read_blocks(options.file)
-    runner = Runner(options.source.resolve(), options.prefix.resolve(), options.work.resolve())
-    failed = 0
-    for block in blocks:
-        place = f"{options.file.name}:{block.line} {block.language or 'no language'}"
-        try:
-            print(f"  ok  {place}: {runner.run(block)}", flush=True)
-        except (Failure, subprocess.TimeoutExpired) as failure:
-            failed += 1
-            print(f"FAIL  {place}: {failure}", flush=True)
-    if not blocks:
-        failed = 1
-        print(f"FAIL  {options.file} has no block")
-    print(f"{len(blocks) + (not blocks) - failed} passed, {failed} failed")
+    pages = {path.resolve(): read_page(path) for path in options.page}
+    links, wrong = check_links(pages)
+    for problem in wrong:
+        print(f"FAIL  {problem}", flush=True)
+    passed, failed = links - len(wrong), len(wrong)
+    for path, (blocks, _) in pages.items():
+        if not blocks:
+            continue
+        runner = Runner(options.source.resolve(), options.prefix.resolve(),
+                        options.work.resolve() / path.stem)
+        for block in blocks:
+            place = f"{path.name}:{block.line} {block.language or 'no language'}"
+            try:
+                print(f"  ok  {place}: {runner.run(block)}", flush=True)
+                passed += 1
+            except (Failure, subprocess.TimeoutExpired) as failure:
+                failed += 1
+                print(f"FAIL  {place}: {failure}", flush=True)
+    print(f"{passed} passed, {failed} failed")
     return min(failed, 1)
 
 
