@@ -89,7 +89,7 @@ def anchors(prose):
 
 
 def check_links(pages):
-    """Follow the links between files; return how many there are and what is wrong."""
+    """Follow the links between files; return the number of checks and what is wrong."""
     links, wrong, reached = 0, [], {next(iter(pages))}
     for path, (_, prose) in pages.items():
         for number, line in prose.items():
@@ -105,7 +105,7 @@ def check_links(pages):
                 elif anchor and anchor not in anchors(read_page(file)[1]):
                     wrong.append(f"{path}:{number}: no heading of {file.name} is called #{anchor}")
     wrong += [f"{path}: no link leads to this page" for path in pages if path not in reached]
-    return links, wrong
+    return links + len(pages), wrong
 
 
 def compare(expected, printed):
@@ -211,10 +211,10 @@ def main():
         parser.add_argument(option, type=Path, required=True)
     options = parser.parse_args()
     pages = {path.resolve(): read_page(path) for path in options.page}
-    links, wrong = check_links(pages)
+    checks, wrong = check_links(pages)
     for problem in wrong:
         print(f"FAIL  {problem}", flush=True)
-    passed, failed = links - len(wrong), len(wrong)
+    passed, failed = checks - len(wrong), len(wrong)
     for path, (blocks, _) in pages.items():
         if not blocks:
             continue
