@@ -251,10 +251,17 @@ contains
    pure function status_text(status) result(text)
       !> One of the status enumerators
       integer, intent(in) :: status
-      character(len=len_trim(status_names(min(max(status, 0), 3)))) :: text
+      character(len=len_trim(status_names(known(status)))) :: text
 
-      text = status_names(min(max(status, 0), 3))
+      text = status_names(known(status))
    end function status_text
+
+   !> A status that has a name.
+   pure integer function known(status)
+      integer, intent(in) :: status
+
+      known = min(max(status, 0), 3)
+   end function known
 
    !> Open below p_open; an open point closes only above twice that.
    pure logical function is_open(properties, pressure, was_closed)

@@ -31,7 +31,7 @@ module asperity_hysteresis_types
       real(wp) :: threshold = 0.0_wp
       !> A peak has a new amplitude if it is larger than all before it by this share at least
       real(wp) :: amplitude_tolerance = 0.05_wp
-      !> Skeleton: the first-cycle `envelope`, or one point a cycle, its largest `displacement` or
+      !> Skeleton by the first-cycle `envelope`, or one point a cycle, its largest `displacement` or
       !> its largest `force`. The last makes the largest force the peak of a half cycle, the others
       !> its tip
       character(len=12) :: peaks = 'envelope'

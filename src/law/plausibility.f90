@@ -42,10 +42,10 @@ module asperity_law_plausibility
       real(wp) :: lowest, highest
    end type range_type
 
-   !> sigma: an atom to the joints of rock (sawn timber has 0.2 mm). radius: an atom to the summits
-   !> of an optical mirror. modulus: diamond against a rigid body. hardness: soft foam to diamond.
-   !> H/E*: metals have 6e-4 (indium) to 0.05, wood 0.002 to 0.1, the hardest glasses 0.15; from 1
-   !> on a summit would yield only when pressed in by its whole radius
+   !> Why, sigma: an atom to the joints of rock (sawn timber has 0.2 mm). radius: an atom to the
+   !> summits of an optical mirror. modulus: diamond against a rigid body. hardness: soft foam to
+   !> diamond. H/E*: metals have 6e-4 (indium) to 0.05, wood 0.002 to 0.1, the hardest glasses 0.15;
+   !> from 1 on a summit would yield only when pressed in by its whole radius
    type(range_type), parameter, public :: ranges(6) = [ &
       range_type('sigma', 'sigma', ' mm', 1.0e-7_wp, 5.0_wp), &
       range_type('radius', 'radius', ' mm', 1.0e-7_wp, 1.0e4_wp), &

@@ -55,11 +55,23 @@ contains
       if (joined_length < 0) joined_length = len(none)
    end function joined_length
 
+   pure integer function names_length(flags)
+      integer, intent(in) :: flags
+
+      names_length = joined_length(flags, names, '+', 'valid')
+   end function names_length
+
+   pure integer function remarks_length(flags)
+      integer, intent(in) :: flags
+
+      remarks_length = joined_length(flags, remarks, '; ', '')
+   end function remarks_length
+
    !> Names of the set flags joined by `+`, or `valid`.
    pure function validity_text(flags) result(text)
       !> Sum of flags
       integer, intent(in) :: flags
-      character(len=joined_length(flags, names, '+', 'valid')) :: text
+      character(len=names_length(flags)) :: text
 
       text = joined(flags, names, '+', 'valid', len(text))
    end function validity_text
@@ -68,7 +80,7 @@ contains
    pure function validity_remark(flags) result(text)
       !> Sum of flags
       integer, intent(in) :: flags
-      character(len=joined_length(flags, remarks, '; ', '')) :: text
+      character(len=remarks_length(flags)) :: text
 
       text = joined(flags, remarks, '; ', '', len(text))
    end function validity_remark

@@ -1,4 +1,4 @@
-!> Press: one contact point closed and opened again through UINTER, by a ramp of pressure or of
+!> Press one contact point: close and open it again through UINTER, by a ramp of pressure or of
 !> overclosure (the paper's Fig. 17).
 module asperity_replay_press
    use, intrinsic :: iso_fortran_env, only: int64

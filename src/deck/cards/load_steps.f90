@@ -125,9 +125,10 @@ contains
    !> What is written of the elements.
    pure function stresses(choice) result(names)
       type(deck_choice), intent(in) :: choice
-      character(len=merge(7, 1, choice%plasticity == 'plastic')) :: names
+      character(len=:), allocatable :: names
 
-      names = 'S, PEEQ'
+      names = 'S'
+      if (choice%plasticity == 'plastic') names = 'S, PEEQ'
    end function stresses
 
 end module asperity_deck_cards_load_steps

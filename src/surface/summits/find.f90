@@ -13,7 +13,7 @@ module asperity_surface_summits_find
    private
    public :: find_summits, summit_set
 
-   !> Summits: points above all eight neighbours, all of them measured; of equal heights the later
+   !> Summits, points above all eight neighbours, all of them measured; of equal heights the later
    !> in storage counts as higher. In the order of storage.
    type :: summit_set
       !> Their points
