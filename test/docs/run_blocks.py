@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Compile and run every fenced block of Markdown pages and follow their links, so that none can rot.
+"""Compile and run every block of Markdown pages, follow their links and look up names, lest they rot.
 
 usage: run_blocks.py PAGE.md... --source PROJECT --prefix PREFIX --work FOLDER
 
@@ -19,7 +19,9 @@ The blocks of a page share one folder, a fresh copy of the project, and find the
 PATH, the package by CMAKE_PREFIX_PATH, PKG_CONFIG_PATH and LD_LIBRARY_PATH. Expected output is compared
 line by line without trailing blanks; a line of three dots stands for any number of lines.
 
-Links to files must meet a file, `#...` a heading, and links lead from the first page to every other.
+Links to files must meet a file, `#...` a heading, and links lead from the first page to every other. What
+stands between single backticks must exist if it begins like a path of the project, and must be a word of its
+sources if it is a name with an underscore.
 """
 
 import argparse
@@ -86,6 +88,33 @@ def anchors(prose):
             same = sum(re.fullmatch(re.escape(name) + r"(-\d+)?", other) is not None for other in found)
             found.add(f"{name}-{same}" if name in found else name)
     return found
+
+
+def words_of(source):
+    """All words of the project's sources."""
+    words = set()
+    for folder in ("src", "interface", "app", "test", "examples", "cmake"):
+        for path in (source / folder).rglob("*"):
+            if path.is_file() and "data" not in path.parts:
+                words.update(re.findall(r"\w+", path.read_text(encoding="utf-8", errors="ignore")))
+    return words
+
+
+def check_names(pages, source):
+    """Find paths and names between backticks that the project does not have; return as check_links."""
+    checks, wrong, words = 0, [], words_of(source)
+    for path, (_, prose) in pages.items():
+        if path.name == "CHANGELOG.md":  # tells what was
+            continue
+        for number, line in prose.items():
+            for name in re.findall(r"`([^`\s]+)[^`]*`", line):
+                is_path = re.match(r"(src|interface|app|test|examples|cmake|docs|findings)/", name)
+                if not is_path and not re.fullmatch(r"[a-z]\w*_\w+", name):
+                    continue
+                checks += 1
+                if not ((source / name).exists() if is_path else name in words):
+                    wrong.append(f"{path}:{number}: the project has no {name}")
+    return checks, wrong
 
 
 def check_links(pages):
@@ -212,6 +241,8 @@ def main():
     options = parser.parse_args()
     pages = {path.resolve(): read_page(path) for path in options.page}
     checks, wrong = check_links(pages)
+    names, unknown = check_names(pages, options.source.resolve())
+    checks, wrong = checks + names, wrong + unknown
     for problem in wrong:
         print(f"FAIL  {problem}", flush=True)
     passed, failed = checks - len(wrong), len(wrong)
