@@ -4,6 +4,7 @@ module test_replay_shear_box
    use asperity, only: contact_properties, error_type, evaluate_normal_law, normal_response, &
       separation_for_pressure, status_slip, status_stick, wp
    use asperity_replay_shear_box, only: overlap_area, run_shear_box, shear_settings, shear_step
+   use asperity_replay_shear_settings, only: check_shear_settings
    use contact_cases, only: pair_properties
    use extremes, only: worsen
    use funit, only: anyExceptions, assertEqual, assertFalse, assertGreaterThan, assertLessThan, &
@@ -29,6 +30,7 @@ contains
       call suite%addTest(TestMethod('compliant specimens', test_compliance))
       call suite%addTest(TestMethod('very soft specimens', test_soft))
       call suite%addTest(TestMethod('settings that are refused', test_refused))
+      call suite%addTest(TestMethod('way of the box', test_way))
    end function suite_shear_box
 
    !> A/A0 = 0.979, 0.938, 0.897 at 1, 3, 5 mm; the derivative at zero is -diameter.
@@ -251,5 +253,28 @@ contains
       call assertEqual(1, index(error%message, text), error%message)
       call assertTrue(fits_subject(error), error%message)
    end subroutine expect
+
+   !> The box may move by 0.9 of the diameter, whatever is accepted, and by 0.00091 of it at least,
+   !> unless it is accepted.
+   subroutine test_way()
+      real(wp), parameter :: d = 61.8_wp, high = 0.9_wp*d, low = 0.00091_wp*d
+
+      call check(high, .false., .true.)
+      call check(-high, .false., .true.)
+      call check(nearest(high, 1.0_wp), .false., .false.)
+      call check(nearest(high, 1.0_wp), .true., .false.)
+      call check(low, .false., .true.)
+      call check(nearest(low, -1.0_wp), .false., .false.)
+      call check(nearest(low, -1.0_wp), .true., .true.)
+   contains
+      subroutine check(way, accepted, passes)
+         real(wp), intent(in) :: way
+         logical, intent(in) :: accepted, passes
+         type(error_type), allocatable :: error
+
+         call check_shear_settings(shear_settings(accept_sizes=accepted), [way], error)
+         call assertTrue(passes .neqv. allocated(error), 'way of the box')
+      end subroutine check
+   end subroutine test_way
 
 end module test_replay_shear_box

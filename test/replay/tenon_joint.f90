@@ -303,6 +303,7 @@ contains
       call assertEqual(1, index(error%message, 'step '), error%message)
       call assertTrue(index(error%message, 'more than half its length') > 0, error%message)
       call assertGreaterThan(abs(steps(n)%pull_out), 150.0_wp, 'half out')
+      call assertLessThan(largest_of(steps(:n - 1)%pull_out), 150.0_wp, 'not before')
       ! the displacements so far replay it
       s%displacement = steps(1:)%displacement
       call run_tenon(s, face_pair(), side_pair(), again, error)
