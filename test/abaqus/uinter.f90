@@ -37,6 +37,8 @@ contains
       call suite%addTest(TestMethod('property lists that are refused', test_refused))
       call suite%addTest(TestMethod('property lists that are read', test_props))
       call suite%addTest(TestMethod('too small DEPVAR and wrong NDIR', test_sizes))
+      call suite%addTest(TestMethod('how far PROPS(5) may be off pi', test_pi))
+      call suite%addTest(TestMethod('later iterations do not warn', test_later_iterations))
       call suite%addTest(TestMethod('validity is warned of once', test_warning))
    end function suite_uinter
 
@@ -243,6 +245,29 @@ contains
       call assertTrue(index(last_message, '%') == 0, 'no placeholder character')
    end subroutine expect_error
 
+   !> PROPS(5) may be 0.01 off pi.
+   subroutine test_pi()
+      call check(acos(-1.0_wp) + 0.01_wp, 1)
+      call check(acos(-1.0_wp) - 0.01_wp, -1)
+   contains
+      !> Two units in the last place on either side of the limit, which is rounded.
+      subroutine check(limit, side)
+         real(wp), intent(in) :: limit
+         integer, intent(in) :: side
+         type(contact_properties) :: read
+         type(error_type), allocatable :: error
+         real(wp) :: props(n_props)
+
+         props = props_from_properties(pair_properties())
+         props(5) = limit - 2*side*spacing(limit)
+         call properties_from_props(props, read, error)
+         call assertFalse(allocated(error), 'within')
+         props(5) = limit + 2*side*spacing(limit)
+         call properties_from_props(props, read, error)
+         call assertTrue(allocated(error), 'beyond')
+      end subroutine check
+   end subroutine test_pi
+
    !> d0 is literal, zero and negative too; 4 sigma only with nine properties; 3.14 will do.
    subroutine test_props()
       type(contact_properties) :: p, read
@@ -322,6 +347,27 @@ contains
       call assertEqual(0.25_wp, point%trial%pnewdt, 0.0_wp, 'status not a number')
       call assertEqual(0, messages, 'which ends no job')
    end subroutine test_sizes
+
+   !> Flags that come up in the second or third iteration, KIT = 1 and 2, are not spoken of then,
+   !> but in the first iteration of the next increment.
+   subroutine test_later_iterations()
+      type(host_point) :: point
+      type(error_type), allocatable :: error
+
+      call forget_calls()
+      call new_host_point(point, uinter, pair_properties())
+      call try_increment(point, 0.1_wp, [0.0_wp, 0.0_wp], dtime, error)
+      call accept_increment(point)
+      call try_increment(point, 0.1_wp, [0.0_wp, 0.0_wp], dtime, error)
+      call assertEqual(1, point%trial%calls, 'KIT was 0')
+      call try_increment(point, 0.2_wp, [0.0_wp, 0.0_wp], dtime, error)
+      call assertEqual([2, 0], [point%trial%calls, messages], 'KIT was 1')
+      call try_increment(point, 0.2_wp, [0.0_wp, 0.0_wp], dtime, error)
+      call assertEqual([3, 0], [point%trial%calls, messages], 'KIT was 2')
+      call accept_increment(point)
+      call try_increment(point, 0.2_wp, [0.0_wp, 0.0_wp], dtime, error)
+      call assertEqual([1, 1], [point%trial%calls, warnings], 'the next KIT of 0')
+   end subroutine test_later_iterations
 
    !> Past the real area's limit: one warning at the point, however often it is called.
    subroutine test_warning()
