@@ -2,6 +2,9 @@
 module test_hysteresis_borders
    use asperity_base_kinds, only: wp
    use asperity_hysteresis_analysis, only: hysteresis_result
+   use asperity_hysteresis_cycles, only: find_peaks, measure_cycles
+   use asperity_hysteresis_turning_points, only: cut_cycles
+   use asperity_hysteresis_types, only: hysteresis_cycle, not_known
    use backbone_models, only: backbone_fall, backbone_type, driven, programme_turns
    use extremes, only: worsen
    use funit, only: assertEqual, assertTrue, TestMethod, TestSuite
@@ -25,6 +28,8 @@ contains
       suite = TestSuite('hysteresis borders')
       call suite%addTest(TestMethod('noise and hand-digitised steps', test_noise))
       call suite%addTest(TestMethod('slip, overshoot, a programme before a push', test_borders))
+      call suite%addTest(TestMethod('begins at a peak', test_begins))
+      call suite%addTest(TestMethod('short of zero', test_short_of_zero))
    end function suite_hysteresis_borders
 
    !> Noise makes no cycles, below the threshold and four times above it. The largest force is off
@@ -110,5 +115,76 @@ contains
          call assertEqual(kind, trim(result%record_kind), 'kind')
       end subroutine expect
    end subroutine test_borders
+
+   !> A record that begins further out than half its first turn begins at a peak: it is cut at its
+   !> peaks. At just half it is cut at zero.
+   subroutine test_begins()
+      real(wp), parameter :: half = -0.5_wp, more = nearest(half, -1.0_wp)
+      integer, parameter :: turns(4) = [2, 3, 4, 5]
+
+      call expect(half, 0.01_wp, 3, 0.0_wp)
+      call expect(more, 0.01_wp, 3, -1.0_wp)
+      ! and further out than what counts as zero
+      call expect(-0.75_wp, 0.75_wp, 3, 0.0_wp)
+      call expect(-0.75_wp, nearest(0.75_wp, -1.0_wp), 3, -1.0_wp)
+   contains
+      subroutine expect(first, threshold, last, end)
+         !> First displacement
+         real(wp), intent(in) :: first, threshold
+         !> Last sample and end of the first cycle
+         integer, intent(in) :: last
+         real(wp), intent(in) :: end
+         type(hysteresis_cycle), allocatable :: cycles(:)
+         real(wp) :: x(5)
+
+         x = [first, 1.0_wp, -1.0_wp, 1.0_wp, -1.0_wp]
+         call cut_cycles(x, x, threshold, turns, cycles)
+         call assertEqual(2, size(cycles), 'cycles')
+         call assertEqual(last, cycles(1)%last, 'last sample')
+         call assertEqual(end, cycles(1)%end_displacement, 0.0_wp, 'end')
+      end subroutine expect
+   end subroutine test_begins
+
+   !> A loop that ends short of zero by the threshold has the force of its end at zero, one that ends
+   !> further out has no height there; a peak must be further out than the threshold.
+   subroutine test_short_of_zero()
+      real(wp), parameter :: threshold = 0.125_wp
+
+      call expect(threshold, 0.25_wp)
+      call expect(nearest(threshold, 1.0_wp), not_known)
+      call peak_at(nearest(threshold, 1.0_wp), [2, 3])
+      call peak_at(threshold, [0, 3])
+   contains
+      !> The loop 0.5, 2, -2 and its end: at zero the force is 1 on the way down, 0 at the end.
+      subroutine expect(short, pinching)
+         real(wp), intent(in) :: short, pinching
+         type(hysteresis_cycle) :: loop(1)
+         real(wp) :: x(4), f(4)
+
+         x = [0.5_wp, 2.0_wp, -2.0_wp, -short]
+         f = [3.0_wp, 1.0_wp, -3.0_wp, 0.0_wp]
+         loop%first = 1
+         loop%last = 4
+         loop%start_force = 3.0_wp
+         loop%end_displacement = -short
+         loop%closed = .true.
+         call find_peaks(x, f, threshold, [.true., .true.], .false., loop(1))
+         call measure_cycles(x, f, threshold, 0.0_wp, loop)
+         ! (0 - (1 - 3)/2)/(1 + 3)
+         call assertEqual(pinching, loop(1)%pinching, 1.0e-15_wp, 'pinching')
+      end subroutine expect
+
+      subroutine peak_at(x, peaks)
+         real(wp), intent(in) :: x
+         integer, intent(in) :: peaks(2)
+         type(hysteresis_cycle) :: loop
+
+         loop%first = 1
+         loop%last = 3
+         call find_peaks([0.0_wp, x, -1.0_wp], [0.0_wp, 1.0_wp, -1.0_wp], threshold, &
+            [.true., .true.], .false., loop)
+         call assertEqual(peaks, loop%peak, 'peaks')
+      end subroutine peak_at
+   end subroutine test_short_of_zero
 
 end module test_hysteresis_borders
