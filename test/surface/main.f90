@@ -11,6 +11,7 @@ program test_surface
    use test_surface_pair, only: suite_surface_pair
    use test_surface_random, only: suite_surface_random
    use test_surface_reference, only: suite_surface_reference
+   use test_surface_remarks, only: suite_surface_remarks
    use test_surface_statistics, only: suite_surface_statistics
    use test_surface_sum_tiles, only: suite_surface_sum_map
    use test_surface_summits, only: suite_surface_summits
@@ -30,5 +31,6 @@ program test_surface
    call suite%addTest(suite_surface_summits())
    call suite%addTest(suite_surface_sum_map())
    call suite%addTest(suite_surface_reference())
+   call suite%addTest(suite_surface_remarks())
    call run_suite(suite)
 end program test_surface

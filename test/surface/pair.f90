@@ -287,14 +287,14 @@ contains
    end subroutine test_verify
 
    !> Against properties of its own for each summit, at all stages; a summit without curvature
-   !> takes the mean radius and is counted.
+   !> takes the mean radius and is counted. Standard errors are roots of sums of squares.
    subroutine test_own_radius()
       real(wp), parameter :: curvatures(5) = [20.0_wp, 3.0_wp, 0.2_wp, 0.0_wp, -1.0_wp]
       type(normal_properties) :: p, own
       type(asperity_response) :: summit
       type(summit_curve) :: curve
       type(error_type), allocatable :: error
-      real(wp) :: expected(2), radius, z(5), d(4)
+      real(wp) :: expected(2), squares(2), radius, z(5), d(4)
       integer :: i, j
 
       p = normal_of_pair('transverse-tangential')
@@ -306,6 +306,7 @@ contains
       call assertEqual(2, curve%without_radius, 'without radius')
       do j = 1, 4
          expected = 0.0_wp
+         squares = 0.0_wp
          do i = 1, 5
             radius = p%radius
             if (curvatures(i) > 0.0_wp) radius = 1.0_wp/curvatures(i)
@@ -313,12 +314,16 @@ contains
                p%yield_factor, p%sigma, error, accept_unphysical=.true.)
             summit = evaluate_asperity(own, z(i) - d(j))
             expected(1) = expected(1) + 0.5_wp*summit%force
+            squares(1) = squares(1) + (0.5_wp*summit%force)**2
             summit = evaluate_asperity(p, z(i) - d(j))
             expected(2) = expected(2) + 0.5_wp*summit%force
+            squares(2) = squares(2) + (0.5_wp*summit%force)**2
          end do
          if (j < 4) then
             call assertRelativelyEqual(expected, [curve%own_radius(j), curve%mean_radius(j)], &
                1.0e-12_wp, 'pressures')
+            call assertRelativelyEqual(sqrt(squares), [curve%own_radius_error(j), &
+               curve%mean_radius_error(j)], 1.0e-12_wp, 'standard errors')
          else
             call assertEqual([0.0_wp, 0.0_wp], [curve%own_radius(j), curve%mean_radius(j)], 'open')
          end if

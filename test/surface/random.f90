@@ -6,11 +6,13 @@ module test_surface_random
    use asperity_base_kinds, only: wp
    use asperity_height_map_type, only: height_map
    use asperity_law_quadrature_gauss_legendre, only: n_points, nodes, weights
+   use asperity_surface_fourier, only: transform_backward_2d
    use asperity_surface_generate_height_distribution, only: distorted_correlation, &
       marginal_height, marginal_type, new_marginal
    use asperity_surface_generate_map, only: generate_surface, surface_settings
    use asperity_surface_generate_random_stream, only: fill_normal, new_random, next_uniform, &
       random_type
+   use asperity_surface_generate_spectrum, only: distort_spectrum, fill_spectrum
    use extremes, only: largest_of, worsen
    use funit, only: assertEqual, assertLessThan, assertRelativelyEqual, assertTrue, TestMethod, &
       TestSuite
@@ -35,6 +37,7 @@ contains
       call suite%addTest(TestMethod('exponential autocorrelation', test_exponential))
       call suite%addTest(TestMethod('self-affine spectrum', test_self_affine))
       call suite%addTest(TestMethod('heights of given skewness and kurtosis', test_marginal))
+      call suite%addTest(TestMethod('distorted autocorrelation', test_distorted))
       call suite%addTest(TestMethod('skewed surfaces', test_skewed))
       call suite%addTest(TestMethod('settings refused', test_refused))
    end function suite_surface_random
@@ -331,6 +334,34 @@ contains
          call assertEqual(0.25_wp*i, z, 1.0e-8_wp, 'correlation of heights')
       end do
    end subroutine test_marginal
+
+   !> The distorted spectrum is that of the distorted autocorrelation at every place, also of one
+   !> without a mirror line; what is dropped as no variance is 1e-4 of it at most.
+   subroutine test_distorted()
+      integer, parameter :: nx = 48, ny = 40
+      type(surface_settings) :: s
+      type(marginal_type) :: g
+      type(error_type), allocatable :: error
+      complex(wp) :: spectrum(nx/2 + 1, ny)
+      real(wp) :: field(nx, ny), expected(nx, ny), largest_step
+
+      s%step = 0.01_wp
+      s%correlation_length_x = 0.02_wp
+      s%correlation_length_y = 0.06_wp
+      s%direction = 30.0_wp
+      call new_marginal(g, -0.5_wp, 3.5_wp, error)
+      call fill_spectrum(s, spectrum, field)
+      call transform_backward_2d(spectrum, field)
+      expected = distorted_correlation(g, field)
+      largest_step = largest_of(expected - field)
+      call fill_spectrum(s, spectrum, field)
+      call distort_spectrum(g, spectrum, field)
+      call transform_backward_2d(spectrum, field)
+      call record('surface.distorted', largest_of(field - expected))
+      call assertEqual(reshape(expected, [nx*ny]), reshape(field, [nx*ny]), 1.0e-4_wp, &
+         'autocorrelation')
+      call assertTrue(largest_step > 2.0e-3_wp, 'is another')
+   end subroutine test_distorted
 
    !> Skewness, kurtosis and autocorrelation of surfaces that are not Gaussian, unbounded and
    !> bounded ones.

@@ -42,6 +42,7 @@ contains
       call suite%addTest(TestMethod('jackknife of a mean', test_mean))
       call suite%addTest(TestMethod('jackknife of unequal tiles', test_unequal))
       call suite%addTest(TestMethod('jackknife of a direction', test_direction))
+      call suite%addTest(TestMethod('share of the pruning', test_pruning))
    end function suite_surface_statistics
 
    !> Sums of listed heights.
@@ -321,7 +322,8 @@ contains
    !> Directions next to 0 and to 180 deg are next to each other.
    subroutine test_direction()
       type(surface_sums_type) :: sums(4)
-      real(wp) :: widths(n_parameters), turned(n_parameters)
+      real(wp) :: widths(n_parameters), turned(n_parameters), left(n_parameters, 2)
+      real(wp) :: whole(n_parameters), variance(n_parameters)
       real(wp), parameter :: degree = pi/180.0_wp, off(4) = [-2.0_wp, 1.0_wp, 2.0_wp, -1.0_wp]
       integer :: i
 
@@ -342,6 +344,40 @@ contains
       end do
       call uncertainties(sums(:3), 1.0_wp, widths)
       call assertEqual(90.0_wp, widths(p_direction), 'any direction')
+      ! two halves that differ from the whole by 85 and by 95 deg, which is -85: of changes +-c the
+      ! variance is c^2
+      left = 0.0_wp
+      left(p_direction, :) = [85.0_wp, 95.0_wp]
+      whole = 0.0_wp
+      call jackknife(whole, left, [0.5_wp, 0.5_wp], variance)
+      call assertRelativelyEqual(85.0_wp**2, variance(p_direction), 1.0e-12_wp, 'past 90 deg')
    end subroutine test_direction
+
+   !> Four tiles alike but for their extremes: what is left is Student's factor times the standard
+   !> deviation of ln sz, from the scatter of tops and of bottoms, times the slope by ln of the
+   !> height of pruning.
+   subroutine test_pruning()
+      real(wp), parameter :: rise = 1.1_wp
+      type(surface_sums_type) :: sums(4), raised(4)
+      real(wp) :: widths(n_parameters), scatter
+      integer :: i
+
+      do i = 1, 4
+         sums(i) = sums_of_lay(0.2_wp, 0.5_wp, 0.5_wp)
+         sums(i)%highest = 5.0_wp + 0.1_wp*(i - 1)
+         sums(i)%lowest = -4.0_wp - 0.2_wp*modulo(i, 2)
+      end do
+      sums%peaks%number = 40.0_wp
+      sums%peaks%curvature = 80.0_wp
+      raised = sums
+      raised%peaks%number = 30.0_wp
+      raised%peaks%curvature = 66.0_wp
+      call uncertainties(sums, 1.0_wp, widths, raised, rise)
+      ! variances of 5.0, 5.1, 5.2, 5.3 and of -4.2, -4.0, -4.2, -4.0; sz is 5.3 + 4.2
+      scatter = sqrt(0.05_wp/3.0_wp + 0.04_wp/3.0_wp)/9.5_wp
+      call assertRelativelyEqual(3.182446_wp*scatter*[10.0_wp, 0.2_wp]/log(rise), &
+         widths([p_spd, p_spc]), 1.0e-6_wp, 'spd and spc')
+      call assertEqual(0.0_wp, widths(p_sq), 1.0e-12_wp, 'no share in sq')
+   end subroutine test_pruning
 
 end module test_surface_statistics
