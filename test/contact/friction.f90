@@ -27,6 +27,7 @@ contains
       call suite%addTest(TestMethod('two half increments equal one', test_halves))
       call suite%addTest(TestMethod('degenerate directions', test_degenerate))
       call suite%addTest(TestMethod('the smallest reversal', test_reversal))
+      call suite%addTest(TestMethod('creeping outwards', test_creep))
       call suite%addTest(TestMethod('dissipation is g ln(sin theta0/sin theta)', test_slipped))
       call suite%addTest(TestMethod('derivatives against differences', test_derivatives))
       call suite%addTest(TestMethod('corner between stick and slip', test_corner))
@@ -174,6 +175,24 @@ contains
          if (anyExceptions()) return
       end do
    end subroutine test_reversal
+
+   !> Motion by less than the elastic slip is rounded to, again and again, slips like any other: it
+   !> does not creep out of the circle.
+   subroutine test_creep()
+      real(wp), parameter :: step(2) = [0.9_wp*epsilon(1.0_wp)*g, 0.0_wp]
+      type(slip_path) :: path
+      real(wp) :: gamma(2)
+      integer :: i, scheme
+
+      do scheme = slip_exact, slip_backward_euler
+         gamma = [g, 0.0_wp]
+         do i = 1, 1000
+            path = integrate_slip(gamma, step, g, scheme)
+            gamma = path%elastic_slip
+         end do
+         call assertEqual([g, 0.0_wp], gamma, 4.0_wp*spacing(g), 'stays on the circle')
+      end do
+   end subroutine test_creep
 
    subroutine test_slipped()
       type(random_stream) :: stream

@@ -6,11 +6,12 @@ module test_surface_chain
    use asperity_base_kinds, only: wp
    use asperity_base_no_value, only: none
    use asperity_height_map_type, only: height_map
+   use asperity_surface_analysis, only: analyse_surface, analysis_settings, surface_analysis_type
    use asperity_surface_generate_map, only: generate_surface, surface_settings
    use asperity_surface_parameters_from_sums, only: parameters_of
    use asperity_surface_parameters_nayak, only: nayak_summits, nayak_type
    use asperity_surface_parameters_parameters, only: n_parameters, p_direction, p_m0, p_m2_across, &
-      p_m2_along, p_m2_x, p_m2_y, p_m4_across, p_m4_along, p_m4_x, p_m4_y, p_sku, p_ssk, &
+      p_m2_along, p_m2_x, p_m2_y, p_m4_across, p_m4_along, p_m4_x, p_m4_y, p_sku, p_spd, p_ssk, &
       p_summit_curvature, p_summit_density, p_summit_mean, p_summit_sigma, parameters
    use asperity_surface_parameters_sum_tiles, only: sum_map
    use asperity_surface_parameters_tile_sums, only: summed, surface_sums_type
@@ -18,7 +19,8 @@ module test_surface_chain
    use asperity_surface_prepare_level, only: level_plane
    use asperity_surface_summits_find, only: find_summits, summit_set
    use extremes, only: worsen
-   use funit, only: assertEqual, assertGreaterThan, assertLessThan, TestMethod, TestSuite
+   use funit, only: assertEqual, assertFalse, assertGreaterThan, assertLessThan, TestMethod, &
+      TestSuite
    use measurements, only: record
    implicit none
    private
@@ -38,6 +40,7 @@ contains
       call suite%addTest(TestMethod('stated uncertainty, exponential', test_coverage_exponential))
       call suite%addTest(TestMethod('lay', test_lay))
       call suite%addTest(TestMethod('skewness and kurtosis', test_skewed))
+      call suite%addTest(TestMethod('the same by one call', test_analysis))
    end function suite_surface_chain
 
    !> Values and half widths of one generated map.
@@ -62,6 +65,29 @@ contains
       call parameters_of(summed(sums), area, values)
       call uncertainties(sums, area, widths, raised, rise)
    end subroutine analyse
+
+   !> The analysis of a map does the same, with 1.1 times the height of pruning for its share of the
+   !> uncertainty.
+   subroutine test_analysis()
+      type(surface_settings) :: s
+      type(height_map) :: map
+      type(surface_analysis_type) :: analysis
+      type(error_type), allocatable :: error
+      real(wp) :: values(n_parameters), widths(n_parameters)
+
+      s%points_x = 128
+      s%points_y = 128
+      s%correlation_length_x = 0.02_wp
+      s%correlation_length_y = 0.02_wp
+      call analyse(s, 4, values, widths)
+      call generate_surface(s, map, error)
+      call level_plane(map)
+      call analyse_surface(map, analysis_settings(pruning=pruning, tiles=4), analysis, error)
+      call assertFalse(allocated(error), 'analysed')
+      call assertEqual(values, analysis%values(:, 1), 0.0_wp, 'values')
+      call assertEqual(widths, analysis%uncertainty, 0.0_wp, 'half widths')
+      call assertLessThan(widths(p_spd), 0.5_wp*values(p_spd), 'spd is known')
+   end subroutine test_analysis
 
    !> Mean and its standard error.
    pure subroutine mean_of(x, mean, error)
