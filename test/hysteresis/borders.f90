@@ -1,10 +1,11 @@
 !> What a record is where that is a close thing: noise, hand-digitised steps, slip, overshoot.
 module test_hysteresis_borders
    use asperity_base_kinds, only: wp
+   use asperity_base_no_value, only: none
    use asperity_hysteresis_analysis, only: hysteresis_result
    use asperity_hysteresis_cycles, only: find_peaks, measure_cycles
    use asperity_hysteresis_turning_points, only: cut_cycles
-   use asperity_hysteresis_types, only: hysteresis_cycle, not_known
+   use asperity_hysteresis_types, only: hysteresis_cycle
    use backbone_models, only: backbone_fall, backbone_type, driven, programme_turns
    use extremes, only: worsen
    use funit, only: assertEqual, assertTrue, TestMethod, TestSuite
@@ -151,7 +152,7 @@ contains
       real(wp), parameter :: threshold = 0.125_wp
 
       call expect(threshold, 0.25_wp)
-      call expect(nearest(threshold, 1.0_wp), not_known)
+      call expect(nearest(threshold, 1.0_wp), none)
       call peak_at(nearest(threshold, 1.0_wp), [2, 3])
       call peak_at(threshold, [0, 3])
    contains

@@ -1,9 +1,9 @@
 !> The limits of the remarks on a map: at each there is no remark, at the next number there is one.
 module test_surface_remarks
    use asperity_base_kinds, only: wp
+   use asperity_base_no_value, only: none
    use asperity_base_number_text, only: to_text
    use asperity_law_plausibility, only: roughness_number_min_sq
-   use asperity_surface_parameters_from_sums, only: no_parameter
    use asperity_surface_parameters_parameters, only: n_parameters, p_alpha, p_eta_nayak, &
       p_eta_paper, p_m0, p_m2_across, p_m2_along, p_m2_x, p_m2_y, p_m4_x, p_m4_y, &
       p_radius_paper, p_sdq, p_sigma_paper, p_sku, p_sp, p_sq, p_ssk, p_sv
@@ -54,7 +54,7 @@ contains
       real(wp), intent(in) :: at(:), side
       real(wp) :: values(n_parameters)
 
-      values = no_parameter
+      values = none
       values(places) = at
       call expect('', values, map_facts(peaks=100.0_wp))
       values(places(1)) = nearest(at(1), side)
@@ -65,7 +65,7 @@ contains
    subroutine test_scan()
       real(wp) :: values(n_parameters)
 
-      values = no_parameter
+      values = none
       call expect('', values, map_facts(peaks=20.0_wp))
       call expect('few_peaks', values, map_facts(peaks=nearest(20.0_wp, down)))
       call expect('few_peaks', values, map_facts(peaks=0.5_wp))
@@ -94,9 +94,9 @@ contains
    subroutine test_step()
       real(wp) :: values(n_parameters), widths(n_parameters), coarse(n_parameters)
 
-      values = no_parameter
-      widths = no_parameter
-      coarse = no_parameter
+      values = none
+      widths = none
+      coarse = none
       values(p_eta_nayak) = 1.0_wp
       widths(p_eta_nayak) = 0.75_wp
       coarse(p_eta_nayak) = 1.75_wp
@@ -109,7 +109,7 @@ contains
       values(p_eta_paper) = nearest(2.25_wp, up)
       call expect('routes', values, map_facts(peaks=20.0_wp), widths)
       ! a value within its own uncertainty is not far
-      values = no_parameter
+      values = none
       values(p_ssk) = 0.75_wp
       widths(p_ssk) = 0.75_wp
       call expect('', values, map_facts(peaks=20.0_wp), widths)
@@ -128,7 +128,7 @@ contains
       character(len=:), allocatable :: found
       integer :: i
 
-      half_widths = no_parameter
+      half_widths = none
       if (present(widths)) half_widths = widths
       call find_remarks(values, half_widths, facts, 'paper', remarks, coarse)
       found = ''
