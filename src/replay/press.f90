@@ -11,6 +11,7 @@ module asperity_replay_press
    use asperity_contact_properties, only: contact_properties
    use asperity_law_normal_inverse, only: separation_for_pressure
    use asperity_law_normal_law, only: evaluate_normal_law, normal_response
+   use asperity_paper_wood, only: wood_strength_across
    use asperity_replay_abaqus_host, only: accept_increment, host_point, new_host_point, &
       refuse_cut, try_increment
    use asperity_replay_sizes, only: check_between
@@ -22,8 +23,8 @@ module asperity_replay_press
    type :: press_settings
       !> What is ramped: `pressure` or `overclosure`
       character(len=16) :: control = 'pressure'
-      !> Value at the top of the ramp, MPa or mm
-      real(wp) :: peak = 4.7_wp
+      !> Value at the top of the ramp, MPa or mm; fc90 of the wood unless set
+      real(wp) :: peak = wood_strength_across
       !> Increments of each ramp
       integer :: increments = 50
       !> Duration of each ramp, s

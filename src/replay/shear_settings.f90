@@ -4,6 +4,7 @@ module asperity_replay_shear_settings
    use asperity_base_error, only: error_type, fatal_error
    use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
+   use asperity_paper_shear_test, only: disc_diameter, disc_normal_stress, disc_rate
    use asperity_replay_sizes, only: check_between, check_size, slip_text
    implicit none
    private
@@ -12,11 +13,11 @@ module asperity_replay_shear_settings
    !> Specimen, load and path.
    type :: shear_settings
       !> Diameter of both discs, mm
-      real(wp) :: diameter = 61.8_wp
+      real(wp) :: diameter = disc_diameter
       !> Normal stress of the dead weight on the full disc, MPa
-      real(wp) :: normal_stress = 0.05_wp
+      real(wp) :: normal_stress = disc_normal_stress
       !> Speed of the lower box, mm/min
-      real(wp) :: rate = 1.2_wp
+      real(wp) :: rate = disc_rate
       !> Turning points of the lower box, mm; 3 mm when not allocated
       real(wp), allocatable :: displacement(:)
       !> Largest step, mm

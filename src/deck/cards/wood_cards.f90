@@ -6,6 +6,8 @@ module asperity_deck_cards_wood_cards
    use asperity_base_number_text, only: to_text
    use asperity_deck_cards_card_writer, only: writer_type
    use asperity_deck_options, only: deck_choice, for_calculix
+   use asperity_paper_wood, only: poisson_ratios, shear_moduli, wood_strength_across, &
+      wood_strength_along, young_moduli
    implicit none
    private
    public :: wood_type, check_wood, write_wood, write_axes
@@ -14,14 +16,15 @@ module asperity_deck_cards_wood_cards
    !> but for the hardening, which is chosen.
    type :: wood_type
       !> Moduli in L, R and T, MPa
-      real(wp) :: modulus(3) = [3727.12_wp, 351.01_wp, 351.01_wp]
+      real(wp) :: modulus(3) = young_moduli
       !> Poisson's ratios LR, LT, RT: strain in the second over that in the first direction, which
       !> is pulled
-      real(wp) :: poisson(3) = [0.62_wp, 0.42_wp, 0.35_wp]
+      real(wp) :: poisson(3) = poisson_ratios
       !> Shear moduli LR, LT, RT, MPa
-      real(wp) :: shear(3) = [224.61_wp, 280.32_wp, 67.16_wp]
+      real(wp) :: shear(3) = shear_moduli
       !> Strength in compression along and across the grain, MPa
-      real(wp) :: strength_along = 50.1_wp, strength_across = 4.7_wp
+      real(wp) :: strength_along = wood_strength_along, &
+         strength_across = wood_strength_across
       !> Slope of the stress over plastic strain, over the modulus; along and across the grain
       real(wp) :: hardening_along = 0.02_wp, hardening_across = 0.02_wp
    end type wood_type

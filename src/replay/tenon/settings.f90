@@ -8,9 +8,10 @@ module asperity_replay_tenon_settings
    use asperity_base_error, only: error_type, fatal_error
    use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
+   use asperity_paper_joint, only: joint_amplitudes, joint_cycles
+   use asperity_paper_wood, only: wood_strength_across, wood_strength_along, young_moduli
    use asperity_replay_sizes, only: check_between, check_size, range_of, size_range
-   use asperity_replay_tenon_turns, only: check_amplitudes, check_displacement, &
-      default_amplitudes, default_cycles
+   use asperity_replay_tenon_turns, only: check_amplitudes, check_displacement
    implicit none
    private
    public :: tenon_settings, complete_tenon_settings, check_tenon_settings, tenon_amplitudes, &
@@ -55,20 +56,21 @@ module asperity_replay_tenon_settings
       !> Vertical load of the column, N, for information only
       real(wp) :: column_load = 0.0_wp
       !> Bearing of the tenon perpendicular to grain: modulus, MPa, over depth, mm, is its
-      !> stiffness. The modulus is the paper's; the depth is chosen, half of `height` when not
+      !> stiffness. The modulus is the paper's in whole
+      !> MPa, as that of the column; the depth is chosen, half of `height` when not
       !> allocated
-      real(wp) :: bearing_modulus = 351.0_wp
+      real(wp) :: bearing_modulus = anint(young_moduli(2))
       real(wp), allocatable :: bearing_depth
       !> Its yield pressure fc90, MPa
-      real(wp) :: bearing_strength = 4.7_wp
+      real(wp) :: bearing_strength = wood_strength_across
       !> Its hardening over its stiffness; zero or more; chosen
       real(wp) :: hardening = 0.02_wp
       !> Bearing of the column parallel to grain: modulus, MPa (zero: rigid), and depth, mm, chosen
       !> as that of the tenon
-      real(wp) :: column_modulus = 3727.0_wp
+      real(wp) :: column_modulus = anint(young_moduli(1))
       real(wp), allocatable :: column_depth
       !> Its yield pressure fc0, MPa, and hardening over its stiffness
-      real(wp) :: column_strength = 50.1_wp, column_hardening = 0.02_wp
+      real(wp) :: column_strength = wood_strength_along, column_hardening = 0.02_wp
       !> Contact points along each face over `length`, along each side of a side face, and over each
       !> shoulder's height
       integer :: points = 100, side_points = 12, shoulder_points = 16
@@ -140,8 +142,8 @@ contains
             allocate (cycles(size(amplitudes)), source=1)
          end if
       else
-         amplitudes = default_amplitudes
-         cycles = default_cycles
+         amplitudes = joint_amplitudes
+         cycles = joint_cycles
          if (allocated(settings%cycles)) cycles = settings%cycles
       end if
    end subroutine tenon_amplitudes

@@ -10,11 +10,6 @@ module asperity_replay_tenon_turns
    private
    public :: check_amplitudes, check_displacement
 
-   !> The paper's programme: amplitudes, mm, and how many cycles of each
-   real(wp), parameter, public :: default_amplitudes(9) = &
-      [0.5_wp, 1.0_wp, 2.0_wp, 4.0_wp, 8.0_wp, 16.0_wp, 24.0_wp, 32.0_wp, 48.0_wp]
-   integer, parameter, public :: default_cycles(9) = [1, 1, 1, 1, 3, 3, 3, 3, 3]
-
    !> Range of the largest rotation of a programme, rad, which can be let pass. The model takes the
    !> cosine of the angle between tenon and mortise for one in bearing and friction: it is 0.97 at
    !> 0.25, where the edges press in by a quarter of a bearing depth and wood densifies. Tests end

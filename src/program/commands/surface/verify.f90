@@ -8,6 +8,7 @@ module asperity_program_commands_surface_verify
    use asperity_law_normal_inverse, only: separation_for_pressure
    use asperity_law_normal_law, only: evaluate_normal_law, normal_response
    use asperity_law_normal_properties, only: normal_properties
+   use asperity_paper_wood, only: wood_strength_across
    use asperity_program_commands_surface_law, only: has_law, routes, set_law
    use asperity_program_input_keys, only: find_key
    use asperity_program_input_settings, only: settings_type
@@ -21,7 +22,7 @@ module asperity_program_commands_surface_verify
    public :: law_curves, add_summit_curve
 
    !> Pressures at which the remarks compare, MPa: the paper's shear test, and the strength fc90
-   real(wp), parameter :: pressures(2) = [0.2_wp, 4.7_wp]
+   real(wp), parameter :: pressures(2) = [0.2_wp, wood_strength_across]
 
 contains
 

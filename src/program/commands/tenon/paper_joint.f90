@@ -1,4 +1,4 @@
-!> The paper's joint: what it is, and what the paper says of it.
+!> What makes a joint the paper's.
 module asperity_program_commands_tenon_paper_joint
    use asperity_base_error, only: error_type
    use asperity_base_kinds, only: wp
@@ -9,14 +9,6 @@ module asperity_program_commands_tenon_paper_joint
    implicit none
    private
    public :: is_paper_joint, usual_settings
-
-   !> Table 5 of the paper, negative loading: yield and ultimate moment, kN m, stiffness, kN m/rad
-   character(len=*), parameter, public :: published_methods(3) = [character(len=32) :: &
-      'test, paper', 'hard contact, paper (OC-FEM)', 'rough law, paper (VC-FEM)']
-   real(wp), parameter, public :: published(3, 3) = reshape([ &
-      -19.56_wp, -22.14_wp, 181.06_wp, &
-      -16.02_wp, -17.91_wp, 154.39_wp, &
-      -18.03_wp, -19.84_wp, 163.82_wp], [3, 3])
 
    !> What makes a joint the paper's: sizes and programme at their defaults, which are those of
    !> examples/tenon_joint/base.nml. Faces, wood and how it is held may differ, to compare them

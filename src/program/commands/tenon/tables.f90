@@ -3,9 +3,9 @@ module asperity_program_commands_tenon_tables
    use asperity_base_kinds, only: wp
    use asperity_base_no_value, only: is_none, none
    use asperity_hysteresis_analysis, only: hysteresis_cycle, hysteresis_skeleton, negative_side
+   use asperity_paper_joint, only: published, published_methods
    use asperity_program_commands_tenon_compare_models, only: hard, joint_type, loop_joules, &
       model_names, rough
-   use asperity_program_commands_tenon_paper_joint, only: published, published_methods
    use asperity_program_report_table, only: column_counts, column_status, column_validity, &
       new_table, table_type
    use asperity_program_report_units, only: joule, kilonewton_metre
