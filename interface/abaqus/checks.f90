@@ -45,7 +45,8 @@ contains
       if (.not. any(abs(statev(state_status) - [status_unset, status_open, status_stick, &
             status_slip]) <= 0.0_wp)) then
          call fatal_error(error, 'STATEV(1) = '//to_text(statev(state_status))//' is no '// &
-            'contact status (0 to 3): STATEV must be zero at the start, and nothing else may '// &
+            'contact status ('//to_text(status_unset)//' to '//to_text(status_slip)// &
+            '): STATEV must be zero at the start, and nothing else may '// &
             'write to it')
       else if (statev(state_pressure) < 0.0_wp .or. any(statev(state_validity:state_warned) &
             < 0.0_wp) .or. any(statev(state_validity:state_warned) > all_flags)) then

@@ -212,8 +212,8 @@ contains
       if (length == prop_sigma - 1) remedy = '; the eight of the paper lack sigma, without '// &
          'which the law has no length scale: add sigma, the standard deviation of summit '// &
          'heights in mm, as the ninth (Table 2 prints it in um)'
-      call fatal_error(error, 'PROPERTIES = '//to_text(length)//' is not allowed: give 9 to '// &
-         to_text(n_props)//remedy)
+      call fatal_error(error, 'PROPERTIES = '//to_text(length)//' is not allowed: give '// &
+         to_text(prop_sigma)//' to '//to_text(n_props)//remedy)
    end subroutine refuse_length
 
 end module asperity_abaqus_props_and_statev

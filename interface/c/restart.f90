@@ -106,7 +106,8 @@ contains
       if (allocated(problem)) return
       if (state%status < status_unset .or. state%status > status_slip) then
          call fatal_error(problem, 'status = '//to_text(state%status)//' of the state is not '// &
-            'allowed: it must be one of enum asperity_status, 0 to 3', code_input)
+            'allowed: it must be one of enum asperity_status, '//to_text(status_unset)//' to '// &
+            to_text(status_slip), code_input)
       else if (state%validity < valid .or. state%validity > all_flags) then
          call fatal_error(problem, 'validity = '//to_text(state%validity)//' of the state is '// &
             'not allowed: it must be a sum of flags, 0 to '//to_text(all_flags), code_input)

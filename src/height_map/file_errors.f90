@@ -2,6 +2,7 @@
 module asperity_height_map_file_errors
    use, intrinsic :: iso_fortran_env, only: int64
    use asperity_base_error, only: error_type, fatal_error
+   use asperity_base_number_text, only: to_text
    use asperity_height_map_bytes_byte_source, only: byte_source
    implicit none
    private
@@ -156,7 +157,7 @@ contains
             count_text(ny)//' points: both must be above 0')
       else if (nx > largest .or. ny > largest .or. nx > largest/ny) then
          call byte_error(error, source, offset, 'the header promises '//count_text(nx)//' x '// &
-            count_text(ny)//' points: at most 2147483647 points are read: cut the map')
+            count_text(ny)//' points: at most '//to_text(huge(1))//' points are read: cut the map')
       else if (nx*ny > most) then
          call byte_error(error, source, offset, 'the header promises '//count_text(nx)//' x '// &
             count_text(ny)//' points, the file has room for '//count_text(max(most, 0_int64))// &

@@ -144,8 +144,8 @@ contains
          if (yield_factor >= yield_factor_min .and. yield_factor <= yield_factor_max) return
       end if
       call fatal_error(error, 'yield_factor = '//to_text(yield_factor)// &
-         ' is not allowed: it must lie between 0.05 and 1; the paper uses 0.4', &
-         subject='yield_factor')
+         ' is not allowed: it must lie between '//to_text(yield_factor_min)//' and '// &
+         to_text(nint(yield_factor_max))//'; the paper uses 0.4', subject='yield_factor')
    end subroutine check_yield_factor
 
 end module asperity_law_normal_properties

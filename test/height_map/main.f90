@@ -6,6 +6,7 @@ program test_height_map
    use test_height_map_files, only: suite_map_files
    use test_height_map_headers, only: suite_map_headers
    use test_height_map_layouts, only: suite_map_layouts
+   use test_height_map_limits, only: suite_limits
    use test_height_map_numbers, only: suite_map_numbers
    use test_height_map_x3p, only: suite_map_x3p
    implicit none
@@ -18,5 +19,6 @@ program test_height_map
    call suite%addTest(suite_map_headers())
    call suite%addTest(suite_map_faults())
    call suite%addTest(suite_map_x3p())
+   call suite%addTest(suite_limits())
    call run_suite(suite)
 end program test_height_map

@@ -182,6 +182,10 @@ contains
       call expect(x, bad, 'force = Infinity in sample 3')
       bad(3) = 1.0e200_wp
       call expect(bad, x, 'displacement = 1.0E200 in sample 3')
+      bad(3) = 1.0e100_wp
+      call expect(x, bad, 'force = 1.0E100 in sample 3 is not a number below 1e100 in size')
+      bad(3) = nearest(bad(3), -1.0_wp)
+      call expect(x, bad, '')
       bad = 2.0_wp
       call expect(bad, x, 'displacement is 2.0 in every sample')
       bad = 0.0_wp

@@ -2,8 +2,10 @@
 module test_law_validity
    use asperity_base_error, only: error_type
    use asperity_base_kinds, only: wp
+   use asperity_base_number_text, only: to_text
    use asperity_law_normal_law, only: evaluate_normal_law, normal_response
    use asperity_law_normal_properties, only: new_normal_properties, normal_properties
+   use asperity_law_plausibility, only: roughness_number_measured, roughness_number_min
    use asperity_law_validity, only: area_above_nominal, closure_above_half_radius, &
       implausible_property, pressure_above_hardness, roughness_number_high, roughness_number_low, &
       stiffer_than_hertz, valid, validity_remark, validity_text
@@ -23,7 +25,30 @@ contains
       call suite%addTest(TestMethod('each flag by a case of its own', test_flags))
       call suite%addTest(TestMethod('flags change at their limits', test_flag_limits))
       call suite%addTest(TestMethod('texts', test_texts))
+      call suite%addTest(TestMethod('texts name the limits that are kept', test_limits))
    end function suite_validity
+
+   !> Numbers in the remarks are those of the checks; the yield factor's, 2/sqrt(110), is the last
+   !> without its flag but for rounding.
+   subroutine test_limits()
+      real(wp), parameter :: factor = 2.0_wp/sqrt(110.0_wp)
+      type(normal_properties) :: p
+      type(error_type), allocatable :: error
+      integer :: i
+
+      call assertTrue(index(validity_remark(roughness_number_low), 'eta*radius*sigma below '// &
+         to_text(roughness_number_min, 3)//':') == 1, 'lowest eta R sigma')
+      call assertTrue(index(validity_remark(roughness_number_high), 'eta*radius*sigma above '// &
+         to_text(nint(roughness_number_measured))//':') == 1, 'highest eta R sigma')
+      call assertEqual(roughness_number_measured, anint(roughness_number_measured), 0.0_wp)
+      call assertTrue(index(validity_remark(stiffer_than_hertz), 'yield_factor below '// &
+         to_text(factor, 4)//':') == 1, 'yield factor')
+      do i = -1, 1, 2
+         call new_normal_properties(p, 206.0_wp, 297.0_wp, 0.1477_wp, 24.53_wp, &
+            factor*(1.0_wp + i*1.0e-14_wp), 0.0593_wp, error)
+         call assertEqual(merge(stiffer_than_hertz, valid, i < 0), p%validity)
+      end do
+   end subroutine test_limits
 
    !> Each flag raised by a case made for it, and no other. A pressure above the hardness needs a
    !> real area above the nominal one, since no summit carries more than the hardness.

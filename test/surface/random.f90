@@ -12,10 +12,11 @@ module test_surface_random
    use asperity_surface_generate_map, only: generate_surface, surface_settings
    use asperity_surface_generate_random_stream, only: fill_normal, new_random, next_uniform, &
       random_type
+   use asperity_surface_generate_settings, only: check_surface_settings
    use asperity_surface_generate_spectrum, only: distort_spectrum, fill_spectrum
    use extremes, only: largest_of, worsen
-   use funit, only: assertEqual, assertLessThan, assertRelativelyEqual, assertTrue, TestMethod, &
-      TestSuite
+   use funit, only: assertEqual, assertFalse, assertLessThan, assertRelativelyEqual, assertTrue, &
+      TestMethod, TestSuite
    use measurements, only: record
    implicit none
    private
@@ -407,6 +408,7 @@ contains
    !> Every setting out of its range is refused with its name.
    subroutine test_refused()
       type(surface_settings) :: s
+      type(error_type), allocatable :: error
 
       s%points_x = 4
       call refuse(s, 'points_x')
@@ -440,6 +442,12 @@ contains
       call refuse(s, 'memory', '')
       s = surface_settings(direction=huge(1.0_wp))
       call refuse(s, 'direction')
+      s = surface_settings(points_x=8, points_y=8, correlation_length_x=0.02_wp, &
+         correlation_length_y=0.02_wp, direction=1.0e6_wp)
+      call refuse(s, 'number below 1e6', 'direction')
+      s%direction = nearest(s%direction, -1.0_wp)
+      call check_surface_settings(s, error)
+      call assertFalse(allocated(error), 'just below')
    end subroutine test_refused
 
    !> The message holds the word, which is the subject unless that is given.

@@ -7,6 +7,7 @@ module asperity_height_map_bytes_byte_source
    use asperity_base_error, only: error_type, fatal_error, file_error
    use asperity_base_kinds, only: wp
    use asperity_base_memory, only: check_memory
+   use asperity_base_number_text, only: to_text
    use asperity_height_map_bytes_libc, only: c_fclose, c_fopen, c_fread, c_fseek, c_ftell, &
       c_memchr, c_memmove, from_end, from_start
    implicit none
@@ -259,8 +260,8 @@ contains
       kept = source%filled - source%next + 1
       if (2*kept > size(source%block)) then
          if (size(source%block) >= longest_line) then
-            call fatal_error(error, source%name//': has a line of more than 64 MiB: this is no '// &
-               'table of heights', file_error)
+            call fatal_error(error, source%name//': has a line of more than '// &
+               to_text(longest_line/2**20)//' MiB: this is no table of heights', file_error)
             return
          end if
          allocate (larger(2*size(source%block)), stat=status)

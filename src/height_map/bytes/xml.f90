@@ -172,7 +172,8 @@ contains
             reader%text = ''
             call get_string(c_local_name(reader%handle), longest_name, piece)
             if (reader%depth >= deepest) then
-               call xml_error(reader, 'has elements within more than 16 others', error)
+               call xml_error(reader, 'has elements within more than '//to_text(deepest)// &
+                  ' others', error)
                return
             end if
             reader%depth = reader%depth + 1

@@ -124,7 +124,7 @@ contains
       else if (header%kind < uint8 .or. header%kind > float64) then
          call map_error(error, source, &
             'data type '//to_text(header%kind)//' is unknown: allowed '// &
-            'are 0 to 7; the header is wrong')
+            'are '//to_text(uint8)//' to '//to_text(float64)//'; the header is wrong')
          return
       end if
       call settle_unit(source%name, 'lengths', '--lateral-unit', 'm', hints%lateral_unit, unit, &

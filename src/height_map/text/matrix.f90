@@ -5,6 +5,7 @@ module asperity_height_map_text_matrix
    use asperity_base_error, only: error_type
    use asperity_base_kinds, only: wp
    use asperity_base_no_value, only: none
+   use asperity_base_number_text, only: to_text
    use asperity_height_map_allocate_map, only: allocate_heights
    use asperity_height_map_bytes_byte_source, only: byte_source, next_line
    use asperity_height_map_bytes_number_chunks, only: number_store
@@ -176,7 +177,7 @@ contains
                   'row of '//count_text(n)//' fields, '// &
                   'the first one has '//count_text(matrix%columns)// &
                   ': all rows must have the same, at '// &
-                  'most 2147483647 in all; write NaN where a height is missing')
+                  'most '//to_text(huge(1))//' in all; write NaN where a height is missing')
                return
             end if
             call next_row()

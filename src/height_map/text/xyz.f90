@@ -144,8 +144,7 @@ contains
          points = points + 1_int64
          if (points > huge(1)) then
             call line_error(error, source, source%first, &
-               'at most 2147483647 points are read: cut '// &
-               'the map')
+               'at most '//to_text(huge(1))//' points are read: cut the map')
             return
          end if
          if (marks_missing(header, values(3))) kinds(3) = field_missing

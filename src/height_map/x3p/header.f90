@@ -160,8 +160,9 @@ contains
       real(wp) :: value
       logical :: is_number
 
-      if (header%list%count >= 2147483647_int64) then
-         call element_error(source, reader, 'is one too many: at most 2147483647 are read', error)
+      if (header%list%count >= huge(1)) then
+         call element_error(source, reader, 'is one too many: at most '// &
+            to_text(huge(1))//' are read', error)
          return
       end if
       call plain_key(text(index(text, ';', back=.true.) + 1:), word)

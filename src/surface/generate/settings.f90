@@ -12,6 +12,8 @@ module asperity_surface_generate_settings
 
    !> Fewest steps in a correlation length or in the shortest wave
    real(wp), parameter :: fewest_steps = 2.0_wp
+   !> Numbers without a unit must be smaller in size
+   real(wp), parameter :: largest_number = 1.0e6_wp
    !> Most points along a side
    integer, parameter :: most_points = 100000
 
@@ -103,7 +105,7 @@ contains
       real(wp), intent(in) :: value
 
       if (is_finite(value)) then
-         if (abs(value) < 1.0e6_wp) return
+         if (abs(value) < largest_number) return
       end if
       call fatal_error(error, name//' = '//to_text(value)// &
          ' is not allowed: it must be a number below 1e6 in size', subject=name)

@@ -2,7 +2,8 @@
 module asperity_surface_remarks_on_analysis
    use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
-   use asperity_law_plausibility, only: alpha_min, roughness_number_min, roughness_number_min_sq
+   use asperity_law_plausibility, only: alpha_min, roughness_number_min, &
+      roughness_number_min_sq, summit_constant
    use asperity_surface_parameters_parameters, only: n_parameters, p_alpha, p_eta_nayak, &
       p_eta_paper, p_m2_across, p_m2_along, p_radius_nayak, p_radius_paper, p_sigma_nayak, &
       p_sigma_paper, p_sku, p_spc, p_spd, p_ssk, parameters
@@ -109,7 +110,7 @@ contains
             'one length or one direction stand out, or heights are far from Gaussian: Nayak''s '// &
             'density, radius and sigma do not describe its summits.'
          if (.not. is_known(values(p_sigma_nayak))) text = text// &
-            ' His sigma does not even exist below 0.8968.'
+            ' His sigma does not even exist below '//to_text(summit_constant, 4)//'.'
          call add_remark(remarks, 'alpha', text//' Use the paper''s route, or the sum over the '// &
             'map''s own summits (--verify).')
       end associate
