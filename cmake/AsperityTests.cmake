@@ -89,9 +89,11 @@ add_executable(asperity_calculix_tests ${calculix_sources})
 target_link_libraries(asperity_calculix_tests PRIVATE asperity_test_support)
 asperity_test(calculix)
 
-# The runner of CalculiX decks, with a fake CalculiX
+# Layers of the sources, and the runner of CalculiX decks with a fake CalculiX
 find_package(Python3 COMPONENTS Interpreter)
 if(Python3_FOUND)
+   add_test(NAME layers_tests COMMAND ${Python3_EXECUTABLE} test/layers.py
+      WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
    add_test(NAME calculix_run_tests
       COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/test/calculix/tools/test_run.py)
    add_test(NAME calculix_source_tests
