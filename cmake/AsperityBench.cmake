@@ -8,7 +8,7 @@ file(GLOB bench_sources CONFIGURE_DEPENDS test/bench/*.f90 test/bench/contenders
 list(APPEND bench_sources test/support/random_inputs.f90
    test/support/contact_cases.f90 test/support/abaqus_stubs.f90)
 string(TOUPPER "${CMAKE_BUILD_TYPE}" bench_build_type)
-get_target_property(target_flags asperity COMPILE_OPTIONS)
+get_target_property(target_flags asperity_law COMPILE_OPTIONS)
 separate_arguments(bench_flags NATIVE_COMMAND
    "${CMAKE_Fortran_FLAGS} ${CMAKE_Fortran_FLAGS_${bench_build_type}}")
 list(APPEND bench_flags ${target_flags})
@@ -23,7 +23,7 @@ file(MAKE_DIRECTORY ${bench_folder})
 function(asperity_bench name)
    set(program asperity_bench_${name})
    # The library without OpenMP, as everyone has it; the benchmarks with it
-   add_library(${program}_core STATIC EXCLUDE_FROM_ALL ${core_sources})
+   add_library(${program}_core STATIC EXCLUDE_FROM_ALL ${law_sources} ${abaqus_sources})
    add_executable(${program} EXCLUDE_FROM_ALL ${bench_sources})
    foreach(target ${program}_core ${program})
       asperity_compile_options(${target})

@@ -1,5 +1,5 @@
 # The C interface as a shared library, for C, C++ and anything that loads such libraries: the law,
-# the contact point and asperity.h, without UINTER and VUINTER, which need ABAQUS.
+# the contact point and asperity.h.
 
 # See the file's head: a warning of flang's that the standard does not share
 if(CMAKE_Fortran_COMPILER_ID STREQUAL "LLVMFlang")
@@ -7,14 +7,13 @@ if(CMAKE_Fortran_COMPILER_ID STREQUAL "LLVMFlang")
 endif()
 
 if(ASPERITY_BUILD_C)
-   # The objects of the static library, which are position independent. Only the end of a path tells
-   # those of UINTER and VUINTER: the folders before it are the user's
-   add_library(asperity_c SHARED
-      "$<FILTER:$<TARGET_OBJECTS:asperity>,EXCLUDE,/interface/abaqus/[^/]*$>")
-   add_library(asperity::asperity_c ALIAS asperity_c)
+   file(GLOB c_sources CONFIGURE_DEPENDS interface/c/*.f90)
+   add_library(asperity_c SHARED ${c_sources})
+   add_library(asperity::c ALIAS asperity_c)
+   asperity_compile_options(asperity_c)
+   target_link_libraries(asperity_c PRIVATE asperity_law)
    # 0.x may change the interface with every x
-   set_target_properties(asperity_c PROPERTIES
-      LINKER_LANGUAGE Fortran
+   set_target_properties(asperity_c PROPERTIES EXPORT_NAME c
       VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
    target_include_directories(asperity_c INTERFACE
       $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/interface/c>
@@ -38,9 +37,4 @@ if(ASPERITY_BUILD_C)
    install(TARGETS asperity_c EXPORT asperity-c-targets
       LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
    install(FILES interface/c/asperity.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
-   install(EXPORT asperity-c-targets NAMESPACE asperity:: DESTINATION ${package_folder})
-   file(RELATIVE_PATH pc_include ${pc_folder} ${CMAKE_INSTALL_FULL_INCLUDEDIR})
-   configure_file(cmake/asperity-c.pc.in asperity-c.pc @ONLY)
-   install(FILES ${PROJECT_BINARY_DIR}/asperity-c.pc
-      DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 endif()

@@ -16,4 +16,5 @@ if(CMAKE_Fortran_COMPILER_ID STREQUAL "GNU")
       -fcheck=all -ffpe-trap=invalid,zero,overflow)
 endif()
 target_link_options(asperity_fuzz PRIVATE ${fuzz_checks})
-target_link_libraries(asperity_fuzz PRIVATE ${zip_library} ${xml_library} ${zlib_library})
+target_link_libraries(asperity_fuzz PRIVATE
+   ${asperity_zip_library} ${asperity_xml2_library} ${asperity_z_library})

@@ -1,15 +1,16 @@
-# What goes where on installation: library, modules, CMake package, pkg-config file, and the
-# sources that ABAQUS compiles.
+# What goes where on installation besides libraries and program: the CMake package, the pkg-config
+# file, and in one folder, whose links lead from one file to another, documents, examples, the
+# sources that ABAQUS compiles, and what puts a UINTER into CalculiX. `cmake --build . --target
+# uninstall` removes what was installed last.
 include(CMakePackageConfigHelpers)
 
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/asperity)
 set(share_folder ${CMAKE_INSTALL_DATADIR}/asperity)
 
-install(TARGETS asperity EXPORT asperity-targets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
-install(DIRECTORY ${PROJECT_BINARY_DIR}/modules/asperity/ DESTINATION ${asperity_module_folder}
-   FILES_MATCHING PATTERN "*.mod")
-install(EXPORT asperity-targets NAMESPACE asperity:: DESTINATION ${package_folder})
-
+install(EXPORT asperity-fortran-targets NAMESPACE asperity:: DESTINATION ${package_folder})
+if(ASPERITY_BUILD_C)
+   install(EXPORT asperity-c-targets NAMESPACE asperity:: DESTINATION ${package_folder})
+endif()
 configure_package_config_file(cmake/asperity-config.cmake.in asperity-config.cmake
    INSTALL_DESTINATION ${package_folder})
 write_basic_package_version_file(asperity-config-version.cmake COMPATIBILITY SameMinorVersion)
@@ -23,10 +24,24 @@ set(pc_folder ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig)
 file(RELATIVE_PATH pc_prefix ${pc_folder} ${CMAKE_INSTALL_PREFIX})
 file(RELATIVE_PATH pc_modules ${pc_folder}
    ${CMAKE_INSTALL_FULL_INCLUDEDIR}/asperity/${compiler_name})
+file(RELATIVE_PATH pc_include ${pc_folder} ${CMAKE_INSTALL_FULL_INCLUDEDIR})
 configure_file(cmake/asperity.pc.in asperity.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/asperity.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+if(ASPERITY_BUILD_C)
+   configure_file(cmake/asperity-c.pc.in asperity-c.pc @ONLY)
+   install(FILES ${PROJECT_BINARY_DIR}/asperity-c.pc
+      DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+endif()
 
-install(DIRECTORY interface/ DESTINATION ${share_folder}/interface
-   FILES_MATCHING PATTERN "*.f90" PATTERN "*.inc" PATTERN "c" EXCLUDE)
-install(FILES ${one_files} DESTINATION ${share_folder})
-install(FILES LICENSE CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES ${one_files} README.md CHANGELOG.md LICENSE CITATION.cff
+   DESTINATION ${share_folder})
+install(DIRECTORY docs examples interface DESTINATION ${share_folder} USE_SOURCE_PERMISSIONS
+   PATTERN __pycache__ EXCLUDE)
+# What the glue of interface/calculix is compiled with
+install(FILES src/base/kinds.f90 DESTINATION ${share_folder}/src/base)
+
+if(is_top_level)
+   add_custom_target(uninstall
+      COMMAND ${CMAKE_COMMAND} -D build=${PROJECT_BINARY_DIR} -P ${PROJECT_SOURCE_DIR}/cmake/uninstall.cmake
+      VERBATIM)
+endif()

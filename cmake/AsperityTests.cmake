@@ -19,7 +19,7 @@ asperity_compile_options(asperity_test_support)
 target_include_directories(asperity_test_support PUBLIC
    ${PROJECT_BINARY_DIR}/modules/asperity_test_support)
 target_link_libraries(asperity_test_support PUBLIC
-   asperity GSL::gsl GSL::gslcblas ${funit_target})
+   asperity_abaqus asperity_law GSL::gsl GSL::gslcblas ${funit_target})
 
 # The test of a program, run in the project's folder
 function(asperity_test suite)
@@ -49,8 +49,8 @@ asperity_test_suite(base)
 # eta R sigma of real surfaces bounds what the law takes for plausible
 asperity_test_suite(law asperity_surface)
 asperity_test_suite(contact)
-asperity_test_suite(abaqus asperity_replay)
-asperity_test_suite(replay asperity_replay)
+asperity_test_suite(abaqus asperity_joint)
+asperity_test_suite(replay asperity_joint)
 asperity_test_suite(hysteresis asperity_hysteresis)
 asperity_test_suite(height_map asperity_surface)
 asperity_test_suite(surface asperity_surface)

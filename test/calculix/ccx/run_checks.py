@@ -55,11 +55,11 @@ def main():
         ("pairs that are not node to surface", user_file.pairs, stock, events, folder),
     ]
     began = time.monotonic()
-    for name, function, *arguments in groups:
-        if "-" in arguments:
+    for name, function, *inputs in groups:
+        if "-" in inputs:
             print(f"-- {name}: left out, a program is missing")
         else:
-            group(name, function, *arguments)
+            group(name, function, *inputs)
     print(f"{time.monotonic() - began:.0f} s")
     print(f"{COUNTS['passed']} passed, {COUNTS['failed']} failed")
     return COUNTS["failed"] > 0 or COUNTS["passed"] == 0
