@@ -4,8 +4,8 @@ module test_replay_tenon_joint
    use abaqus_stubs, only: forget_calls, messages
    use asperity, only: computation_error, error_type, wp
    use asperity_base_number_text, only: to_text
-   use asperity_replay_tenon_run, only: check_tenon_settings, run_tenon, tenon_point, &
-      tenon_settings, tenon_step
+   use asperity_replay_tenon_check_settings, only: check_tenon_settings
+   use asperity_replay_tenon_run, only: run_tenon, tenon_point, tenon_settings, tenon_step
    use extremes, only: largest_of
    use funit, only: anyExceptions, assertEqual, assertGreaterThan, assertLessThan, assertTrue, &
       TestMethod, TestSuite

@@ -12,8 +12,9 @@ module asperity_deck_tenon_deck
    use asperity_deck_mesh_hexahedra, only: check_mesh_room, hex_mesh
    use asperity_deck_options, only: check_deck_choice, deck_choice, for_calculix
    use asperity_deck_tenon_parts, only: check_tenon_sizes, new_beam, new_column, tenon_sizes
+   use asperity_replay_tenon_check_settings, only: check_tenon_settings
    use asperity_replay_tenon_load_path, only: tenon_programme
-   use asperity_replay_tenon_settings, only: check_tenon_settings, tenon_face_arm, tenon_settings
+   use asperity_replay_tenon_settings, only: tenon_face_arm, tenon_settings
    implicit none
    private
    public :: tenon_deck, new_tenon_deck

@@ -7,6 +7,7 @@ module asperity_replay_tenon_run
    use asperity_base_number_text, only: to_text
    use asperity_contact_properties, only: contact_properties
    use asperity_replay_abaqus_host, only: accept_increment
+   use asperity_replay_tenon_check_settings, only: check_tenon_settings
    use asperity_replay_tenon_contact, only: contact_record
    use asperity_replay_tenon_energy, only: book_increment, tenon_ledger
    use asperity_replay_tenon_equilibrium, only: balance_tenon
@@ -14,11 +15,11 @@ module asperity_replay_tenon_run
       new_tenon_model, other_side, side, tenon_faces => n_faces, tenon_forces, tenon_model, &
       tenon_place, upper, upper_shoulder
    use asperity_replay_tenon_load_path, only: tenon_programme
-   use asperity_replay_tenon_settings, only: check_tenon_settings, tenon_settings
+   use asperity_replay_tenon_settings, only: tenon_settings
    implicit none
    private
-   public :: tenon_settings, check_tenon_settings, tenon_step, tenon_point, run_tenon, &
-      tenon_progress, tenon_faces, tenon_face_names, bearing_faces
+   public :: tenon_settings, tenon_step, tenon_point, run_tenon, tenon_progress, tenon_faces, &
+      tenon_face_names, bearing_faces
 
    !> Names of the faces
    character(len=14), parameter :: tenon_face_names(tenon_faces) = [character(len=14) :: &

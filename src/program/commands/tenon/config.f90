@@ -9,7 +9,8 @@ module asperity_program_commands_tenon_config
    use asperity_paper_pairs, only: find_pair, pair_preset
    use asperity_program_input_keys, only: belongs, find_key
    use asperity_program_input_settings, only: settings_type
-   use asperity_replay_tenon_settings, only: check_tenon_settings, tenon_settings
+   use asperity_replay_tenon_check_settings, only: check_tenon_settings
+   use asperity_replay_tenon_settings, only: tenon_settings
    implicit none
    private
    public :: new_tenon_settings, new_side_properties, whole_list

@@ -15,7 +15,8 @@ module asperity_program_commands_tenon_history
    use asperity_program_record_units, only: find_unit, unit_angle, unit_length, unit_share, &
       unit_type
    use asperity_program_report_report, only: named_table
-   use asperity_replay_tenon_settings, only: check_tenon_settings, tenon_settings
+   use asperity_replay_tenon_check_settings, only: check_tenon_settings
+   use asperity_replay_tenon_settings, only: tenon_settings
    implicit none
    private
    public :: history_type, read_history, follow_history, forget_reading
