@@ -3,14 +3,14 @@ module asperity
    use asperity_base_error, only: computation_error, error_type, file_error, input_error
    use asperity_base_kinds, only: wp
    use asperity_base_version, only: version
-   use asperity_contact_point, only: contact_response, contact_state, contact_tangent, &
-      no_opposite_surface, no_rotation, no_surface_limit, status_open, status_slip, &
-      status_stick, status_text, status_unset, &
-      update_contact_point
+   use asperity_contact_point, only: contact_tangent, update_contact_point
    use asperity_contact_points, only: contact_states, get_contact_state, new_contact_states, &
       set_contact_state, update_contact_points
    use asperity_contact_properties, only: contact_properties, new_contact_properties, &
       rule_abaqus, rule_dissipative, slip_backward_euler, slip_exact
+   use asperity_contact_state, only: contact_response, contact_state, no_opposite_surface, &
+      no_rotation, no_surface_limit, status_open, status_slip, status_stick, status_text, &
+      status_unset
    use asperity_law_compiled_law, only: compiled_law, evaluate_compiled_law, new_compiled_law
    use asperity_law_normal_inverse, only: separation_for_pressure
    use asperity_law_normal_law, only: evaluate_normal_law, normal_response

@@ -7,7 +7,7 @@ module asperity_abaqus_checks
    use asperity_base_finite, only: all_finite
    use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
-   use asperity_contact_point, only: status_open, status_slip, status_stick, status_unset
+   use asperity_contact_state, only: status_open, status_slip, status_stick, status_unset
    use asperity_law_validity, only: all_flags
    implicit none
    private

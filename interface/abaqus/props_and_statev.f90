@@ -6,9 +6,9 @@ module asperity_abaqus_props_and_statev
    use asperity_base_finite, only: is_finite
    use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
-   use asperity_contact_point, only: contact_state
    use asperity_contact_properties, only: contact_properties, new_contact_properties, rule_abaqus, &
       slip_exact
+   use asperity_contact_state, only: contact_state
    use asperity_law_normal_properties, only: new_normal_properties, normal_properties
    implicit none
    private

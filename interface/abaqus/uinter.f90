@@ -16,9 +16,10 @@ subroutine uinter( &
    use asperity_base_finite, only: all_finite, is_finite
    use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
-   use asperity_contact_point, only: contact_response, contact_state, contact_tangent, &
-      no_opposite_surface, no_rotation, no_surface_limit, status_open, update_contact_point
+   use asperity_contact_point, only: contact_tangent, update_contact_point
    use asperity_contact_properties, only: contact_properties
+   use asperity_contact_state, only: contact_response, contact_state, no_opposite_surface, &
+      no_rotation, no_surface_limit, status_open
    use asperity_law_validity, only: validity_remark
    implicit none
    integer, intent(in) :: node, ndir, nstatv, npred, nprops, mcrd, kstep, kinc, kit

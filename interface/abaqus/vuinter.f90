@@ -22,11 +22,11 @@ subroutine vuinter( &
    use asperity_base_finite, only: all_finite, is_finite
    use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
-   use asperity_contact_point, only: contact_state, no_opposite_surface, no_rotation, &
-      no_surface_limit, status_slip, status_stick
    use asperity_contact_points, only: contact_states, get_contact_state, new_contact_states, &
       set_contact_state, update_contact_points
    use asperity_contact_properties, only: contact_properties, rule_dissipative
+   use asperity_contact_state, only: contact_state, no_opposite_surface, no_rotation, &
+      no_surface_limit, status_slip, status_stick
    use asperity_law_normal_law, only: evaluate_normal_law, normal_response
    use asperity_law_validity, only: validity_remark
    implicit none

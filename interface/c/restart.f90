@@ -8,8 +8,8 @@ module asperity_c_restart
    use asperity_c_checks, only: answer, check_pointer
    use asperity_c_states, only: states_of
    use asperity_c_types, only: code_input, code_length, error_struct, state_struct
-   use asperity_contact_point, only: contact_state, status_slip, status_unset
    use asperity_contact_points, only: contact_states, get_contact_state, set_contact_state
+   use asperity_contact_state, only: contact_state, status_slip, status_unset
    use asperity_law_validity, only: all_flags, valid
    implicit none
    private

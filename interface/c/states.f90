@@ -6,8 +6,8 @@ module asperity_c_states
    use asperity_c_checks, only: answer, check_pointer, check_points, content_of, free_handle, wrap
    use asperity_c_contents, only: content_at
    use asperity_c_types, only: code_length, error_struct, tag_states
-   use asperity_contact_point, only: contact_state
    use asperity_contact_points, only: contact_states, set_contact_state
+   use asperity_contact_state, only: contact_state
    implicit none
    private
    public :: asperity_states_new, asperity_states_free, asperity_states_copy, &

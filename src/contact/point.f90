@@ -10,85 +10,14 @@ module asperity_contact_point
    use asperity_contact_friction, only: integrate_slip, slip_path
    use asperity_contact_properties, only: close_pressure_ratio, contact_properties, &
       rule_dissipative
+   use asperity_contact_state, only: contact_response, contact_state, no_surface_limit, &
+      status_open, status_slip, status_stick, status_unset
    use asperity_law_compiled_law, only: evaluate_compiled_law
    use asperity_law_normal_inverse, only: separation_for_pressure
    use asperity_law_normal_law, only: evaluate_normal_law, normal_response, vanishing_separation
-   use asperity_law_validity, only: valid
    implicit none
    private
-   public :: contact_state, contact_response, update_contact_point, advance_contact_point, &
-      contact_tangent, status_text
-
-   !> Contact status
-   enum, bind(c)
-      !> Never updated: nothing is known of the point's past
-      enumerator :: status_unset = 0
-      !> Pressure below p_open
-      enumerator :: status_open
-      !> Closed; only elastic slip at the end of the increment
-      enumerator :: status_stick
-      !> Closed and slipping at the end of the increment
-      enumerator :: status_slip
-   end enum
-   public :: status_unset, status_open, status_stick, status_slip
-
-   !> Rotation of slip directions that do not turn
-   real(wp), parameter, public :: no_rotation(2, 2) = &
-      reshape([1.0_wp, 0.0_wp, 0.0_wp, 1.0_wp], [2, 2])
-
-   !> Overclosure that stands for "no opposite surface"
-   real(wp), parameter, public :: no_opposite_surface = -1.0e36_wp
-   !> Any overclosure below this, mm, means the same
-   real(wp), parameter, public :: no_surface_limit = -1.0e30_wp
-
-   character(len=5), parameter :: status_names(0:3) = ['unset', 'open ', 'stick', 'slip ']
-
-   !> What a point remembers between increments. All zero is a fresh point.
-   type :: contact_state
-      !> `status_unset`, `status_open`, `status_stick` or `status_slip`
-      integer :: status = status_unset
-      !> Overclosure, mm
-      real(wp) :: overclosure = 0.0_wp
-      !> Pressure, MPa
-      real(wp) :: pressure = 0.0_wp
-      !> Stored normal energy per area, N/mm
-      real(wp) :: normal_energy = 0.0_wp
-      !> Elastic slip in the two slip directions, mm; zero while open
-      real(wp) :: elastic_slip(2) = 0.0_wp
-      !> Largest overclosure reached, mm: a slot for unloading memory; the law does not use it
-      real(wp) :: largest_closure = 0.0_wp
-      !> Frictional dissipation per area since the start, N/mm
-      real(wp) :: dissipation = 0.0_wp
-      !> Pressure coupling per area since the start, N/mm
-      real(wp) :: pressure_coupling = 0.0_wp
-      !> All validity flags reached so far
-      integer :: validity = valid
-   end type contact_state
-
-   !> Result of one update. Energies obey, on any path,
-   !> work = change of (normal_energy + tangential_energy) + dissipation - pressure_coupling.
-   type :: contact_response
-      !> Pressure and the two shear stresses, MPa: positive pressure compresses, shear stress has
-      !> the sign of the elastic slip
-      real(wp) :: traction(3) = 0.0_wp
-      !> tangent(i, j) = d traction(i)/d (overclosure, slip 1, slip 2)(j), MPa/mm; unsymmetric
-      real(wp) :: tangent(3, 3) = 0.0_wp
-      !> State at the end
-      type(contact_state) :: state = contact_state()
-      !> Stored normal energy per area at the end, N/mm
-      real(wp) :: normal_energy = 0.0_wp
-      !> Stored tangential energy per area at the end, mu p gamma^2/(2 gcrit), N/mm
-      real(wp) :: tangential_energy = 0.0_wp
-      !> Frictional dissipation per area of this increment, N/mm; never negative
-      real(wp) :: dissipation = 0.0_wp
-      !> Energy per area that a pressure change put into stored elastic slip in this increment,
-      !> N/mm; signed, zero for the dissipative rule
-      real(wp) :: pressure_coupling = 0.0_wp
-      !> Status at the end
-      integer :: status = status_open
-      !> Validity of this result
-      integer :: validity = valid
-   end type contact_response
+   public :: update_contact_point, advance_contact_point, contact_tangent
 
 contains
 
@@ -246,22 +175,6 @@ contains
          end if
       end associate
    end subroutine find_normal
-
-   !> Name of a status: `unset`, `open`, `stick` or `slip`.
-   pure function status_text(status) result(text)
-      !> One of the status enumerators
-      integer, intent(in) :: status
-      character(len=len_trim(status_names(known(status)))) :: text
-
-      text = status_names(known(status))
-   end function status_text
-
-   !> A status that has a name.
-   pure integer function known(status)
-      integer, intent(in) :: status
-
-      known = min(max(status, 0), 3)
-   end function known
 
    !> Open below p_open; an open point closes only above twice that.
    pure logical function is_open(properties, pressure, was_closed)

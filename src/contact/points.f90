@@ -5,9 +5,9 @@ module asperity_contact_points
    use asperity_base_error, only: error_type, fatal_error
    use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
-   use asperity_contact_point, only: advance_contact_point, contact_response, contact_state, &
-      no_rotation, status_unset
+   use asperity_contact_point, only: advance_contact_point
    use asperity_contact_properties, only: contact_properties
+   use asperity_contact_state, only: contact_response, contact_state, no_rotation, status_unset
    use asperity_law_validity, only: valid
    implicit none
    private

@@ -8,8 +8,8 @@ module asperity_replay_abaqus_host
    use asperity_base_error, only: computation_error, error_type, fatal_error
    use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
-   use asperity_contact_point, only: no_opposite_surface, no_rotation, no_surface_limit
    use asperity_contact_properties, only: contact_properties
+   use asperity_contact_state, only: no_opposite_surface, no_rotation, no_surface_limit
    implicit none
    private
    public :: host_point, host_record, new_host_point, try_increment, accept_increment, &

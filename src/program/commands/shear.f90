@@ -6,7 +6,7 @@ module asperity_program_commands_shear
    use asperity_base_memory, only: check_work
    use asperity_base_no_value, only: none
    use asperity_base_number_text, only: to_text
-   use asperity_contact_point, only: status_slip
+   use asperity_contact_state, only: status_slip
    use asperity_program_commands_config, only: config_type
    use asperity_program_report_report, only: report_type, turning_points
    use asperity_program_report_table, only: column_status, column_validity, new_table, table_type

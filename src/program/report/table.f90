@@ -5,7 +5,7 @@ module asperity_program_report_table
    use asperity_base_kinds, only: wp
    use asperity_base_no_value, only: is_none
    use asperity_base_number_text, only: to_text
-   use asperity_contact_point, only: status_text
+   use asperity_contact_state, only: status_text
    use asperity_law_validity, only: validity_text
    use asperity_program_system_strings, only: string_type
    implicit none

@@ -9,9 +9,10 @@ module asperity_replay_tenon_contact
    use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
    use asperity_contact_friction, only: integrate_slip, slip_path
-   use asperity_contact_point, only: advance_contact_point, contact_response, contact_state, &
-      no_opposite_surface, no_rotation, no_surface_limit, status_open, status_slip, status_stick
+   use asperity_contact_point, only: advance_contact_point
    use asperity_contact_properties, only: contact_properties, rule_dissipative
+   use asperity_contact_state, only: contact_response, contact_state, no_opposite_surface, &
+      no_rotation, no_surface_limit, status_open, status_slip, status_stick
    use asperity_law_compiled_law, only: compiled_law, evaluate_compiled_law
    use asperity_law_normal_inverse, only: separation_for_pressure
    use asperity_law_normal_law, only: vanishing_separation

@@ -7,8 +7,8 @@
 !> dissipative rule has one order only, the pressure first, and closes to first order.
 module asperity_replay_tenon_energy
    use asperity_base_kinds, only: wp
-   use asperity_contact_point, only: status_open
    use asperity_contact_properties, only: rule_abaqus
+   use asperity_contact_state, only: status_open
    use asperity_replay_tenon_contact, only: contact_record
    use asperity_replay_tenon_geometry, only: n_faces, other_side, side, tenon_model
    use asperity_replay_tenon_wood_bearing, only: bearing_plastic_work

@@ -3,7 +3,7 @@ module asperity_program_commands_tenon_plot_data
    use asperity_base_kinds, only: wp
    use asperity_base_no_value, only: is_none
    use asperity_base_number_text, only: to_text
-   use asperity_contact_point, only: status_slip, status_stick
+   use asperity_contact_state, only: status_slip, status_stick
    use asperity_program_commands_tenon_compare_models, only: joint_type, largest_cycle, &
       loop_joules, model_names
    use asperity_program_report_units, only: joule, kilonewton_metre
