@@ -7,9 +7,9 @@
 module asperity_contact_point
    use asperity_base_error, only: error_type
    use asperity_base_kinds, only: wp
-   use asperity_contact_friction, only: integrate_slip, slip_path
    use asperity_contact_properties, only: close_pressure_ratio, contact_properties, &
       rule_dissipative
+   use asperity_contact_slip_path, only: integrate_slip, slip_path
    use asperity_contact_state, only: contact_response, contact_state, no_surface_limit, &
       status_open, status_slip, status_stick, status_unset
    use asperity_law_compiled_law, only: evaluate_compiled_law

@@ -8,7 +8,7 @@ module asperity_replay_tenon_contact
    use asperity_base_error, only: computation_error, error_type, fatal_error
    use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
-   use asperity_contact_friction, only: integrate_slip, slip_path
+   use asperity_contact_slip_path, only: integrate_slip, slip_path
    use asperity_contact_point, only: advance_contact_point
    use asperity_contact_properties, only: contact_properties, rule_dissipative
    use asperity_contact_state, only: contact_response, contact_state, no_opposite_surface, &

@@ -1,8 +1,8 @@
 !> The path of the elastic slip: exact integration, backward Euler, and their derivatives.
-module test_contact_friction
+module test_contact_slip_path
    use, intrinsic :: iso_fortran_env, only: int64
    use asperity, only: slip_backward_euler, slip_exact, wp
-   use asperity_contact_friction, only: integrate_slip, slip_path
+   use asperity_contact_slip_path, only: integrate_slip, slip_path
    use extremes, only: worsen
    use funit, only: anyExceptions, assertEqual, assertFalse, assertGreaterThan, &
       assertGreaterThanOrEqual, assertLessThan, assertTrue, TestMethod, &
@@ -11,17 +11,17 @@ module test_contact_friction
    use random_inputs, only: random_stream
    implicit none
    private
-   public :: suite_friction
+   public :: suite_slip_path
 
    real(wp), parameter :: g = 0.31_wp, pi = acos(-1.0_wp)
    integer(int64), parameter :: seed = 27182818_int64
 
 contains
 
-   function suite_friction() result(suite)
+   function suite_slip_path() result(suite)
       type(TestSuite) :: suite
 
-      suite = TestSuite('friction')
+      suite = TestSuite('slip path')
       call suite%addTest(TestMethod('one direction: stick, slip, reversal', test_one_direction))
       call suite%addTest(TestMethod('two directions: against the differential equation', test_ode))
       call suite%addTest(TestMethod('two half increments equal one', test_halves))
@@ -32,7 +32,7 @@ contains
       call suite%addTest(TestMethod('derivatives against differences', test_derivatives))
       call suite%addTest(TestMethod('corner between stick and slip', test_corner))
       call suite%addTest(TestMethod('backward Euler: radial return and its error', test_radial))
-   end function suite_friction
+   end function suite_slip_path
 
    !> A sawtooth in one direction has the exact elastic slip max(-g, min(g, ...)).
    subroutine test_one_direction()
@@ -312,4 +312,4 @@ contains
       increment = size*g*[cos(angle), sin(angle)]
    end subroutine random_slip
 
-end module test_contact_friction
+end module test_contact_slip_path

@@ -1,7 +1,7 @@
-!> Coulomb friction with elastic slip: tau = mu p gamma/gcrit, |gamma| <= gcrit (Eq. 27 with the
-!> regularisation of Table 3). Only the path of the elastic slip gamma is here, in two tangential
-!> directions; a second component of zero makes it one-dimensional. The pressure scales it.
-module asperity_contact_friction
+!> The path of the elastic slip gamma, |gamma| <= gcrit (the regularisation of Table 3), in two
+!> tangential directions; a second component of zero makes it one-dimensional. The pressure, which
+!> scales the friction, does not matter here.
+module asperity_contact_slip_path
    use asperity_base_kinds, only: wp
    use asperity_contact_properties, only: slip_backward_euler
    implicit none
@@ -141,4 +141,4 @@ contains
       matrix(:, 2) = u*v(2)
    end function outer
 
-end module asperity_contact_friction
+end module asperity_contact_slip_path
