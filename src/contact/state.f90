@@ -4,7 +4,7 @@ module asperity_contact_state
    use asperity_law_validity, only: valid
    implicit none
    private
-   public :: contact_state, contact_response, status_text
+   public :: contact_state, contact_response, is_closed, may_close, status_text
 
    !> Contact status
    enum, bind(c)
@@ -78,6 +78,22 @@ module asperity_contact_state
    end type contact_response
 
 contains
+
+   !> Whether a point is known to touch.
+   pure logical function is_closed(state)
+      !> State of the point
+      type(contact_state), intent(in) :: state
+
+      is_closed = state%status == status_stick .or. state%status == status_slip
+   end function is_closed
+
+   !> Whether a point may close at a known overclosure: it was seen open, with a surface opposite.
+   pure logical function may_close(state)
+      !> State of the point
+      type(contact_state), intent(in) :: state
+
+      may_close = state%status == status_open .and. state%overclosure >= no_surface_limit
+   end function may_close
 
    !> Name of a status: `unset`, `open`, `stick` or `slip`.
    pure function status_text(status) result(text)

@@ -4,6 +4,7 @@ program test_contact
    use run_suites, only: run_suite
    use test_contact_compiled_points, only: suite_compiled_points
    use test_contact_energy, only: suite_contact_energy
+   use test_contact_friction, only: suite_friction
    use test_contact_point, only: suite_contact_point
    use test_contact_points, only: suite_contact_points
    use test_contact_slip_path, only: suite_slip_path
@@ -14,6 +15,7 @@ program test_contact
 
    suite = TestSuite('contact')
    call suite%addTest(suite_slip_path())
+   call suite%addTest(suite_friction())
    call suite%addTest(suite_contact_point())
    call suite%addTest(suite_contact_energy())
    call suite%addTest(suite_contact_tangent())
