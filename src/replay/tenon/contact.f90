@@ -17,7 +17,7 @@ module asperity_replay_tenon_contact
    use asperity_law_normal_inverse, only: separation_for_pressure
    use asperity_law_normal_law, only: vanishing_separation
    use asperity_replay_abaqus_host, only: host_point, refuse_cut, try_increment
-   use asperity_replay_tenon_wood_bearing, only: bearing_deflection, bearing_indentation, &
+   use asperity_replay_tenon_contact_wood_bearing, only: bearing_deflection, bearing_indentation, &
       bearing_pressure, layers, wood_bearing
    implicit none
    private

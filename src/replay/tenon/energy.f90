@@ -11,7 +11,7 @@ module asperity_replay_tenon_energy
    use asperity_contact_state, only: status_open
    use asperity_replay_tenon_contact, only: contact_record
    use asperity_replay_tenon_geometry, only: n_faces, other_side, side, tenon_model
-   use asperity_replay_tenon_wood_bearing, only: bearing_plastic_work
+   use asperity_replay_tenon_contact_wood_bearing, only: bearing_plastic_work
    implicit none
    private
    public :: tenon_ledger, book_increment, stored_energy, point_split

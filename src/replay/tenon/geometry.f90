@@ -42,7 +42,7 @@ module asperity_replay_tenon_geometry
    use asperity_replay_tenon_contact, only: contact_record, leave_surface, leave_through_uinter, &
       press_hard, press_rough, press_through_uinter, rub, rub_through_uinter, yield_overclosure
    use asperity_replay_tenon_settings, only: complete_tenon_settings, tenon_face_arm, tenon_settings
-   use asperity_replay_tenon_wood_bearing, only: new_wood_bearing, wood_bearing
+   use asperity_replay_tenon_contact_wood_bearing, only: new_wood_bearing, wood_bearing
    implicit none
    private
    public :: tenon_model, tenon_forces, new_tenon_model, tenon_place, evaluate_tenon

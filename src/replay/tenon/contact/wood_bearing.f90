@@ -4,7 +4,7 @@
 !>
 !> Deflection under a pressure p: p C + sum of max(u_p, (p - f)/H), with C the sum of 1/k and u_p
 !> the permanent indentation of each. Without hardening p never passes the smallest such f: the cap.
-module asperity_replay_tenon_wood_bearing
+module asperity_replay_tenon_contact_wood_bearing
    use asperity_base_kinds, only: wp
    use asperity_replay_tenon_settings, only: tenon_settings
    implicit none
@@ -148,4 +148,4 @@ contains
          mask=end > start)
    end function bearing_plastic_work
 
-end module asperity_replay_tenon_wood_bearing
+end module asperity_replay_tenon_contact_wood_bearing
