@@ -2,7 +2,10 @@
 module tenon_cases
    use asperity, only: contact_properties, error_type, new_contact_properties, &
       new_normal_properties, normal_properties, wp
-   use asperity_replay_tenon_run, only: run_tenon, tenon_point, tenon_settings, tenon_step
+   use asperity_replay_tenon_points, only: tenon_point
+   use asperity_replay_tenon_run, only: run_tenon
+   use asperity_replay_tenon_settings, only: tenon_settings
+   use asperity_replay_tenon_step, only: tenon_step
    use contact_cases, only: pair_properties
    use funit, only: assertEqual, assertFalse
    implicit none

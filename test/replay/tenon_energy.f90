@@ -5,11 +5,11 @@ module test_replay_tenon_energy
    use asperity, only: contact_properties, error_type, evaluate_compiled_law, rule_abaqus, &
       rule_dissipative, wp
    use asperity_law_quadrature_gauss_legendre, only: n_points, nodes, weights
-   use asperity_replay_tenon_contact, only: contact_record
-   use asperity_replay_tenon_contact, only: press_hard, press_rough
+   use asperity_replay_tenon_contact_record, only: contact_record
    use asperity_replay_tenon_energy, only: point_split, stored_energy
    use asperity_replay_tenon_geometry, only: new_tenon_model, tenon_model
-   use asperity_replay_tenon_run, only: tenon_settings, tenon_step
+   use asperity_replay_tenon_settings, only: tenon_settings
+   use asperity_replay_tenon_step, only: tenon_step
    use extremes, only: largest_of, worsen
    use funit, only: anyExceptions, assertEqual, assertFalse, assertGreaterThan, &
       assertGreaterThanOrEqual, assertLessThan, assertTrue, TestMethod, TestSuite
@@ -141,42 +141,39 @@ contains
    end subroutine test_split
 
    subroutine press(model, start, closure, slip, trial)
-      type(tenon_model), intent(in) :: model
+      type(tenon_model), intent(inout) :: model
       type(contact_record), intent(in) :: start
       real(wp), intent(in) :: closure, slip
       type(contact_record), intent(inout) :: trial
       type(error_type), allocatable :: error
 
-      if (model%hard) then
-         call press_hard(model%wood, model%faces, start, closure, [slip, 0.0_wp], trial)
-      else
-         call press_rough(model%wood, model%faces, model%yields_at, start, closure, &
-            [slip, 0.0_wp], trial, error)
-         call assertFalse(allocated(error), 'overclosure found')
-      end if
+      call model%law%close(start, closure, [slip, 0.0_wp], trial, error)
+      call assertFalse(allocated(error), 'overclosure found')
       trial%weight = 1.0_wp
    end subroutine press
 
    !> Integral of the pressure over the closure, split at touch and at the yield pressure.
    real(wp) function normal_work(model, start, closure)
-      type(tenon_model), intent(in) :: model
+      type(tenon_model), intent(inout) :: model
       type(contact_record), intent(in) :: start
       real(wp), intent(in) :: closure
       integer, parameter :: pieces = 12
       real(wp) :: from, ends(3), low, high, pressure, size
       type(contact_record) :: at
       integer :: i, j, k
+      logical :: hard
 
+      hard = model%settings%contact == 'hard'
       low = min(start%closure, closure)
       high = max(start%closure, closure)
-      pressure = model%wood%yield(1) + model%wood%hardening(1)*start%indentation(1)
+      pressure = model%law%wood%yield(1) + model%law%wood%hardening(1)*start%indentation(1)
       ! where the wood begins to yield again
-      ends(2) = pressure*model%wood%compliance + sum(start%indentation)
-      if (.not. model%hard) ends(2) = ends(2) + overclosure_at(model, pressure)
+      ends(2) = pressure*model%law%wood%compliance + sum(start%indentation)
+      if (.not. hard) ends(2) = ends(2) + overclosure_at(model, pressure)
       ends(2) = min(max(ends(2), low), high)
       ends(1) = low
       ends(3) = high
-      if (model%hard) ends(1) = max(low, min(sum(start%indentation), high))
+      if (hard) ends(1) = max(low, min(sum(start%indentation), high))
       normal_work = 0.0_wp
       do k = 1, 2
          size = (ends(k + 1) - ends(k))/pieces
@@ -203,8 +200,8 @@ contains
       high = 1.0_wp
       do i = 1, 100
          overclosure_at = 0.5_wp*(low + high)
-         call evaluate_compiled_law(model%faces%compiled, &
-            model%faces%initial_separation - overclosure_at, found, stiffness)
+         call evaluate_compiled_law(model%law%faces%compiled, &
+            model%law%faces%initial_separation - overclosure_at, found, stiffness)
          if (found > pressure) then
             high = overclosure_at
          else

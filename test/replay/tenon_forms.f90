@@ -1,7 +1,10 @@
 !> The tenon joint against closed forms.
 module test_replay_tenon_forms
    use asperity, only: status_open, wp
-   use asperity_replay_tenon_run, only: tenon_faces, tenon_point, tenon_settings, tenon_step
+   use asperity_replay_tenon_geometry, only: tenon_faces
+   use asperity_replay_tenon_points, only: tenon_point
+   use asperity_replay_tenon_settings, only: tenon_settings
+   use asperity_replay_tenon_step, only: tenon_step
    use extremes, only: largest_of
    use funit, only: anyExceptions, assertEqual, assertGreaterThan, assertLessThan, &
       assertTrue, TestMethod, TestSuite

@@ -5,7 +5,10 @@ module test_replay_tenon_joint
    use asperity, only: computation_error, error_type, wp
    use asperity_base_number_text, only: to_text
    use asperity_replay_tenon_check_settings, only: check_tenon_settings
-   use asperity_replay_tenon_run, only: run_tenon, tenon_point, tenon_settings, tenon_step
+   use asperity_replay_tenon_points, only: tenon_point
+   use asperity_replay_tenon_run, only: run_tenon
+   use asperity_replay_tenon_settings, only: tenon_settings
+   use asperity_replay_tenon_step, only: tenon_step
    use extremes, only: largest_of
    use funit, only: anyExceptions, assertEqual, assertGreaterThan, assertLessThan, assertTrue, &
       TestMethod, TestSuite

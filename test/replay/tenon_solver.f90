@@ -3,11 +3,10 @@ module test_replay_tenon_solver
    use, intrinsic :: iso_fortran_env, only: int64
    use asperity, only: error_type, rule_abaqus, rule_dissipative, wp
    use asperity_replay_tenon_bracketing, only: advance_search, new_root_search, root_search
-   use asperity_replay_tenon_contact, only: contact_record
    use asperity_replay_tenon_equilibrium, only: balance_tenon, search_tenon
-   use asperity_replay_tenon_geometry, only: evaluate_tenon, new_tenon_model, tenon_forces, &
-      tenon_model, tenon_place
-   use asperity_replay_tenon_run, only: tenon_settings
+   use asperity_replay_tenon_forces, only: evaluate_tenon, tenon_increment
+   use asperity_replay_tenon_geometry, only: new_tenon_model, tenon_at_rest
+   use asperity_replay_tenon_settings, only: tenon_settings
    use extremes, only: largest_of, worsen
    use funit, only: anyExceptions, assertEqual, assertFalse, assertLessThan, assertTrue, &
       TestMethod, TestSuite
@@ -79,12 +78,9 @@ contains
    !> Along a path with free play, yield and reversals the bracketing search alone comes to the
    !> balance of Newton, to what its larger tolerance allows.
    subroutine test_bracketing()
-      type(tenon_settings) :: s
-      type(tenon_model) :: model
-      type(contact_record), allocatable :: start(:), trial(:), other(:)
-      type(tenon_forces) :: forces
+      type(tenon_increment) :: joint, again
       type(error_type), allocatable :: error
-      real(wp) :: position(2), last(2), again(2), t, worst
+      real(wp) :: worst
       integer :: c, a, i, iterations, searched
       logical :: found
       character(len=6), parameter :: rules(2) = ['spring', 'fixed ']
@@ -94,23 +90,19 @@ contains
       iterations = 0
       do c = 1, 2
          do a = 1, 2
-            s = tenon_settings(contact=contacts(c), axial_rule=rules(a), points=30, side_points=5)
-            call begin(s, model, start, rule_abaqus)
-            trial = start
-            position = 0.0_wp
+            call begin(tenon_settings(contact=contacts(c), axial_rule=rules(a), points=30, &
+               side_points=5), joint, rule_abaqus)
             do i = 1, 15
-               t = 0.005_wp*i*sin(0.7_wp*i)
-               last = position
-               call balance_tenon(model, start, last, t, position, trial, forces, iterations, &
-                  found, error)
+               joint%rotation = 0.005_wp*i*sin(0.7_wp*i)
+               again = joint
+               call balance_tenon(joint, found, error)
                call assertTrue(found, 'Newton')
-               other = start
-               again = last
-               call search_tenon(model, start, last, t, again, other, forces, searched, found, &
-                  error)
+               call search_tenon(again, found, error)
                call assertTrue(found, 'bracketing')
-               call worsen(worst, largest_of(again - position))
-               start = trial
+               call worsen(worst, largest_of(again%position - joint%position))
+               searched = searched + again%iterations
+               iterations = iterations + joint%iterations
+               call go_on(joint)
             end do
          end do
       end do
@@ -121,74 +113,82 @@ contains
    end subroutine test_bracketing
 
    !> A joint at rest, to be turned by the tests below.
-   subroutine begin(s, model, start, rule)
+   subroutine begin(s, joint, rule)
       type(tenon_settings), intent(in) :: s
-      type(tenon_model), intent(out) :: model
-      type(contact_record), allocatable, intent(out) :: start(:)
+      type(tenon_increment), intent(out) :: joint
       integer, intent(in) :: rule
       type(error_type), allocatable :: error
-      integer :: i
 
-      call new_tenon_model(model, s, face_pair(friction_rule=rule), side_pair(), error)
+      call new_tenon_model(joint%model, s, face_pair(friction_rule=rule), side_pair(), error)
       call assertFalse(allocated(error), 'model')
-      allocate (start(size(model%x)))
-      do i = 1, size(start)
-         start(i)%place = tenon_place(model%x(i), model%y(i), [0.0_wp, 0.0_wp], 0.0_wp)
-      end do
+      joint%start = tenon_at_rest(joint%model)
+      joint%trial = joint%start
    end subroutine begin
+
+   !> The balance that was found is the start of the next increment.
+   subroutine go_on(joint)
+      type(tenon_increment), intent(inout) :: joint
+
+      joint%start = joint%trial
+      joint%from = joint%position
+      joint%iterations = 0
+   end subroutine go_on
+
+   !> Residuals of a joint when it is moved, mm.
+   function residual_at(joint, offset) result(residual)
+      type(tenon_increment), intent(in) :: joint
+      real(wp), intent(in) :: offset(2)
+      real(wp) :: residual(2)
+      type(tenon_increment) :: moved
+      type(error_type), allocatable :: error
+
+      moved = joint
+      moved%position = joint%position + offset
+      call evaluate_tenon(moved, error)
+      call assertFalse(allocated(error), 'evaluated')
+      residual = moved%forces%residual
+   end function residual_at
 
    !> Derivatives of both residuals by u and v against central differences, at random positions
    !> about the path of a joint with shoulders, for both contacts and rules and two axial rules.
    subroutine test_derivatives()
       character(len=6), parameter :: rules(2) = ['spring', 'fixed ']
       real(wp), parameter :: h = 1.0e-5_wp
-      type(tenon_settings) :: s
-      type(tenon_model) :: model
-      type(contact_record), allocatable :: start(:), trial(:)
-      type(tenon_forces) :: at, above, below
+      type(tenon_increment) :: joint
       type(error_type), allocatable :: error
       type(random_stream) :: stream
-      real(wp) :: position(2), last(2), t, worst, offset(2), scale(2)
-      integer :: c, a, f, i, j, k, iterations, first
+      real(wp) :: worst, offset(2), scale(2)
+      integer :: c, a, f, i, j, k, first
       logical :: found
 
       stream = random_stream(7_int64)
       worst = 0.0_wp
-      iterations = 0
+      ! stiffness of the wood under a face, and times the lever
+      scale = 7.0e4_wp*[1.0_wp, 650.0_wp]
       do c = 1, 2
          do a = 1, 2
             do f = rule_abaqus, rule_dissipative
-               s = tenon_settings(contact=contacts(c), axial_rule=rules(a), shoulders=.true., &
-                  points=30, side_points=5, column_modulus=1000.0_wp)
-               call begin(s, model, start, f)
-               trial = start
-               position = 0.0_wp
+               call begin(tenon_settings(contact=contacts(c), axial_rule=rules(a), &
+                  shoulders=.true., points=30, side_points=5, column_modulus=1000.0_wp), joint, f)
                first = merge(2, 1, rules(a) == 'fixed')
                do i = 1, 12
-                  t = 0.04_wp*sin(0.8_wp*i)
-                  last = position
+                  joint%rotation = 0.04_wp*sin(0.8_wp*i)
                   do k = 1, 3
-                     position = last + [stream%uniform(-1.0_wp, 1.0_wp), &
+                     joint%position = joint%from + [stream%uniform(-1.0_wp, 1.0_wp), &
                         stream%uniform(-1.0_wp, 1.0_wp)]
-                     if (first == 2) position(1) = 0.0_wp
-                     call evaluate_tenon(model, start, last, position, t, trial, at, error)
+                     if (first == 2) joint%position(1) = 0.0_wp
+                     call evaluate_tenon(joint, error)
                      do j = first, 2
                         offset = merge([h, 0.0_wp], [0.0_wp, h], j == 1)
-                        call evaluate_tenon(model, start, last, position + offset, t, trial, &
-                           above, error)
-                        call evaluate_tenon(model, start, last, position - offset, t, trial, &
-                           below, error)
-                        ! stiffness of the wood under a face, and times the lever
-                        scale = 7.0e4_wp*[1.0_wp, 650.0_wp]
-                        call worsen(worst, abs((above%residual - below%residual)/(2.0_wp*h) &
-                           - at%jacobian(:, j))/scale)
+                        call worsen(worst, abs((residual_at(joint, offset) &
+                           - residual_at(joint, -offset))/(2.0_wp*h) &
+                           - joint%forces%jacobian(:, j))/scale)
                      end do
                   end do
-                  position = last
-                  call balance_tenon(model, start, last, t, position, trial, at, iterations, &
-                     found, error)
+                  joint%position = joint%from
+                  call balance_tenon(joint, found, error)
                   call assertTrue(found, 'balance')
-                  start = trial
+                  call go_on(joint)
                end do
             end do
          end do
@@ -200,40 +200,32 @@ contains
 
    !> From eight random places about each balance the solver comes to the same.
    subroutine test_restarts()
-      type(tenon_settings) :: s
-      type(tenon_model) :: model
-      type(contact_record), allocatable :: start(:), trial(:), other(:)
-      type(tenon_forces) :: forces
+      type(tenon_increment) :: joint, again
       type(error_type), allocatable :: error
       type(random_stream) :: stream
-      real(wp) :: position(2), last(2), again(2), t, worst
-      integer :: c, i, k, iterations
+      real(wp) :: worst
+      integer :: c, i, k
       logical :: found
 
       stream = random_stream(11_int64)
-      iterations = 0
       worst = 0.0_wp
       do c = 1, 2
-         s = tenon_settings(contact=contacts(c), points=50, side_points=6)
-         call begin(s, model, start, rule_abaqus)
-         trial = start
-         position = 0.0_wp
+         call begin(tenon_settings(contact=contacts(c), points=50, side_points=6), joint, &
+            rule_abaqus)
          do i = 1, 60
-            t = 0.0016_wp*i*sin(0.45_wp*i)
-            last = position
-            call balance_tenon(model, start, last, t, position, trial, forces, iterations, found, &
-               error)
+            joint%rotation = 0.0016_wp*i*sin(0.45_wp*i)
+            call balance_tenon(joint, found, error)
             call assertTrue(found, 'balance')
-            other = trial
+            again = joint
             do k = 1, 8
-               again = position + [stream%uniform(-1.0_wp, 1.0_wp), stream%uniform(-1.0_wp, 1.0_wp)]
-               call balance_tenon(model, start, last, t, again, other, forces, iterations, found, &
-                  error)
+               again%position = joint%position + [stream%uniform(-1.0_wp, 1.0_wp), &
+                  stream%uniform(-1.0_wp, 1.0_wp)]
+               call balance_tenon(again, found, error)
                call assertTrue(found, 'balance again')
-               call worsen(worst, largest_of(again - position))
+               call worsen(worst, largest_of(again%position - joint%position))
             end do
             if (anyExceptions()) return
-            start = trial
+            call go_on(joint)
          end do
       end do
       call record('tenon.restart_distance', worst)

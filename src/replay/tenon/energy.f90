@@ -9,9 +9,9 @@ module asperity_replay_tenon_energy
    use asperity_base_kinds, only: wp
    use asperity_contact_properties, only: rule_abaqus
    use asperity_contact_state, only: status_open
-   use asperity_replay_tenon_contact, only: contact_record
-   use asperity_replay_tenon_geometry, only: n_faces, other_side, side, tenon_model
+   use asperity_replay_tenon_contact_record, only: contact_record
    use asperity_replay_tenon_contact_wood_bearing, only: bearing_plastic_work
+   use asperity_replay_tenon_geometry, only: other_side, side, tenon_faces, tenon_model
    implicit none
    private
    public :: tenon_ledger, book_increment, stored_energy, point_split
@@ -23,11 +23,11 @@ module asperity_replay_tenon_energy
       !> Stored now, with what was stored at rest
       real(wp) :: stored = 0.0_wp
       !> Dissipated by friction, of each face; and by yield of the wood
-      real(wp) :: friction(n_faces) = 0.0_wp, plastic = 0.0_wp
+      real(wp) :: friction(tenon_faces) = 0.0_wp, plastic = 0.0_wp
       !> Pressure coupling, and stored energy lost at the edges
       real(wp) :: elastic_slip = 0.0_wp, edge = 0.0_wp
       !> Normal force of each face now, N
-      real(wp) :: normal(n_faces) = 0.0_wp
+      real(wp) :: normal(tenon_faces) = 0.0_wp
    end type tenon_ledger
 
 contains
@@ -87,11 +87,11 @@ contains
 
       friction = trial%dissipation
       coupling = trial%pressure_coupling
-      plastic = bearing_plastic_work(model%wood, start%indentation, trial%indentation)
-      if (model%faces%friction_rule /= rule_abaqus .or. face == side) return
+      plastic = bearing_plastic_work(model%law%wood, start%indentation, trial%indentation)
+      if (model%law%faces%friction_rule /= rule_abaqus .or. face == side) return
       if (trial%state%status == status_open) return
       ! the update changes the pressure first: add the mean with the other order
-      scale = model%faces%friction_coefficient/model%faces%critical_slip
+      scale = model%law%faces%friction_coefficient/model%law%faces%critical_slip
       change = trial%state%pressure - start%state%pressure
       friction = friction*(0.5_wp*(trial%state%pressure + start%state%pressure) &
          /trial%state%pressure)
@@ -112,7 +112,7 @@ contains
       stored_energy = point%tangential_energy
       if (face == side) return
       stored_energy = stored_energy + point%state%normal_energy &
-         + 0.5_wp*model%wood%compliance*point%state%pressure**2
+         + 0.5_wp*model%law%wood%compliance*point%state%pressure**2
    end function stored_energy
 
    !> Work into a point per area by the trapezoidal rule.

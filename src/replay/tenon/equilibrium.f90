@@ -4,8 +4,8 @@ module asperity_replay_tenon_equilibrium
    use asperity_base_error, only: error_type
    use asperity_base_kinds, only: wp
    use asperity_replay_tenon_bracketing, only: advance_search, new_root_search, root_search
-   use asperity_replay_tenon_contact, only: contact_record
-   use asperity_replay_tenon_geometry, only: evaluate_tenon, tenon_forces, tenon_model
+   use asperity_replay_tenon_forces, only: evaluate_tenon, tenon_forces, tenon_increment
+   use asperity_replay_tenon_geometry, only: tenon_model
    implicit none
    private
    public :: balance_tenon, search_tenon
@@ -20,88 +20,66 @@ module asperity_replay_tenon_equilibrium
 
 contains
 
-   !> Find u and v. `found` is false when there is no balance; `error` is set when a point cannot be
-   !> evaluated.
-   subroutine balance_tenon(model, start, from, rotation, position, trial, forces, iterations, &
-         found, error)
+   !> Find u and v from a first guess in `joint%position`. `found` is false when there is no
+   !> balance; `error` is set when a point cannot be evaluated.
+   subroutine balance_tenon(joint, found, error)
       !> Joint
-      type(tenon_model), intent(inout) :: model
-      !> Points at the start
-      type(contact_record), intent(in) :: start(:)
-      !> u and v at the start, mm; rotation at the end, rad
-      real(wp), intent(in) :: from(2), rotation
-      !> First guess of u and v; the answer, mm
-      real(wp), intent(inout) :: position(2)
-      !> Points in balance
-      type(contact_record), intent(inout) :: trial(:)
-      !> Forces in balance
-      type(tenon_forces), intent(out) :: forces
-      !> Evaluations so far are counted on
-      integer, intent(inout) :: iterations
+      type(tenon_increment), intent(inout) :: joint
       !> Whether there is balance
       logical, intent(out) :: found
       !> Set when a point cannot be evaluated
       type(error_type), allocatable, intent(out) :: error
 
-      call iterate(model, start, from, rotation, small_force(model), position, trial, forces, &
-         iterations, found, error)
+      call iterate(joint, found, error)
       if (found .or. allocated(error)) return
-      position = from
-      call search_tenon(model, start, from, rotation, position, trial, forces, iterations, found, &
-         error)
+      joint%position = joint%from
+      call search_tenon(joint, found, error)
    end subroutine balance_tenon
 
    !> Newton with halving steps.
-   subroutine iterate(model, start, from, rotation, small, position, trial, forces, iterations, &
-         found, error)
-      type(tenon_model), intent(inout) :: model
-      type(contact_record), intent(in) :: start(:)
-      real(wp), intent(in) :: from(2), rotation, small
-      real(wp), intent(inout) :: position(2)
-      type(contact_record), intent(inout) :: trial(:)
-      type(tenon_forces), intent(out) :: forces
-      integer, intent(inout) :: iterations
+   subroutine iterate(joint, found, error)
+      type(tenon_increment), intent(inout) :: joint
       logical, intent(out) :: found
       type(error_type), allocatable, intent(out) :: error
-      real(wp) :: step(2), share, size_before, last(2)
+      real(wp) :: small, step(2), share, size_before, last(2)
       integer :: iteration, cut
       logical :: solved
 
       found = .false.
-      call evaluate_tenon(model, start, from, position, rotation, trial, forces, error)
-      iterations = iterations + 1
+      small = small_force(joint%model)
+      call evaluate_tenon(joint, error)
       do iteration = 1, max_iterations
          if (allocated(error)) return
-         size_before = size_of(model, forces)
+         size_before = size_of(joint)
          found = size_before <= small
          if (found) return
-         call newton_step(forces, step, solved)
+         call newton_step(joint%forces, step, solved)
          if (.not. solved) return
          share = min(1.0_wp, longest_step/maxval(abs(step)))
-         last = position
+         last = joint%position
          do cut = 1, max_cuts
-            position = last + share*step
-            call evaluate_tenon(model, start, from, position, rotation, trial, forces, error)
-            iterations = iterations + 1
+            joint%position = last + share*step
+            call evaluate_tenon(joint, error)
             if (allocated(error)) return
-            if (size_of(model, forces) < size_before*(1.0_wp - 1.0e-4_wp*share)) exit
+            if (size_of(joint) < size_before*(1.0_wp - 1.0e-4_wp*share)) exit
             share = 0.5_wp*share
          end do
          if (cut > max_cuts) then
             ! as close as round-off lets
-            found = size_of(model, forces) <= small*(worst_tolerance/tolerance)
+            found = size_of(joint) <= small*(worst_tolerance/tolerance)
             return
          end if
       end do
    end subroutine iterate
 
    !> Largest residual, the moment over its lever, N.
-   pure real(wp) function size_of(model, forces)
-      type(tenon_model), intent(in) :: model
-      type(tenon_forces), intent(in) :: forces
+   pure real(wp) function size_of(joint)
+      type(tenon_increment), intent(in) :: joint
 
-      size_of = max(abs(forces%residual(1)), &
-         abs(forces%residual(2))/(model%arm + 0.5_wp*model%settings%length))
+      associate (residual => joint%forces%residual, model => joint%model)
+         size_of = max(abs(residual(1)), &
+            abs(residual(2))/(model%arm + 0.5_wp*model%settings%length))
+      end associate
    end function size_of
 
    !> Solve the two equations by elimination with the larger pivot.
@@ -130,62 +108,47 @@ contains
    end function small_force
 
    !> The same by bracketing: search v, with u found for each. R2 rises with v, R1 falls with u.
-   subroutine search_tenon(model, start, from, rotation, position, trial, forces, iterations, &
-         found, error)
+   subroutine search_tenon(joint, found, error)
       !> As for `balance_tenon`
-      type(tenon_model), intent(inout) :: model
-      type(contact_record), intent(in) :: start(:)
-      real(wp), intent(in) :: from(2), rotation
-      real(wp), intent(inout) :: position(2)
-      type(contact_record), intent(inout) :: trial(:)
-      type(tenon_forces), intent(out) :: forces
-      integer, intent(inout) :: iterations
+      type(tenon_increment), intent(inout) :: joint
       logical, intent(out) :: found
       type(error_type), allocatable, intent(out) :: error
       real(wp) :: small
       type(root_search) :: outer
       integer :: i
 
-      small = worst_tolerance/tolerance*small_force(model)
-      outer = new_root_search(position(2), 0.01_wp, farthest, rises=.true.)
+      small = worst_tolerance/tolerance*small_force(joint%model)
+      outer = new_root_search(joint%position(2), 0.01_wp, farthest, rises=.true.)
       do i = 1, max_search
-         position(2) = outer%at
-         call search_axially(model, start, from, rotation, small, position, trial, forces, &
-            iterations, found, error)
+         joint%position(2) = outer%at
+         call search_axially(joint, small, found, error)
          if (allocated(error) .or. .not. found) return
-         found = size_of(model, forces) <= small
+         found = size_of(joint) <= small
          if (found .or. outer%done) return
-         call advance_search(outer, forces%residual(2))
+         call advance_search(outer, joint%forces%residual(2))
          if (outer%failed) return
       end do
    end subroutine search_tenon
 
    !> Search u at a given v.
-   subroutine search_axially(model, start, from, rotation, small, position, trial, forces, &
-         iterations, found, error)
-      type(tenon_model), intent(inout) :: model
-      type(contact_record), intent(in) :: start(:)
-      real(wp), intent(in) :: from(2), rotation, small
-      real(wp), intent(inout) :: position(2)
-      type(contact_record), intent(inout) :: trial(:)
-      type(tenon_forces), intent(out) :: forces
-      integer, intent(inout) :: iterations
+   subroutine search_axially(joint, small, found, error)
+      type(tenon_increment), intent(inout) :: joint
+      real(wp), intent(in) :: small
       logical, intent(out) :: found
       type(error_type), allocatable, intent(out) :: error
       type(root_search) :: inner
       integer :: i
 
       found = .false.
-      inner = new_root_search(position(1), 0.01_wp, farthest, rises=.false.)
+      inner = new_root_search(joint%position(1), 0.01_wp, farthest, rises=.false.)
       do i = 1, max_search
-         position(1) = inner%at
-         call evaluate_tenon(model, start, from, position, rotation, trial, forces, error)
-         iterations = iterations + 1
+         joint%position(1) = inner%at
+         call evaluate_tenon(joint, error)
          if (allocated(error)) return
          ! a tenth leaves room for the moment
-         found = abs(forces%residual(1)) <= 0.1_wp*small
+         found = abs(joint%forces%residual(1)) <= 0.1_wp*small
          if (found .or. inner%done) exit
-         call advance_search(inner, forces%residual(1))
+         call advance_search(inner, joint%forces%residual(1))
          if (inner%failed) return
       end do
       found = .true.

@@ -9,9 +9,11 @@ module asperity_program_commands_tenon_compare_models
       hysteresis_settings
    use asperity_program_commands_config, only: config_type
    use asperity_program_report_units, only: joule, kilonewton_metre
-   use asperity_replay_tenon_run, only: bearing_faces, run_tenon, tenon_point, tenon_progress, &
-      tenon_step
+   use asperity_replay_tenon_geometry, only: bearing_faces
+   use asperity_replay_tenon_points, only: tenon_point
+   use asperity_replay_tenon_run, only: run_tenon, tenon_progress
    use asperity_replay_tenon_settings, only: tenon_settings
+   use asperity_replay_tenon_step, only: tenon_step
    implicit none
    private
    public :: joint_type, run_joint, check_moment, largest_cycle, loop_joules, steps_to_record

@@ -9,7 +9,9 @@ module asperity_program_commands_tenon_tables
    use asperity_program_report_table, only: column_counts, column_status, column_validity, &
       new_table, table_type
    use asperity_program_report_units, only: joule, kilonewton_metre
-   use asperity_replay_tenon_run, only: tenon_face_names, tenon_faces, tenon_point, tenon_step
+   use asperity_replay_tenon_geometry, only: tenon_face_names, tenon_faces
+   use asperity_replay_tenon_points, only: tenon_point
+   use asperity_replay_tenon_step, only: tenon_step
    implicit none
    private
    public :: steps_table, points_table, comparison_table, totals_table, cycles_table, &
