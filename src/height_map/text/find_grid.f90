@@ -10,8 +10,8 @@ module asperity_height_map_text_find_grid
    real(wp), parameter :: same = 1.0e-4_wp
    !> Largest distance from a grid line, in steps
    real(wp), parameter :: tolerance = 0.05_wp
-   !> Grid lines that may be without any point, for one that has some
-   integer, parameter :: most_empty = 2
+   !> Grid lines in all, for one that has points
+   integer, parameter :: most_lines = 2
 
 contains
 
@@ -58,7 +58,7 @@ contains
       do i = 2, n
          count = count + anint((lines(i) - lines(i - 1))/smallest)
       end do
-      if (count + 1.0_wp > real(most_empty, wp)*n) then
+      if (count + 1.0_wp > real(most_lines, wp)*n) then
          reason = 'distances of neighbours from '//to_text(smallest, 5)//' to '// &
             to_text(largest, 5)//' are on no grid'
          return
