@@ -59,6 +59,11 @@ void test_restart(void)
    CHECK_CODE(asperity_states_copy(none, none, &error), ASPERITY_OK);
    /* a copy is a copy: going on with one leaves the other */
    CHECK_CODE(asperity_states_copy(states, other, &error), ASPERITY_OK);
+   for (k = 0; k < n; k++) {
+      asperity_states_get(states, k, &saved[k], NULL);
+      asperity_states_get(other, k, &state, NULL);
+      CHECK(memcmp(&state, &saved[k], sizeof state) == 0);
+   }
    asperity_states_get(other, 2, &saved[2], NULL);
    step(law, states, 40, a);
    asperity_states_get(other, 2, &state, NULL);

@@ -46,6 +46,8 @@ contains
    subroutine test_names()
       character(len=*), parameter :: first(3) = [character(len=25) :: 'y [um],x [um],z [nm]', &
          '"Y_um","X_um","Height_nm"', '# Y/um, X/um, Z/nm']
+      character(len=*), parameter :: words(6) = [character(len=10) :: 'pos', 'Position', 'coord', &
+         'coordinate', 'axis', 'value']
       integer :: k
 
       do k = 1, size(first)
@@ -53,7 +55,10 @@ contains
       end do
       call check('y x z', '', '', map_hints('um', 'nm'), blanks=.true.)
       call check('# y [um] x [um] z [nm]', '', '', no_hints, blanks=.true.)
-      call check('Y Position (um),X Position (um),Z (nm)', '', '', no_hints)
+      do k = 1, size(words)
+         call check('Y '//trim(words(k))//' (um),X '//trim(words(k))//' (um),Z (nm)', '', '', no_hints)
+         call check(trim(words(k))//' y (um),'//trim(words(k))//' x (um),z (nm)', '', '', no_hints)
+      end do
       ! among others, and in front of one without a name
       call check('y [um],x [um],z [nm],quality,red', '', ',good,7', no_hints)
       call check('id,y [um],x [um],z [nm]', '1,', '', no_hints)

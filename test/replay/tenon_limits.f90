@@ -1,9 +1,9 @@
 !> The tenon joint where something ends: at the edges of the mortise, at the cap of wood without
 !> hardening, and at the limits of grip and pull-out.
 module test_replay_tenon_limits
-   use asperity, only: contact_properties, error_type, wp
+   use asperity, only: contact_properties, error_type, rule_abaqus, rule_dissipative, status_open, wp
    use asperity_base_number_text, only: to_text
-   use asperity_replay_tenon_contact, only: contact_record, press_rough
+   use asperity_replay_tenon_contact, only: contact_record, leave_surface, press_rough, rub
    use asperity_replay_tenon_geometry, only: new_tenon_model, tenon_model
    use asperity_replay_tenon_run, only: tenon_point, tenon_settings, tenon_step
    use extremes, only: largest_of, worsen
@@ -26,6 +26,7 @@ contains
       call suite%addTest(TestMethod('wood at its cap', test_cap))
       call suite%addTest(TestMethod('just below the cap', test_below_cap))
       call suite%addTest(TestMethod('grip of the sides', test_grip))
+      call suite%addTest(TestMethod('an open point bears nothing', test_open))
    end function suite_tenon_limits
 
    !> A tenon that its axial force pulls out or pushes in while it is turned.
@@ -210,5 +211,39 @@ contains
          call assertTrue(passes .neqv. allocated(error), to_text(force)//' N')
       end subroutine check
    end subroutine test_grip
+
+   !> A point that slipped under pressure and then opens, or leaves the mortise, has no stress, no
+   !> stiffness and no tangential energy; what its elastic slip stored is lost.
+   subroutine test_open()
+      type(contact_properties) :: sides
+      type(contact_record) :: closed, open, away
+      integer :: rule
+
+      do rule = rule_abaqus, rule_dissipative
+         sides = face_pair(friction_rule=rule)
+         call rub(sides, contact_record(), 0.0_wp, 2.0_wp, 3.0_wp, [0.1_wp, 0.2_wp], closed)
+         call assertGreaterThan(closed%tangential_energy, 0.01_wp, 'stored')
+         open = closed
+         call rub(sides, closed, -1.0_wp, 0.0_wp, 0.0_wp, [0.1_wp, 0.2_wp], open)
+         call check(open)
+         call assertEqual(merge([-1.0_wp, 0.0_wp], [0.0_wp, 1.0_wp], rule == rule_abaqus) &
+            *closed%tangential_energy, [open%pressure_coupling, open%dissipation], 1.0e-15_wp, &
+            'lost')
+         away = closed
+         call leave_surface(closed, away)
+         call check(away)
+         call assertEqual([0.0_wp, 0.0_wp], [away%weight, away%dissipation], 0.0_wp, 'away')
+      end do
+   contains
+      subroutine check(point)
+         type(contact_record), intent(in) :: point
+
+         call assertEqual(status_open, point%state%status, 'open')
+         call assertEqual(0.0_wp, [point%state%pressure, point%state%elastic_slip, point%shear, &
+            point%stiffness, point%shear_by_closure, reshape(point%shear_by_slip, [4]), &
+            point%tangential_energy], 0.0_wp, 'nothing')
+         call assertEqual(1.0_wp, point%overclosure_by_closure, 0.0_wp, 'the face opens alone')
+      end subroutine check
+   end subroutine test_open
 
 end module test_replay_tenon_limits
