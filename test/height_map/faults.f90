@@ -230,6 +230,9 @@ contains
       call check(120, repeat(achar(0), 4), 'file: byte 120: ', 'spacing 0.0 in x')
       call check(124, transfer(-1.0_real32, '1234'), 'file: byte 124: ', 'spacing -1.0 in y')
       call check(128, transfer(-1, '1234'), 'file: byte 128: ', 'in z')
+      ! 500 m, 1 km, 1.5 km ...
+      call check(128, transfer(5.0e8_real32, '1234'), 'file: byte 512: ', &
+         'point 3 of line 1: height 3.0 is not allowed: in units of 500000.0 mm it is beyond 1 km')
       call check(180, '  ', 'file: ', 'does not say in which unit its lengths are')
       call check(180, 'fm', 'file: byte 180: ', 'the unit of x is fm, which is no length')
       call check(212, 'a.u.', 'file: byte 212: ', 'the unit of z is a.u., which is no length')

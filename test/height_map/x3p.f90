@@ -25,6 +25,7 @@ contains
       call suite%addTest(TestMethod('heights in main.xml', test_list))
       call suite%addTest(TestMethod('validity', test_validity))
       call suite%addTest(TestMethod('archives that are refused', test_archives))
+      call suite%addTest(TestMethod('archives that promise something else', test_promises))
       call suite%addTest(TestMethod('descriptions that are refused', test_descriptions))
       call suite%addTest(TestMethod('document types and entities', test_entities))
       call suite%addTest(TestMethod('bombs', test_bombs))
@@ -144,6 +145,27 @@ contains
       members(2)%name = 'data.bin'
       call refuse(members, 'file: the archive has no member bindata/data.bin', 'incomplete')
    end subroutine test_archives
+
+   !> An archive whose list promises more or fewer bytes than there are.
+   subroutine test_promises()
+      call check(5, 100)
+      call check(7, 140)
+   contains
+      subroutine check(columns, bytes)
+         integer, intent(in) :: columns, bytes
+         type(zip_member_text) :: members(3)
+         character(len=:), allocatable :: archive
+         integer :: at
+
+         call x3p_members(members, 1)
+         call change(members, '<SizeX>6', '<SizeX>'//achar(iachar('0') + columns))
+         call zip_of(members, archive)
+         at = index(archive, 'PK'//achar(1)//achar(2))
+         at = at + 3 + index(archive(at + 4:), 'PK'//achar(1)//achar(2))
+         archive(at + 24:at + 27) = transfer(bytes, '1234')
+         call refused(archive, 'file: bindata/data.bin: byte ', 'get the file once more', no_hints)
+      end subroutine check
+   end subroutine test_promises
 
    subroutine test_descriptions()
       call check('SUR<', 'PRF<', 'file: main.xml: FeatureType is ''PRF''', 'no profiles')
