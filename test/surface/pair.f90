@@ -211,8 +211,13 @@ contains
       b = map_of(-3.0_wp*z(20:1:-1, :), 0.1_wp)
       call map_correlation(a, b, 'x', r, error)
       call assertRelativelyEqual(-1.0_wp, r, 1.0e-12_wp, 'mirrored')
+      b = map_of(0.5_wp*z(:, 20:1:-1) + 7.0_wp, 0.1_wp)
+      call map_correlation(a, b, 'y', r, error)
+      call assertRelativelyEqual(1.0_wp, r, 1.0e-12_wp, 'mirrored in y')
       call map_correlation(a, b, 'none', r, error)
-      call assertLessThan(abs(r), 0.3_wp, 'not mirrored')
+      associate (p => z - sum(z)/size(z), q => z(:, 20:1:-1) - sum(z)/size(z))
+         call assertEqual(sum(p*q)/sum(p*p), r, 1.0e-12_wp, 'not mirrored')
+      end associate
       b%heights = 1.0_wp
       call map_correlation(a, b, 'x', r, error)
       call assertEqual(0.0_wp, r, 1.0e-9_wp, 'flat')
