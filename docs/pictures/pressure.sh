@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # The README's picture: pressure over closure, rough law and hard contact, by `asperity curve`.
-# usage: docs/pressure.sh ASPERITY PICTURE.png
+# usage: docs/pictures/pressure.sh ASPERITY PICTURE.png
 set -euo pipefail
 asperity=$1 picture=$2
 folder=$(mktemp -d)
