@@ -3,12 +3,11 @@ module asperity_program_outputs
    use, intrinsic :: iso_fortran_env, only: int64
    use asperity_base_error, only: error_type, fatal_error, file_error
    use asperity_base_memory, only: check_work
-   use asperity_program_commands_plots, only: plot_script
-   use asperity_program_commands_tenon_page, only: page_script, page_text
    use asperity_program_input_command_line, only: command_line_type
-   use asperity_program_plot_gnuplot, only: check_picture, draw
+   use asperity_program_plot_gnuplot, only: check_picture, draw, format_of
+   use asperity_program_plot_script, only: page_script, sheet_script
    use asperity_program_report_csv, only: write_csv
-   use asperity_program_report_html, only: count_svg
+   use asperity_program_report_html, only: joined_page
    use asperity_program_report_json, only: write_json
    use asperity_program_report_report, only: report_type
    use asperity_program_report_terminal, only: terminal_text, warning_text
@@ -124,21 +123,15 @@ contains
       type(report_type), intent(inout) :: report
       !> Set on failure
       type(error_type), allocatable, intent(out) :: error
-      character(len=:), allocatable :: picture, reason, text
+      character(len=:), allocatable :: reason, text
       integer :: i
 
       call check_work('the report', bytes_of_row*report%table%rows, error)
       if (allocated(error)) return
       do i = 1, size(delivery%files)
          associate (file => delivery%files(i))
-            if (file%option == '--plot') then
-               call check_script(file%option, report, error)
-               if (.not. allocated(error)) &
-                  call draw(file, plot_script(report), allocated(report%pictures), picture, error)
-               call move_alloc(picture, file%text)
-            else if (file%option == '--report') then
-               call check_script(file%option, report, error)
-               if (.not. allocated(error)) call draw_page(file, report, error)
+            if (is_drawn(file%option)) then
+               call draw_pictures(file, report, error)
             else
                call take_text(file%option, report, file%text, error)
             end if
@@ -156,32 +149,30 @@ contains
       end if
    end subroutine deliver
 
-   !> Set `error` unless there is room for the script of pictures on its way to gnuplot.
-   pure subroutine check_script(option, report, error)
-      character(len=*), intent(in) :: option
-      type(report_type), intent(in) :: report
-      type(error_type), allocatable, intent(inout) :: error
-
-      if (.not. allocated(report%picture_data)) return
-      call check_work(option, copies_of_script*len(report%picture_data, int64), error)
-   end subroutine check_script
-
-   !> Draw the pictures of a page, and make the page of them.
-   subroutine draw_page(file, report, error)
+   !> Draw the pictures of a report on a sheet, or on a page.
+   subroutine draw_pictures(file, report, error)
       type(output_file), intent(inout) :: file
       type(report_type), intent(in) :: report
       type(error_type), allocatable, intent(out) :: error
-      character(len=:), allocatable :: pictures
+      character(len=:), allocatable :: pictures, script
 
-      call draw(file, page_script(report), .false., pictures, error)
-      if (allocated(error)) return
-      if (count_svg(pictures) == size(report%pictures)) then
-         file%text = utf8_text(page_text(report, pictures))
+      if (file%option == '--report') then
+         call page_script(report%pictures, script, error)
       else
-         call fatal_error(error, file%option//': '//file%path// &
-            ' cannot be written: gnuplot left out a picture', file_error)
+         call sheet_script(report%pictures, report%picture_title, format_of(file%path), script, error)
       end if
-   end subroutine draw_page
+      if (.not. allocated(error)) &
+         call check_work(file%option, copies_of_script*len(script, int64), error)
+      if (.not. allocated(error)) call draw(file, script, pictures, error)
+      if (allocated(error)) return
+      if (file%option == '--report') then
+         call joined_page(report%page, pictures, file%text, error)
+         if (allocated(error)) call fatal_error(error, file%option//': '//file%path// &
+            ' cannot be written: '//error%message, file_error)
+      else
+         call move_alloc(pictures, file%text)
+      end if
+   end subroutine draw_pictures
 
    !> Whether an option's file is drawn by gnuplot.
    pure logical function is_drawn(option)

@@ -6,6 +6,7 @@ module asperity_program_commands_curve
    use asperity_base_number_text, only: to_text
    use asperity_law_normal_law, only: evaluate_normal_law, normal_response
    use asperity_program_commands_config, only: config_type
+   use asperity_program_commands_plots, only: draw_curve
    use asperity_program_report_report, only: report_type, turning_points
    use asperity_program_report_table, only: column_validity, new_table
    use asperity_program_system_progress, only: progress_type
@@ -63,6 +64,7 @@ contains
       end associate
       report%first_rows = [1, n + 1]
       report%important = turning_points(config%separation)
+      if (.not. allocated(error) .and. report%is_drawn()) call draw_curve(report)
    end subroutine report_curve
 
 end module asperity_program_commands_curve

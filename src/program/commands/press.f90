@@ -5,6 +5,7 @@ module asperity_program_commands_press
    use asperity_base_memory, only: check_work
    use asperity_base_number_text, only: to_text
    use asperity_program_commands_config, only: config_type
+   use asperity_program_commands_plots, only: draw_press
    use asperity_program_report_report, only: report_type, turning_points
    use asperity_program_report_table, only: column_status, column_validity, new_table
    use asperity_program_system_progress, only: progress_type
@@ -61,6 +62,7 @@ contains
          'elastoplastic_share', 'plastic_share', 'status', 'validity']
       report%first_rows = [1, size(s) + 1]
       report%important = turning_points((s%overclosure))
+      if (.not. allocated(error) .and. report%is_drawn()) call draw_press(report)
    end subroutine report_press
 
 end module asperity_program_commands_press

@@ -8,6 +8,7 @@ module asperity_program_commands_shear
    use asperity_base_number_text, only: to_text
    use asperity_contact_state, only: status_slip
    use asperity_program_commands_config, only: config_type
+   use asperity_program_commands_plots, only: draw_shear
    use asperity_program_report_report, only: report_type, turning_points
    use asperity_program_report_table, only: column_status, column_validity, new_table, table_type
    use asperity_program_report_units, only: joule
@@ -62,6 +63,7 @@ contains
          'overclosure', 'separation_over_sigma', 'normal_stress', 'shear_force', &
          'shear_stress_nominal', 'shear_stress', 'area_fraction', 'dissipation', 'status', &
          'validity']
+      if (report%is_drawn()) call draw_shear(report)
    end subroutine report_shear
 
    !> One table of all runs, each row led by the normal stress of its run.

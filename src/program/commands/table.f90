@@ -10,7 +10,8 @@ module asperity_program_commands_table
    use asperity_deck_law_rows_text, only: host_abaqus, host_calculix, table_interaction
    use asperity_law_normal_law, only: evaluate_normal_law, normal_response
    use asperity_program_commands_config, only: config_type
-   use asperity_program_commands_table_plot, only: law_table_script
+   use asperity_program_commands_table_plot, only: law_table_picture
+   use asperity_program_input_presets, only: faces_text
    use asperity_program_report_report, only: report_type, turning_points
    use asperity_program_report_table, only: column_counts, column_validity, new_table
    implicit none
@@ -49,8 +50,10 @@ contains
       if (.not. allocated(error)) call make_decks(report, table, config%properties, error)
       if (allocated(error)) return
       call fill_tables(report, table, config%properties)
-      if (report%settings%given('plot')) &
-         report%picture_data = law_table_script(table, config%properties, report%settings)
+      if (report%is_drawn()) then
+         report%picture_title = 'Law and table: '//faces_text(report%settings)
+         report%pictures = [law_table_picture(table, config%properties)]
+      end if
       call report%table%check_finite(error)
    end subroutine report_law_table
 

@@ -11,7 +11,7 @@ module asperity_program_plot_gnuplot
    use asperity_program_system_utf8, only: utf8_text
    implicit none
    private
-   public :: check_picture, draw
+   public :: check_picture, draw, format_of
 
    !> Largest picture, characters
    integer, parameter :: largest = 256*1024*1024
@@ -42,13 +42,11 @@ contains
    end subroutine check_picture
 
    !> Draw the picture of a file. `error` is set when it cannot be had whole; nothing is left then.
-   subroutine draw(file, script, large, picture, error)
+   subroutine draw(file, script, picture, error)
       !> The file
       type(output_file), intent(in) :: file
-      !> Commands of gnuplot without terminal and output
+      !> Commands of gnuplot
       character(len=*), intent(in) :: script
-      !> A sheet of many panels
-      logical, intent(in) :: large
       !> What belongs into the file
       character(len=:), allocatable, intent(out) :: picture
       !> Set on failure
@@ -70,8 +68,7 @@ contains
             call close_shell(shell, '', failure)
          else
             call close_part(part, reason)
-            call close_shell(shell, newline//terminal(format_of(file%path), large)// &
-               utf8_text(script), failure)
+            call close_shell(shell, newline//utf8_text(script), failure)
             if (.not. allocated(reason)) call read_file(part%path, largest, picture, reason)
             call remove_file(part%path)
          end if
@@ -90,6 +87,7 @@ contains
 
    !> `svg`, `png`, `pdf`, `html`, or nothing.
    pure function format_of(path) result(format)
+      !> Path of a file
       character(len=*), intent(in) :: path
       character(len=:), allocatable :: format
 
@@ -110,26 +108,6 @@ contains
          is_complete = index(picture, '%%EOF', back=.true.) > 0
       end select
    end function is_complete
-
-   !> The first commands of the script.
-   pure function terminal(format, large) result(script)
-      character(len=*), intent(in) :: format
-      logical, intent(in) :: large
-      character(len=:), allocatable :: script
-
-      select case (format)
-      case ('svg', 'html')
-         script = 'set terminal svg size '//trim(merge('1440,1500', '960,720  ', large))// &
-            " noenhanced font 'DejaVu Sans,15' background 'white'"
-      case ('png')
-         script = 'set terminal pngcairo size '//trim(merge('2160,2250', '1440,1080', large))// &
-            " noenhanced font 'DejaVu Sans,21'"
-      case default
-         script = 'set terminal pdfcairo size '//trim(merge('40cm,42cm', '20cm,15cm', large))// &
-            " noenhanced font 'DejaVu Sans,13'"
-      end select
-      script = 'set encoding utf8'//newline//script//newline
-   end function terminal
 
    !> A text as one word of a shell command.
    pure function shell_word(text) result(word)

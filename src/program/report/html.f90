@@ -1,14 +1,17 @@
 !> Pieces of a page in HTML: escaped text, tables, pictures in SVG.
 module asperity_program_report_html
+   use asperity_base_error, only: error_type, fatal_error
+   use asperity_base_number_text, only: to_text
+   use asperity_base_text_builder, only: growing_text
    use asperity_program_report_table, only: table_type
    use asperity_program_report_text_table, only: printed_type, printed_columns
-   use asperity_program_system_strings, only: escaped
-   use asperity_program_system_text_buffer, only: text_buffer
+   use asperity_program_system_strings, only: escaped, string_type
+   use asperity_program_system_utf8, only: make_utf8
    implicit none
    private
-   public :: html_text, add_html_table, split_svg, count_svg
+   public :: html_text, add_html_table, joined_page
 
-   character(len=*), parameter :: opening = '<svg', closing = '</svg>'
+   character(len=*), parameter :: closing = '</svg>'
 
 contains
 
@@ -25,7 +28,7 @@ contains
    !> Append a table: names over units over values, as on the terminal.
    pure subroutine add_html_table(b, table, caption)
       !> Where to append
-      type(text_buffer), intent(inout) :: b
+      class(growing_text), intent(inout) :: b
       !> The table
       type(table_type), intent(in) :: table
       !> Its caption
@@ -54,58 +57,57 @@ contains
       call b%line('</tbody></table>')
    end subroutine add_html_table
 
-   !> How many pictures stand one after the other in a text.
-   pure integer function count_svg(text)
-      !> SVG documents
-      character(len=*), intent(in) :: text
-      integer :: place, found
+   !> A page with its pictures. `error` is set if there are not as many as belong there.
+   subroutine joined_page(parts, pictures, page, error)
+      !> Text before each picture and after the last
+      type(string_type), intent(in) :: parts(:)
+      !> SVG documents of gnuplot, one after the other
+      character(len=*), intent(in) :: pictures
+      !> The page
+      character(len=:), allocatable, intent(out) :: page
+      !> Set when a picture is missing
+      type(error_type), allocatable, intent(out) :: error
+      type(growing_text) :: b
+      integer :: first, last, place, i
 
-      count_svg = 0
       place = 1
-      do
-         found = index(text(place:), closing)
-         if (found == 0) return
-         count_svg = count_svg + 1
-         place = place + found
+      do i = 1, size(parts) - 1
+         first = index(pictures(place:), '<svg')
+         last = index(pictures(place:), closing)
+         if (first == 0 .or. last == 0) exit
+         call b%add(parts(i)%text)
+         call b%add(own_names(pictures(place + first - 1:place + last + len(closing) - 2), i))
+         place = place + last + len(closing) - 1
       end do
-   end function count_svg
+      if (i < size(parts) .or. index(pictures(place:), closing) > 0) then
+         call fatal_error(error, 'gnuplot left out a picture')
+         return
+      end if
+      call b%add(parts(i)%text)
+      call b%take(page, error)
+      if (.not. allocated(error)) call make_utf8(page, error)
+   end subroutine joined_page
 
-   !> One of the pictures of a text as an element of a page: without the head of a document, and
-   !> with names of its own, as two elements of a page must not share one.
-   pure function split_svg(text, which) result(svg)
-      !> SVG documents of gnuplot
-      character(len=*), intent(in) :: text
-      !> Which of them, from 1
+   !> A picture with names of its own, as two elements of a page must not share one.
+   pure function own_names(picture, which) result(svg)
+      character(len=*), intent(in) :: picture
       integer, intent(in) :: which
       character(len=:), allocatable :: svg
       character(len=:), allocatable :: own
-      integer :: place, first, last, i
 
-      svg = ''
-      first = 1
-      last = 0
-      place = 1
-      do i = 1, which
-         first = index(text(place:), opening)
-         last = index(text(place:), closing)
-         if (first == 0 .or. last == 0) return
-         first = place + first - 1
-         last = place + last - 1 + len(closing) - 1
-         place = last + 1
-      end do
-      own = 'p'//achar(iachar('0') + which)//'_'
-      svg = replaced(text(first:last), "id='gp", "id='"//own//'gp')
+      own = 'p'//to_text(which)//'_'
+      svg = replaced(picture, "id='gp", "id='"//own//'gp')
       svg = replaced(svg, "href='#gp", "href='#"//own//'gp')
       svg = replaced(svg, "id='textbox'", "id='"//own//"textbox'")
       svg = replaced(svg, "id='greybox'", "id='"//own//"greybox'")
       svg = replaced(svg, 'id="gnuplot_canvas"', 'class="canvas"')
-   end function split_svg
+   end function own_names
 
    !> Text with every `old` replaced by `new`.
    pure function replaced(text, old, new) result(changed)
       character(len=*), intent(in) :: text, old, new
       character(len=:), allocatable :: changed
-      type(text_buffer) :: b
+      type(growing_text) :: b
       integer :: place, found
 
       place = 1

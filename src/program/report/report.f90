@@ -2,11 +2,12 @@
 module asperity_program_report_report
    use asperity_base_kinds, only: wp
    use asperity_program_input_settings, only: settings_type
+   use asperity_program_plot_figure, only: figure_type
    use asperity_program_report_table, only: table_type
    use asperity_program_system_strings, only: string_type
    implicit none
    private
-   public :: report_type, deck_type, named_table, picture_type, turning_points
+   public :: report_type, deck_type, named_table, turning_points
 
    !> A table beside the main one.
    type :: named_table
@@ -19,14 +20,6 @@ module asperity_program_report_report
       !> How many of its columns the terminal shows, zero for all
       integer :: columns_shown = 0
    end type named_table
-
-   !> One picture of a sheet or page.
-   type :: picture_type
-      !> A sentence or two below it
-      character(len=:), allocatable :: caption
-      !> Commands of gnuplot, without terminal, one text a panel
-      type(string_type), allocatable :: panels(:)
-   end type picture_type
 
    !> Input for another program.
    type :: deck_type
@@ -52,10 +45,11 @@ module asperity_program_report_report
       type(named_table), allocatable :: more(:)
       !> Every contact point, no columns when there is none
       type(table_type) :: points
-      !> Pictures, and the data blocks that they draw; not allocated where columns are
-      !> drawn (see ../commands/plots.f90)
-      type(picture_type), allocatable :: pictures(:)
-      character(len=:), allocatable :: picture_data
+      !> Pictures where they are asked for, and the title of a sheet of all of them
+      type(figure_type), allocatable :: pictures(:)
+      character(len=:), allocatable :: picture_title
+      !> A page in HTML where it is asked for: its text before each picture and after the last
+      type(string_type), allocatable :: page(:)
       !> Input for other programs, none when not allocated
       type(deck_type), allocatable :: decks(:)
       !> Whether the law was used at all: the faces touch in some step
@@ -73,6 +67,10 @@ module asperity_program_report_report
       !> Rows that are shown however long the table is: ends and turning points
       logical, allocatable :: important(:)
    contains
+      !> Whether pictures are asked for
+      procedure :: is_drawn
+      !> A further table by its name
+      procedure :: table_of
       !> Rows to show when only about so many per run fit
       procedure :: selected_rows
       !> All validity flags of the results together
@@ -82,6 +80,28 @@ module asperity_program_report_report
    end type report_type
 
 contains
+
+   !> Whether pictures are asked for.
+   pure logical function is_drawn(self)
+      !> The report
+      class(report_type), intent(in) :: self
+
+      is_drawn = self%settings%given('plot') .or. self%settings%given('report')
+   end function is_drawn
+
+   !> A further table, which must be there, by its name.
+   pure function table_of(self, name) result(table)
+      !> The report
+      class(report_type), intent(in) :: self
+      !> Its name in JSON
+      character(len=*), intent(in) :: name
+      type(table_type) :: table
+      integer :: i
+
+      do i = 1, size(self%more)
+         if (self%more(i)%name == name) table = self%more(i)%table
+      end do
+   end function table_of
 
    !> Rows to show when only about `limit` per run fit: evenly spaced ones and important ones.
    pure function selected_rows(self, limit) result(rows)

@@ -7,13 +7,14 @@ module asperity_program_commands_hysteresis_command
    use asperity_base_number_text, only: to_text
    use asperity_hysteresis_analysis, only: analyse_hysteresis, check_hysteresis_settings, &
       hysteresis_result, hysteresis_settings, leave_out, negative_side, positive_side
-   use asperity_program_commands_hysteresis_plot, only: write_loops_script, write_script
+   use asperity_program_commands_hysteresis_plot, only: loops_panel, record_picture
    use asperity_program_commands_hysteresis_remarks, only: record_remarks
    use asperity_program_commands_hysteresis_tables, only: cycle_table, record_labels, side_table, &
       skeleton_table
    use asperity_program_commands_hysteresis_tests, only: join_reports
    use asperity_program_input_keys, only: find_key
    use asperity_program_input_settings, only: assign_values, setting_type, settings_type
+   use asperity_program_plot_figure, only: figure_type
    use asperity_program_record_columns, only: record_column
    use asperity_program_record_file, only: read_record, record_format
    use asperity_program_record_names, only: holds_displacement, holds_force, holds_moment, &
@@ -114,16 +115,18 @@ contains
       call report%table%check_finite(error)
       if (.not. allocated(error)) call report%summary%check_finite(error)
       if (allocated(error)) return
-      ! The picture is one of the samples that count
-      call check_work('the picture', 2_int64*storage_size(force)/8_int64*size(force), error)
+      if (.not. report%is_drawn()) return
+      ! The picture is one of the samples that count; it may have all of them
+      call check_work('the picture', 6_int64*storage_size(force)/8_int64*size(force), error)
       if (allocated(error)) return
       allocate (x, source=displacement)
       allocate (f, source=force)
       if (settings%outliers == 'drop') call leave_out(result%outliers, x, f)
+      report%picture_title = labels%title
       if (is_only_one) then
-         call write_script(x, f, result, labels, report%picture_data, error)
+         report%pictures = [record_picture(x, f, result, labels)]
       else
-         call write_loops_script(x, f, result, labels, report%picture_data, error)
+         report%pictures = [figure_type('', [loops_panel(x, f, result, labels, labels%title)])]
       end if
    end subroutine report_test
 
@@ -131,17 +134,14 @@ contains
    pure subroutine check_reports(reports, error)
       type(report_type), intent(in) :: reports(:)
       type(error_type), allocatable, intent(inout) :: error
-      integer(int64) :: rows, characters
+      integer(int64) :: rows
       integer :: i
 
       rows = 0
-      characters = 0
       do i = 1, size(reports)
          rows = rows + reports(i)%table%rows + reports(i)%more(1)%table%rows
-         characters = characters + len(reports(i)%picture_data)
       end do
-      call check_work('the tables of all tests', &
-         copies_joined*(bytes_of_row*rows + characters), error)
+      call check_work('the tables of all tests', copies_joined*bytes_of_row*rows, error)
    end subroutine check_reports
 
    !> How to read the record. `error` names the option.

@@ -3,12 +3,11 @@
 module asperity_program_commands_hysteresis_tests
    use asperity_base_error, only: error_type
    use asperity_base_kinds, only: wp
-   use asperity_program_commands_hysteresis_plot, only: start_sheet
    use asperity_program_record_numbers, only: looks_like_number, read_number
    use asperity_program_record_tests, only: test_text, test_type
    use asperity_program_report_report, only: report_type
    use asperity_program_report_table, only: column_numbers, column_texts, column_type, table_type
-   use asperity_program_system_strings, only: newline, string_type
+   use asperity_program_system_strings, only: string_type
    implicit none
    private
    public :: join_reports
@@ -48,11 +47,14 @@ contains
             report%record_kind = report%record_kind//', '//reports(i)%record_kind
          end do
       end if
-      report%picture_data = start_sheet(report%settings%text_of('record_file'), size(tests))
-      do i = 1, size(tests)
-         report%picture_data = report%picture_data//reports(i)%picture_data
-      end do
-      report%picture_data = report%picture_data//'unset multiplot'//newline
+      if (report%is_drawn()) then
+         report%picture_title = report%settings%text_of('record_file')
+         deallocate (report%pictures)
+         allocate (report%pictures(size(tests)))
+         do i = 1, size(tests)
+            call move_alloc(reports(i)%pictures(1)%panels, report%pictures(i)%panels)
+         end do
+      end if
       if (allocated(report%remarks)) deallocate (report%remarks)
       allocate (report%remarks(0))
       do i = 1, size(tests)

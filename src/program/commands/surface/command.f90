@@ -9,7 +9,7 @@ module asperity_program_commands_surface_command
    use asperity_program_commands_surface_law, only: has_law, set_law, surface_case
    use asperity_program_commands_surface_maps, only: check_map_options, get_map, prepare_map
    use asperity_program_commands_surface_pair, only: analyse_pair
-   use asperity_program_commands_surface_plot, only: write_script
+   use asperity_program_commands_surface_plot, only: surface_picture
    use asperity_program_commands_surface_tables, only: law_parameters_table, map_table, &
       parameter_table
    use asperity_program_commands_surface_verdict, only: surface_verdict
@@ -130,9 +130,11 @@ contains
             report%remarks = [report%remarks, remarks]
          end if
          report%verdict = surface_verdict(s, analysis, route)
-         if (s%given('plot')) call write_script(map, values, &
+         if (.not. report%is_drawn()) return
+         report%picture_title = title(map)
+         report%pictures = [surface_picture(map, values, &
             pack(analysis%summits%height, analysis%summits%is_peak .or. route == 'nayak'), &
-            report%more(3)%table, title(map), report%picture_data, error)
+            report%more(3)%table)]
       end associate
    end subroutine add_law
 

@@ -8,9 +8,11 @@ module asperity_program_commands_tenon_command
    use asperity_hysteresis_analysis, only: negative_side, positive_side
    use asperity_program_commands_config, only: config_type
    use asperity_program_commands_hysteresis_remarks, only: excess_words
+   use asperity_program_commands_plots, only: picture_title
    use asperity_program_commands_tenon_compare_models, only: check_moment, hard, joint_type, &
-      rough, run_joint, steps_to_record
+      legends, rough, run_joint, steps_to_record
    use asperity_program_commands_tenon_failure, only: keep_failed_step
+   use asperity_program_commands_tenon_page, only: joint_page
    use asperity_program_commands_tenon_paper_joint, only: is_paper_joint
    use asperity_program_commands_tenon_plots, only: joint_pictures
    use asperity_program_commands_tenon_tables, only: comparison_table, cycles_table, points_table, &
@@ -24,7 +26,6 @@ module asperity_program_commands_tenon_command
    private
    public :: report_tenon
 
-   character(len=12), parameter :: legends(2) = ['hard contact', 'rough law   ']
    !> Bytes of a step in both replays, their analysis and tables
    integer(int64), parameter :: bytes_of_step = 3000
 
@@ -74,8 +75,6 @@ contains
          named_table('cycles', 'Cycles', cycles_table(joints), 12), &
          named_table('skeleton', '', skeleton_table(joints))]
       report%points = points_table(joints)
-      call joint_pictures(joints, report%picture_data, report%pictures, error)
-      if (allocated(error)) return
       report%remarks = remarks(config, joints, is_paper_joint(report%settings))
       report%has_contact = any(joints%touches)
       report%shows_table = .false.
@@ -84,6 +83,11 @@ contains
          report%important = [turning_points((joints(hard)%steps%displacement)), &
             turning_points((joints(rough)%steps%displacement))]
       end associate
+      if (report%is_drawn()) then
+         report%pictures = joint_pictures(joints)
+         report%picture_title = picture_title(report, 'Tenon joint')
+      end if
+      if (report%settings%given('report')) report%page = joint_page(report)
    end subroutine report_tenon
 
    !> Times of both replays, and of one point in one evaluation of the equilibrium.

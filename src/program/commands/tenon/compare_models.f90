@@ -21,6 +21,8 @@ module asperity_program_commands_tenon_compare_models
    !> Contact models, in the order of tables
    integer, parameter, public :: hard = 1, rough = 2
    character(len=5), parameter, public :: model_names(2) = [character(len=5) :: 'hard', 'rough']
+   !> The same for readers
+   character(len=12), parameter, public :: legends(2) = ['hard contact', 'rough law   ']
 
    !> Reversals over the largest rotation that are rounding
    real(wp), parameter :: exact = 1.0e-6_wp

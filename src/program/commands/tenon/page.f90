@@ -1,7 +1,7 @@
 !> The page that `asperity tenon --report` writes: case, assumptions, tables and pictures in one
 !> file that needs no other and prints well.
 module asperity_program_commands_tenon_page
-   use asperity_base_number_text, only: to_text
+   use asperity_base_text_builder, only: growing_text
    use asperity_base_version, only: version
    use asperity_law_validity, only: validity_remark
    use asperity_program_commands_tenon_page_texts, only: assumptions, cautions, origin_of, &
@@ -11,52 +11,26 @@ module asperity_program_commands_tenon_page
    use asperity_program_input_keys, only: belongs, keys, kind_file, n_keys
    use asperity_program_input_presets, only: faces_text
    use asperity_program_input_settings, only: settings_type
-   use asperity_program_report_html, only: add_html_table, html_text, split_svg
+   use asperity_program_report_html, only: add_html_table, html_text
    use asperity_program_report_report, only: report_type
    use asperity_program_report_terminal, only: input_text
-   use asperity_program_system_text_buffer, only: text_buffer
+   use asperity_program_system_strings, only: string_type
    implicit none
    private
-   public :: page_script, page_text
+   public :: joint_page
 
 contains
 
-   !> Script of all pictures of a page, one SVG document after the other.
-   pure function page_script(report) result(script)
-      !> The report
+   !> Text of the page before each picture and after the last.
+   pure function joint_page(report) result(parts)
+      !> The report, with its pictures
       type(report_type), intent(in) :: report
-      character(len=:), allocatable :: script
-      type(text_buffer) :: b
-      integer :: i, j
-
-      call b%add(report%picture_data)
-      do i = 1, size(report%pictures)
-         associate (panels => report%pictures(i)%panels)
-            call b%line('set terminal svg size '//trim(merge('660,420', '960,720', &
-               size(panels) == 1))//" dynamic noenhanced font 'sans-serif,14' name 'p"// &
-               to_text(i)//"'")
-            if (size(panels) > 1) &
-               call b%line('set multiplot layout '//to_text((size(panels) + 1)/2)//',2')
-            do j = 1, size(panels)
-               call b%add(panels(j)%text)
-            end do
-            if (size(panels) > 1) call b%line('unset multiplot')
-         end associate
-      end do
-      script = b%text()
-   end function page_script
-
-   !> The page.
-   pure function page_text(report, pictures) result(text)
-      !> The report
-      type(report_type), intent(in) :: report
-      !> What gnuplot made of `page_script`
-      character(len=*), intent(in) :: pictures
-      character(len=:), allocatable :: text
-      type(text_buffer) :: b
+      type(string_type), allocatable :: parts(:)
+      type(growing_text) :: b
       integer :: i
       logical :: beside_paper
 
+      allocate (parts(size(report%pictures) + 1))
       beside_paper = is_paper_joint(report%settings)
       call add_head(b)
       call b%line('<h1>Tenon joint: hard contact against the rough law</h1>')
@@ -70,11 +44,8 @@ contains
          'source')
       call add_list(b, cautions)
       if (beside_paper) call add_list(b, paper_cautions)
-      do i = 1, size(report%more)
-         if (report%more(i)%title == 'Whole programme') &
-            call add_html_table(b, report%more(i)%table, 'Energies and pull-out over the whole '// &
-            'programme; initial stiffness of the negative side')
-      end do
+      call add_html_table(b, report%table_of('totals'), 'Energies and pull-out over the whole '// &
+         'programme; initial stiffness of the negative side')
       call add_remarks(b, report)
 
       call b%line('<h2>Pictures</h2>')
@@ -82,17 +53,17 @@ contains
       do i = 1, size(report%pictures)
          call b%add('<figure')
          if (size(report%pictures(i)%panels) > 1) call b%add(' class="wide"')
-         call b%line('>'//split_svg(pictures, i))
+         call b%add('>')
+         parts(i)%text = b%text()
+         b = growing_text()
          call b%line('<figcaption>'//html_text(report%pictures(i)%caption)// &
             '</figcaption></figure>')
       end do
       call b%line('</div>')
 
       call b%line('<h2>Cycles</h2>')
-      do i = 1, size(report%more)
-         if (report%more(i)%title == 'Cycles') call add_html_table(b, report%more(i)%table, &
-            'Every cycle; rotation of its peak, moment on the negative side')
-      end do
+      call add_html_table(b, report%table_of('cycles'), &
+         'Every cycle; rotation of its peak, moment on the negative side')
       call b%line('<h2>Case</h2>')
       call b%line('<figure class="sketch">')
       call add_sketch(b, report%settings)
@@ -106,12 +77,12 @@ contains
          'Zhang, Guo, Wu, Normal contact performance of mortise and tenon joint, Journal of '// &
          'Wood Science 67 (2021), DOI 10.1186/s10086-021-01963-x.</p>')
       call b%line('</body></html>')
-      text = b%text()
-   end function page_text
+      parts(size(parts))%text = b%text()
+   end function joint_page
 
    !> Everything before the first heading.
    pure subroutine add_head(b)
-      type(text_buffer), intent(inout) :: b
+      type(growing_text), intent(inout) :: b
 
       call b%line('<!DOCTYPE html>')
       call b%line('<html lang="en"><head><meta charset="utf-8">')
@@ -147,7 +118,7 @@ contains
 
    !> A list of sentences.
    pure subroutine add_list(b, items)
-      type(text_buffer), intent(inout) :: b
+      type(growing_text), intent(inout) :: b
       character(len=*), intent(in) :: items(:)
       integer :: i
 
@@ -160,7 +131,7 @@ contains
 
    !> Limits of the law that are passed, and other warnings.
    pure subroutine add_remarks(b, report)
-      type(text_buffer), intent(inout) :: b
+      type(growing_text), intent(inout) :: b
       type(report_type), intent(in) :: report
       integer :: bit, i
 
@@ -181,7 +152,7 @@ contains
 
    !> Every key: value, unit, meaning, and where the value comes from.
    pure subroutine add_case(b, report)
-      type(text_buffer), intent(inout) :: b
+      type(growing_text), intent(inout) :: b
       type(report_type), intent(in) :: report
       character(len=:), allocatable :: origin
       type(settings_type) :: usual

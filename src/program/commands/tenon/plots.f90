@@ -1,199 +1,165 @@
-!> Pictures of the tenon joint as gnuplot scripts: what the paper shows in its Figs 25 to 33.
+!> Pictures of the tenon joint: what the paper shows in its Figs 25 to 35.
 module asperity_program_commands_tenon_plots
-   use asperity_base_error, only: error_type
    use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
-   use asperity_program_commands_tenon_compare_models, only: joint_type, model_names
-   use asperity_program_commands_tenon_plot_data, only: add_cycles, add_skeleton, add_states, &
-      add_steps, state_block, state_steps
-   use asperity_program_report_report, only: picture_type
-   use asperity_program_system_strings, only: backslash
-   use asperity_program_system_text_buffer, only: text_buffer
+   use asperity_contact_point, only: status_open, status_slip, status_stick, &
+      status_unset
+   use asperity_program_commands_tenon_compare_models, only: joint_type, largest_cycle, &
+      legends, loop_joules
+   use asperity_program_plot_figure, only: as_line, as_line_and_points, as_points, block, box, &
+      cross, dashed, disc, figure_type, panel_type, solid
+   use asperity_program_plot_palette, only: black, blue, red, sky
+   use asperity_program_report_units, only: joule, kilonewton_metre
+   use asperity_replay_tenon_run, only: tenon_point
    implicit none
    private
-   public :: joint_pictures, picture_sheet
+   public :: joint_pictures
 
-   !> Names of the models, and their lines in colours that colour-blind people can tell apart
-   character(len=12), parameter :: legends(2) = ['hard contact', 'rough law   ']
-   character(len=*), parameter :: strokes(2) = [character(len=28) :: &
-      'lw 1.6 lc rgb "#0072B2"', 'lw 1.6 lc rgb "#D55E00" dt 2']
-   character(len=*), parameter :: marks(2) = [character(len=12) :: 'pt 4 ps 0.9', 'pt 7 ps 0.6']
+   !> Largest number of points of a line, steps whose contact states are shown
+   integer, parameter :: most_points = 4000, most_states = 2
+   !> Of either model
+   integer, parameter :: colours(2) = [blue, red], strokes(2) = [solid, dashed], &
+      marks(2) = [box, disc]
 
 contains
 
-   !> All pictures, and the data that they draw.
-   subroutine joint_pictures(joints, data, pictures, error)
+   !> All pictures.
+   pure function joint_pictures(joints) result(pictures)
       !> Both models
       type(joint_type), intent(in) :: joints(:)
-      !> Data blocks, to come first in a script
-      character(len=:), allocatable, intent(out) :: data
-      !> The pictures
-      type(picture_type), allocatable, intent(out) :: pictures(:)
-      !> Set when there is not enough memory for it
-      type(error_type), allocatable, intent(out) :: error
-      type(text_buffer) :: b
-      real(wp) :: tick
-      integer :: i
-
-      do i = 1, size(joints)
-         call add_steps(b, joints(i))
-         call add_skeleton(b, joints(i))
-         call add_cycles(b, joints(i))
-         call add_states(b, joints(i))
-      end do
-      call b%take(data, error)
-      if (allocated(error)) return
-      tick = round_number(0.4_wp*maxval(abs(joints(1)%steps%rotation)))
-      allocate (pictures(9))
-      pictures(1) = picture('Moment, all cycles', 'rotation (rad)', 'moment (kN m)', 'left top', &
-         'all using 1:2 with lines', tick, &
-         'Moment of both models over the whole programme (the paper''s Fig. 25).')
-      pictures(2) = picture('Moment, largest loop', 'rotation (rad)', 'moment (kN m)', &
-         'left top', 'loop using 1:2 with lines', tick, &
-         'The first loop of the largest amplitude (Fig. 26). The joint runs against the '// &
-         'friction of its sides while the gap closes that the indented wood has left: that '// &
-         'pinches the loop.')
-      pictures(3) = picture('Skeleton', 'rotation (rad)', 'moment (kN m)', 'right bottom', &
-         'skeleton using 1:2 with linespoints', tick, 'Peaks of the first cycle of each '// &
-         'amplitude; crosses are the yield points of equal energy (Fig. 28).')
-      pictures(4) = picture('Secant stiffness', 'rotation (rad)', 'stiffness (kN m/rad)', &
-         'right top', 'cycles using 1:3 with points', 0.5_wp*tick, &
-         'Secant stiffness of every cycle, mean of both sides (Fig. 29).')
-      pictures(5) = picture('Energy of the loops', 'cycle', 'energy (J)', 'left top', &
-         'cycles using 2:4 with linespoints', 0.0_wp, &
-         'Area of all moment-rotation loops up to each cycle (Fig. 30).')
-      pictures(6) = picture('Dissipation by friction', 'cycle', 'energy (J)', 'left top', &
-         'cycles using 2:5 with linespoints', 0.0_wp, &
-         'Dissipated by friction on all faces up to each cycle (Fig. 35).')
-      pictures(7) = picture('Normal force of the upper face, largest loop', 'rotation (rad)', &
-         'normal force (kN)', 'left top', 'loop using 1:3 with lines', tick, &
-         'Normal force of the upper face in the first loop of the largest amplitude (Fig. 34).')
-      pictures(8) = picture('Pull-out, largest loop', 'rotation (rad)', 'pull-out (mm)', &
-         'left bottom', 'loop using 1:4 with lines', tick, &
-         'Pull-out of the tenon at the column face in the same loop.')
-      pictures(9) = state_picture(joints)
-   end subroutine joint_pictures
-
-   !> All panels on one sheet of three columns.
-   pure function picture_sheet(data, pictures, title) result(script)
-      !> From `joint_pictures`
-      character(len=*), intent(in) :: data
-      !> The pictures
-      type(picture_type), intent(in) :: pictures(:)
-      !> Title of the sheet
-      character(len=*), intent(in) :: title
-      character(len=:), allocatable :: script
-      type(text_buffer) :: b
-      integer :: i, j, panels
-
-      panels = sum([(size(pictures(i)%panels), i=1, size(pictures))])
-      call b%add(data)
-      call b%line('set multiplot layout '//to_text((panels + 2)/3)//',3 title "'//title//'"')
-      do i = 1, size(pictures)
-         do j = 1, size(pictures(i)%panels)
-            call b%add(pictures(i)%panels(j)%text)
-         end do
-      end do
-      call b%line('unset multiplot')
-      script = b%text()
-   end function picture_sheet
-
-   !> One quantity against another for both models, ticks at some distance unless that is zero.
-   pure function picture(title, x_label, y_label, key, what, tick, caption)
-      character(len=*), intent(in) :: title, x_label, y_label, key, what, caption
-      real(wp), intent(in) :: tick
-      type(picture_type) :: picture
-      character(len=:), allocatable :: mark
-      type(text_buffer) :: b
-      integer :: i
-
-      call start_panel(b, title, x_label, y_label, key)
-      if (tick > 0.0_wp) call b%line('set xtics '//to_text(tick, 4))
-      call b%add('plot ')
-      mark = ''
-      do i = 1, size(legends)
-         if (index(what, 'points') > 0) mark = trim(marks(i))
-         if (i > 1) call b%line(', '//backslash)
-         call b%add('$'//trim(model_names(i))//'_'//what//' '//mark//' '//trim(strokes(i))// &
-            ' title "'//trim(legends(i))//'"')
-         if (index(what, 'skeleton') == 1) call b%add(', $'//trim(model_names(i))//'_yield '// &
-            'using 1:2 with points pt 2 ps 1.6 '//trim(strokes(i))//' notitle')
-      end do
-      call b%line()
-      picture%caption = caption
-      allocate (picture%panels(1))
-      picture%panels(1)%text = b%text()
-   end function picture
-
-   !> Title, axes and legend of a panel; nothing of the one before stays.
-   pure subroutine start_panel(b, title, x_label, y_label, key)
-      type(text_buffer), intent(inout) :: b
-      character(len=*), intent(in) :: title, x_label, y_label, key
-
-      call b%line('set grid back lt 1 lw 0.7 lc rgb "#d8d8d8"')
-      call b%line('set key inside '//key//' Left reverse spacing 1.1 samplen 2')
-      call b%line('set title "'//title//'"')
-      call b%line('set xlabel "'//x_label//'"')
-      call b%line('set ylabel "'//y_label//'"')
-      call b%line('unset arrow')
-      call b%line('set xtics autofreq')
-      call b%line('set xrange [*:*]')
-      call b%line('set yrange [*:*]')
-      call b%line('set format y "%g"')
-      call b%line('set xzeroaxis lt 1 lw 0.8 lc rgb "#808080"')
-      call b%line('set yzeroaxis lt 1 lw 0.8 lc rgb "#808080"')
-   end subroutine start_panel
-
-   !> The smallest of 1, 2, 5, 10, 20, ... and so on that is not below a number above zero.
-   pure real(wp) function round_number(number)
-      real(wp), intent(in) :: number
-      real(wp) :: power
-
-      power = 10.0_wp**floor(log10(number))
-      round_number = power*10.0_wp
-      if (number <= 5.0_wp*power) round_number = 5.0_wp*power
-      if (number <= 2.0_wp*power) round_number = 2.0_wp*power
-   end function round_number
-
-   !> Open, sticking and slipping points along the upper and the lower face.
-   function state_picture(joints) result(picture)
-      type(joint_type), intent(in) :: joints(:)
-      type(picture_type) :: picture
-      integer, allocatable :: steps(:)
-      type(text_buffer) :: b
+      type(figure_type), allocatable :: pictures(:)
+      type(panel_type) :: p(8)
+      integer, allocatable :: peaks(:)
       integer :: i, j
 
-      call state_steps(joints(1), steps)
-      picture%caption = 'Contact along the upper face (pressure drawn upwards) and the lower '// &
-         'face (drawn downwards): open, sticking and slipping points (Figs 31 to 33). The '// &
-         'column face is at 0.'
-      allocate (picture%panels(size(steps)*size(joints)))
+      p = [panel_type('rotation (rad)', 'moment (kN m)', 'Moment, all cycles'), &
+         panel_type('rotation (rad)', 'moment (kN m)', 'Moment, largest loop'), &
+         panel_type('rotation (rad)', 'moment (kN m)', 'Skeleton'), &
+         panel_type('rotation (rad)', 'stiffness (kN m/rad)', 'Secant stiffness'), &
+         panel_type('cycle', 'energy (J)', 'Energy of the loops'), &
+         panel_type('cycle', 'energy (J)', 'Dissipation by friction'), &
+         panel_type('rotation (rad)', 'normal force (kN)', 'Upper face, largest loop'), &
+         panel_type('rotation (rad)', 'pull-out (mm)', 'Pull-out, largest loop')]
+      p([1, 2, 3, 7, 8])%zero_lines = .true.
+      p(5:6)%x%whole = .true.
+      p(4:6)%y%low = 0.0_wp
+      do i = 1, size(joints)
+         associate (steps => joints(i)%steps, loops => joints(i)%loops, &
+               stride => 1 + ubound(joints(i)%steps, 1)/most_points)
+            call draw(p(1), i, as_line, (steps(::stride)%rotation), &
+               kilonewton_metre*steps(::stride)%moment)
+            j = largest_cycle(loops)
+            if (size(loops%cycles) > 0) then
+               ! sample 1 is step 0
+               associate (s => steps(loops%cycles(max(1, j))%first - 1: &
+                     loops%cycles(max(1, j))%last - 1:stride))
+                  call draw(p(2), i, as_line, (s%rotation), kilonewton_metre*s%moment)
+                  call draw(p(7), i, as_line, (s%rotation), 1.0e-3_wp*s%face_normal(1))
+                  call draw(p(8), i, as_line, (s%rotation), (s%pull_out))
+               end associate
+            end if
+            peaks = pack([(j, j=1, size(loops%cycles))], &
+               [(any(loops%cycles(j)%peak > 0), j=1, size(loops%cycles))])
+            associate (c => loops%cycles(peaks), number => real(peaks, wp))
+               call draw(p(4), i, as_points, [(maxval(abs(c(j)%displacement), &
+                  mask=c(j)%peak > 0), j=1, size(c))], (c%secant_stiffness))
+               call draw(p(5), i, as_line_and_points, number, loop_joules((c%cumulative_energy)))
+               call draw(p(6), i, as_line_and_points, number, joule*steps(c%last - 1)%friction)
+            end associate
+            associate (up => loops%skeleton(1), down => loops%skeleton(2))
+               call draw(p(3), i, as_line_and_points, [down%displacement(size(down%force):1:-1), &
+                  0.0_wp, up%displacement], [down%force(size(down%force):1:-1), 0.0_wp, up%force])
+            end associate
+         end associate
+      end do
+      ! one legend, as colours tell the models apart
+      do i = 1, size(joints)
+         call p(3)%add((joints(i)%loops%skeleton%yield_displacement), &
+            (joints(i)%loops%skeleton%yield_force), trim(merge('yield points', '            ', &
+            i == 1)), colours(i), as_points, mark=cross)
+      end do
+      pictures = [ &
+         figure_type('Moment of both models over the whole programme (the paper''s Fig. 25).', &
+         p(1:1)), &
+         figure_type('The first loop of the largest amplitude (Fig. 26). The joint runs against '// &
+         'the friction of its sides while the gap closes that the indented wood has left: that '// &
+         'pinches the loop.', p(2:2)), &
+         figure_type('Peaks of the first cycle of each amplitude; crosses are the yield points '// &
+         'of equal energy (Fig. 28).', p(3:3)), &
+         figure_type('Secant stiffness of every cycle, mean of both sides (Fig. 29).', p(4:4)), &
+         figure_type('Area of all moment-rotation loops up to each cycle (Fig. 30).', p(5:5)), &
+         figure_type('Dissipated by friction on all faces up to each cycle (Fig. 35).', p(6:6)), &
+         figure_type('Normal force of the upper face in the first loop of the largest amplitude '// &
+         '(Fig. 34).', p(7:7)), &
+         figure_type('Pull-out of the tenon at the column face in the same loop.', p(8:8)), &
+         figure_type('Contact along the upper face (pressure drawn upwards) and the lower face '// &
+         '(drawn downwards): open, sticking and slipping points (Figs 31 to 33) at two '// &
+         'displacements of the load point. The column face is at 0.', state_panels(joints))]
+   end function joint_pictures
+
+   !> One line of one model.
+   pure subroutine draw(panel, model, form, x, y)
+      type(panel_type), intent(inout) :: panel
+      integer, intent(in) :: model, form
+      real(wp), intent(in) :: x(:), y(:)
+
+      call panel%add(x, y, trim(legends(model)), colours(model), form, strokes(model), &
+         marks(model))
+   end subroutine draw
+
+   !> Open, sticking and slipping points along the upper and the lower face, both models side by
+   !> side.
+   pure function state_panels(joints) result(panels)
+      type(joint_type), intent(in) :: joints(:)
+      type(panel_type), allocatable :: panels(:)
+      integer, allocatable :: steps(:)
+      integer :: i, j
+
+      allocate (steps, source=state_steps(joints(1)))
+      allocate (panels(size(steps)*size(joints)))
       do j = 1, size(steps)
          do i = 1, size(joints)
-            b = text_buffer()
-            associate (displacement => joints(i)%steps(steps(j))%displacement)
-               call start_panel(b, trim(legends(i))//', '//to_text(displacement, 4)//' mm', &
-                  'place in the tenon (mm)', 'pressure (MPa)', 'left bottom')
+            associate (panel => panels(size(joints)*(j - 1) + i), points => joints(i)%points)
+               panel = panel_type('place in the tenon (mm)', 'lower | upper face (MPa)', &
+                  trim(legends(i))//', load point at '// &
+                  to_text(joints(i)%steps(steps(j))%displacement, 4)//' mm')
+               panel%zero_lines = .true.
+               call draw_state(panel, points, steps(j), [status_unset, status_open], 'open', &
+                  sky, disc)
+               call draw_state(panel, points, steps(j), [status_stick], 'stick', black, disc)
+               call draw_state(panel, points, steps(j), [status_slip], 'slip', red, block)
             end associate
-            call b%line('set arrow from 0, graph 0 to 0, graph 1 nohead dt 3 lc rgb "#404040"')
-            call b%line('unset yzeroaxis')
-            call b%line('plot '//state_line(i, j, 1, 'open', '#777777', 'pt 6 ps 0.4')//', '// &
-               backslash)
-            call b%line(state_line(i, j, 2, 'stick', '#D55E00', 'pt 7 ps 0.45')//', '//backslash)
-            call b%line(state_line(i, j, 3, 'slip', '#009E73', 'pt 5 ps 0.35'))
-            picture%panels(2*(j - 1) + i)%text = b%text()
          end do
       end do
-   end function state_picture
+   end function state_panels
 
-   !> Points of one state.
-   pure function state_line(model, which, state, legend, colour, mark) result(text)
-      integer, intent(in) :: model, which, state
-      character(len=*), intent(in) :: legend, colour, mark
-      character(len=:), allocatable :: text
+   !> Pressure, of the lower face negative, of the points in some states.
+   pure subroutine draw_state(panel, points, step, states, legend, colour, mark)
+      type(panel_type), intent(inout) :: panel
+      type(tenon_point), intent(in) :: points(:)
+      integer, intent(in) :: step, states(:), colour, mark
+      character(len=*), intent(in) :: legend
+      integer, allocatable :: which(:)
+      integer :: i
 
-      text = state_block(model, which)//' using 1:($3=='//to_text(state)//' ? $2 : NaN) '// &
-         'with points '//mark//' lc rgb "'//colour//'" title "'//legend//'"'
-   end function state_line
+      which = pack([(i, i=1, size(points))], [(points(i)%step == step .and. points(i)%face <= 2 &
+         .and. any(points(i)%status == states), i=1, size(points))])
+      call panel%add(points(which)%x, merge(points(which)%pressure, -points(which)%pressure, &
+         points(which)%face == 1), legend, colour, as_points, mark=mark)
+   end subroutine draw_state
+
+   !> Steps whose contact states are shown: the last of those kept.
+   pure function state_steps(joint) result(steps)
+      type(joint_type), intent(in) :: joint
+      integer, allocatable :: steps(:)
+      integer :: i
+
+      allocate (steps(0))
+      do i = size(joint%points), 1, -1
+         if (size(steps) == most_states) exit
+         if (any(steps == joint%points(i)%step)) cycle
+         steps = [joint%points(i)%step, steps]
+      end do
+   end function state_steps
 
 end module asperity_program_commands_tenon_plots

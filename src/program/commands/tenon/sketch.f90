@@ -2,8 +2,8 @@
 module asperity_program_commands_tenon_sketch
    use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
+   use asperity_base_text_builder, only: growing_text
    use asperity_program_input_settings, only: settings_type
-   use asperity_program_system_text_buffer, only: text_buffer
    implicit none
    private
    public :: add_sketch
@@ -20,7 +20,7 @@ contains
    !> Append the drawing.
    pure subroutine add_sketch(b, settings)
       !> Where to append
-      type(text_buffer), intent(inout) :: b
+      type(growing_text), intent(inout) :: b
       !> Settings in effect
       type(settings_type), intent(in) :: settings
       real(wp) :: scale, length, half, arm, extension, above, below, datum
@@ -87,7 +87,7 @@ contains
    end subroutine add_sketch
 
    pure subroutine add_box(b, x, y, width, height, colour)
-      type(text_buffer), intent(inout) :: b
+      type(growing_text), intent(inout) :: b
       real(wp), intent(in) :: x, y, width, height
       character(len=*), intent(in) :: colour
 
@@ -97,7 +97,7 @@ contains
 
    !> An arrow, with a head at either end for sizes.
    pure subroutine add_arrow(b, x1, y1, x2, y2, both)
-      type(text_buffer), intent(inout) :: b
+      type(growing_text), intent(inout) :: b
       real(wp), intent(in) :: x1, y1, x2, y2
       logical, intent(in) :: both
 
@@ -108,7 +108,7 @@ contains
    end subroutine add_arrow
 
    pure subroutine add_label(b, x, y, text, anchor)
-      type(text_buffer), intent(inout) :: b
+      type(growing_text), intent(inout) :: b
       real(wp), intent(in) :: x, y
       character(len=*), intent(in) :: text, anchor
 

@@ -1,0 +1,288 @@
+!> A panel of a figure as commands of gnuplot with its data inside.
+module asperity_program_plot_panel_script
+   use asperity_base_kinds, only: wp
+   use asperity_base_no_value, only: is_none, none
+   use asperity_base_number_text, only: to_text
+   use asperity_base_text_builder, only: growing_text
+   use asperity_program_plot_figure, only: as_band, as_bars, as_line, as_line_and_points, as_map, &
+      as_points, as_steps, axis_type, panel_type, series_type
+   use asperity_program_plot_palette, only: grid_colour, map_palette, map_places, missing_colour, &
+      palette, zero_colour
+   use asperity_program_system_strings, only: backslash, escaped
+   implicit none
+   private
+   public :: add_panel, label
+
+   !> Characters below which labels of ticks are taken to stay; what is beside a panel's axes
+   integer, parameter :: label_length = 7, margins = 13
+   !> Characters that the sample of a legend takes with the blanks around it
+   integer, parameter :: legend_sample = 6
+   !> gnuplot's numbers of disc, ring, block, box and cross, and their sizes
+   integer, parameter :: marks(5) = [7, 6, 5, 4, 2]
+   real(wp), parameter :: mark_sizes(5) = [0.5_wp, 1.0_wp, 0.5_wp, 0.9_wp, 1.4_wp]
+
+contains
+
+   !> One panel; nothing of the one before stays.
+   pure subroutine add_panel(b, panel, place, letters, line, right)
+      !> Where to append
+      type(growing_text), intent(inout) :: b
+      !> The panel
+      type(panel_type), intent(in) :: panel
+      !> Left, bottom, width and height as parts of the sheet
+      real(wp), intent(in) :: place(4)
+      !> Characters that fit across the panel
+      integer, intent(in) :: letters
+      !> Height of a line of text as a part of the sheet
+      real(wp), intent(in) :: line
+      !> Room for an axis on the right whether there is one or not
+      logical, intent(in) :: right
+      logical :: is_map, there(size(panel%series))
+      integer :: i
+
+      there = [(has_points(panel%series(i), panel%y%logarithmic), i=1, size(panel%series))]
+      is_map = any(panel%series%form == as_map)
+      call b%line('reset')
+      call b%line('set origin '//pair(place(1:2))//'; set size '// &
+         trim(merge('ratio -1', 'noratio ', is_map))//' '//pair(place(3:4)))
+      call b%line('set lmargin 10; set rmargin '//trim(merge('5 ', merge('10', '3 ', &
+         right .or. panel%right%label /= ''), is_map)))
+      call add_heading(b, panel, there, place, letters, line)
+      if (.not. any(there)) then
+         call b%line('unset tics; unset key; set label 2 '//label(panel%empty)// &
+            ' at graph 0.5,0.5 center')
+         call b%line('plot [0:1][0:1] -1 notitle')
+         return
+      end if
+      if (.not. is_map) call b%line('set grid back lt 1 lw 0.7 lc rgb "'//grid_colour//'"')
+      if (panel%zero_lines) call b%line('set xzeroaxis lt 1 lw 0.8 lc rgb "'//zero_colour// &
+         '"; set yzeroaxis lt 1 lw 0.8 lc rgb "'//zero_colour//'"')
+      ! gnuplot's own format begins with a blank, which shifts labels
+      call b%line("set format '%h'")
+      call add_axis(b, 'x', panel%x)
+      call add_axis(b, 'y', panel%y)
+      call add_ticks(b, panel, max(2, (letters - margins)/label_length))
+      if (panel%right%label /= '') then
+         call add_axis(b, 'y2', panel%right)
+         call b%line('set ytics nomirror; set y2tics')
+      end if
+      if (is_map) call add_colours(b, panel%colours)
+      do i = 1, size(panel%series)
+         if (there(i)) call add_data(b, panel%series(i), i)
+      end do
+      call b%add('plot ')
+      do i = 1, size(panel%series)
+         if (.not. there(i)) cycle
+         if (any(there(:i - 1))) call b%add(', '//backslash//new_line('a'))
+         call b%add('$data'//to_text(i)//' using '//style(panel%series(i)))
+      end do
+      call b%line()
+   end subroutine add_panel
+
+   !> Title, and below it a legend of as many columns as fit, both above the axes.
+   pure subroutine add_heading(b, panel, there, place, letters, line)
+      type(growing_text), intent(inout) :: b
+      type(panel_type), intent(in) :: panel
+      logical, intent(in) :: there(:)
+      real(wp), intent(in) :: place(4), line
+      integer, intent(in) :: letters
+      real(wp) :: centre, top
+      integer :: columns, entries, i, longest
+
+      centre = place(1) + 0.5_wp*place(3)
+      top = place(2) + place(4)
+      if (panel%title /= '') then
+         call b%line('set label 1 '//label(panel%title)//' at screen '// &
+            pair([centre, top - 0.5_wp*line])//' center')
+         top = top - line
+      end if
+      entries = count([(there(i) .and. panel%series(i)%legend /= '', i=1, size(there))])
+      if (entries > 0) then
+         longest = maxval([(len(panel%series(i)%legend), i=1, size(there))])
+         columns = max(1, min(entries, letters/(longest + legend_sample)))
+         associate (rows => (entries - 1)/columns + 1)
+            call b%line('set key at screen '//pair([centre, top])// &
+               ' center top vertical maxrows '//to_text(rows)//' Left reverse samplen 2')
+            top = top - real(rows, wp)*line
+         end associate
+      end if
+      call b%line('set tmargin at screen '//to_text(top - 0.4_wp*line, 5))
+   end subroutine add_heading
+
+   !> Whether there is a point that gnuplot could draw.
+   pure logical function has_points(series, logarithmic)
+      type(series_type), intent(in) :: series
+      logical, intent(in) :: logarithmic
+
+      has_points = any(.not. is_none(series%x) .and. .not. is_none(series%y) &
+         .and. (.not. logarithmic .or. series%right .or. series%y > 0.0_wp))
+   end function has_points
+
+   !> Label, ends and scale of an axis.
+   pure subroutine add_axis(b, name, axis)
+      type(growing_text), intent(inout) :: b
+      character(len=*), intent(in) :: name
+      type(axis_type), intent(in) :: axis
+
+      call b%line('set '//name//'label '//label(axis%label)//'; set '//name//'range '//ends(axis))
+      if (axis%logarithmic) call b%line('set logscale '//name)
+   end subroutine add_axis
+
+   !> Ends of an axis.
+   pure function ends(axis) result(text)
+      type(axis_type), intent(in) :: axis
+      character(len=:), allocatable :: text
+
+      text = '['
+      if (.not. is_none(axis%low)) text = text//to_text(axis%low)
+      text = text//':'
+      if (.not. is_none(axis%high)) text = text//to_text(axis%high)
+      text = text//']'
+   end function ends
+
+   !> Ticks of the x axis so far apart that so many labels at most stand side by side, and room
+   !> above and below what is drawn.
+   pure subroutine add_ticks(b, panel, most)
+      type(growing_text), intent(inout) :: b
+      type(panel_type), intent(in) :: panel
+      integer, intent(in) :: most
+      real(wp) :: low, high, lowest, step
+      logical :: is_map
+      integer :: i
+
+      is_map = any(panel%series%form == as_map)
+      low = none
+      high = -none
+      lowest = none
+      do i = 1, size(panel%series)
+         associate (s => panel%series(i))
+            low = min(low, minval(s%x))
+            high = max(high, maxval(s%x, mask=.not. is_none(s%x)))
+            if (.not. s%right) lowest = min(lowest, minval(s%y))
+         end associate
+      end do
+      if (.not. is_none(panel%x%low)) low = panel%x%low
+      if (.not. is_none(panel%x%high)) high = panel%x%high
+      if (high > low) then
+         step = round_number((high - low)/real(most, wp))
+         if (panel%x%whole) step = max(1.0_wp, step)
+         call b%line('set xtics '//to_text(step, 4))
+         ! maps have one scale
+         if (is_map) call b%line('set ytics '//to_text(step, 4))
+      end if
+      if (is_map) then
+         call b%line('set autoscale xfix; set autoscale yfix')
+      else if (.not. panel%y%logarithmic .and. is_none(panel%y%high)) then
+         call b%line('set offsets 0,0,graph 0.04,'//trim(merge('graph 0.04', '0         ', &
+            is_none(panel%y%low) .and. lowest < 0.0_wp)))
+      end if
+   end subroutine add_ticks
+
+   !> The smallest of 1, 2, 5, 10, 20, ... and so on that is not below a number above zero.
+   pure real(wp) function round_number(number)
+      real(wp), intent(in) :: number
+      real(wp) :: power
+
+      power = 10.0_wp**floor(log10(number))
+      round_number = power*10.0_wp
+      if (number <= 5.0_wp*power) round_number = 5.0_wp*power
+      if (number <= 2.0_wp*power) round_number = 2.0_wp*power
+   end function round_number
+
+   !> The colours of a map.
+   pure subroutine add_colours(b, axis)
+      type(growing_text), intent(inout) :: b
+      type(axis_type), intent(in) :: axis
+      integer :: i
+
+      call b%line('set object 1 rectangle from graph 0,0 to graph 1,1 behind fillcolor rgb "'// &
+         missing_colour//'" fillstyle solid noborder')
+      call b%add('set palette defined (')
+      do i = 1, size(map_palette)
+         if (i > 1) call b%add(', ')
+         call b%add(to_text(map_places(i), 4)//' "'//map_palette(i)//'"')
+      end do
+      call b%line('); set cblabel '//label(axis%label)//'; set cbrange '//ends(axis)// &
+         '; set cbtics '//to_text(round_number((axis%high - axis%low)/4.0_wp), 4))
+   end subroutine add_colours
+
+   !> Data block of a series.
+   pure subroutine add_data(b, series, which)
+      type(growing_text), intent(inout) :: b
+      type(series_type), intent(in) :: series
+      integer, intent(in) :: which
+      integer :: i
+
+      call b%line('$data'//to_text(which)//' << EOD')
+      do i = 1, size(series%x)
+         call b%add(number(series%x(i))//number(series%y(i)))
+         if (allocated(series%z)) call b%add(number(series%z(i)))
+         call b%line()
+      end do
+      call b%line('EOD')
+   end subroutine add_data
+
+   pure function number(value) result(text)
+      real(wp), intent(in) :: value
+      character(len=17) :: text
+
+      text = ' NaN'
+      if (.not. is_none(value)) write (text, '(es17.8e3)') value
+   end function number
+
+   !> How a series is drawn, after its data.
+   pure function style(series) result(text)
+      type(series_type), intent(in) :: series
+      character(len=:), allocatable :: text
+
+      associate (points => ' pt '//to_text(marks(series%mark))//' ps '// &
+            to_text(mark_sizes(series%mark), 3), strokes => ' lw 1.6 dt '//to_text(series%stroke))
+         select case (series%form)
+         case (as_line)
+            text = '1:2 with lines'//strokes
+         case (as_points)
+            text = '1:2 with points'//points
+         case (as_line_and_points)
+            text = '1:2 with linespoints'//strokes//points
+         case (as_bars)
+            text = '1:2 with impulses lw 3'
+         case (as_steps)
+            text = '1:2 with histeps'//strokes
+         case (as_band)
+            text = '1:3:2 with filledcurves fillstyle solid 0.6 noborder'
+         case default
+            text = '1:2:3 with image notitle'
+            return
+         end select
+      end associate
+      text = text//' lc rgb "'//palette(series%colour)//'"'
+      if (series%right) text = text//' axes x1y2'
+      if (series%legend == '') then
+         text = text//' notitle'
+      else
+         text = text//' title '//label(series%legend)
+      end if
+   end function style
+
+   !> A text, which the user may have chosen, in single quotes, in which gnuplot substitutes nothing.
+   pure function label(text) result(quoted)
+      !> The text
+      character(len=*), intent(in) :: text
+      character(len=:), allocatable :: quoted
+      integer :: i
+
+      quoted = text
+      do i = 1, len(quoted)
+         if (iachar(quoted(i:i)) < 32) quoted(i:i) = '?'
+      end do
+      quoted = "'"//escaped(quoted, "'", "''")//"'"
+   end function label
+
+   pure function pair(numbers) result(text)
+      real(wp), intent(in) :: numbers(2)
+      character(len=:), allocatable :: text
+
+      text = to_text(numbers(1), 5)//','//to_text(numbers(2), 5)
+   end function pair
+
+end module asperity_program_plot_panel_script
