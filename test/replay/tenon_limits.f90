@@ -1,11 +1,16 @@
 !> The tenon joint where something ends: at the edges of the mortise, at the cap of wood without
 !> hardening, and at the limits of grip and pull-out.
 module test_replay_tenon_limits
-   use asperity, only: contact_properties, error_type, rule_abaqus, rule_dissipative, status_open, wp
+   use asperity, only: contact_properties, contact_response, error_type, rule_abaqus, &
+      rule_dissipative, status_open, wp
    use asperity_base_number_text, only: to_text
-   use asperity_replay_tenon_contact, only: contact_record, leave_surface, press_rough, rub
+   use asperity_contact_friction, only: slide
+   use asperity_replay_tenon_contact_record, only: contact_record, keep_response, leave_surface
+   use asperity_replay_tenon_contact_rough, only: rough_law
    use asperity_replay_tenon_geometry, only: new_tenon_model, tenon_model
-   use asperity_replay_tenon_run, only: tenon_point, tenon_settings, tenon_step
+   use asperity_replay_tenon_points, only: tenon_point
+   use asperity_replay_tenon_settings, only: tenon_settings
+   use asperity_replay_tenon_step, only: tenon_step
    use extremes, only: largest_of, worsen
    use funit, only: anyExceptions, assertEqual, assertFalse, assertGreaterThan, assertLessThan, &
       assertTrue, TestMethod, TestSuite
@@ -102,26 +107,30 @@ contains
       call assertLessThan(worst, 0.1_wp, 'balance')
    end subroutine test_edge_energy
 
-   !> Joint of capped wood, rough or hard.
-   subroutine capped_model(model, strength)
-      type(tenon_model), intent(out) :: model
+   !> The law of a rough joint of capped wood.
+   subroutine capped_law(law, strength)
+      type(rough_law), intent(out) :: law
       real(wp), intent(in) :: strength
+      type(tenon_model) :: model
       type(error_type), allocatable :: error
 
       call new_tenon_model(model, tenon_settings(hardening=0.0_wp, bearing_strength=strength, &
          gap='first_touch'), face_pair(), side_pair(), error)
       call assertFalse(allocated(error), 'model')
-   end subroutine capped_model
+      select type (rough => model%law)
+      type is (rough_law)
+         law = rough
+      end select
+   end subroutine capped_law
 
-   subroutine press(model, start, closure, trial)
-      type(tenon_model), intent(in) :: model
+   subroutine press(law, start, closure, trial)
+      type(rough_law), intent(inout) :: law
       type(contact_record), intent(in) :: start
       real(wp), intent(in) :: closure
       type(contact_record), intent(inout) :: trial
       type(error_type), allocatable :: error
 
-      call press_rough(model%wood, model%faces, model%yields_at, start, closure, &
-         [0.0_wp, 0.0_wp], trial, error)
+      call law%close(start, closure, [0.0_wp, 0.0_wp], trial, error)
       call assertFalse(allocated(error), 'overclosure found')
       trial%weight = 1.0_wp
    end subroutine press
@@ -129,19 +138,19 @@ contains
    !> Pressed past the cap, the pressure stays and the tenon's wood takes the rest of the closure;
    !> then it springs back and is pressed again, further.
    subroutine test_cap()
-      type(tenon_model) :: model
+      type(rough_law) :: law
       type(contact_record) :: start, trial
       real(wp) :: worst, indentation, closure
       integer :: i
 
-      call capped_model(model, 4.7_wp)
+      call capped_law(law, 4.7_wp)
       worst = 0.0_wp
       start = contact_record()
       do i = 1, 5
          closure = i*2.5_wp
          trial = start
-         call press(model, start, closure, trial)
-         indentation = closure - model%yields_at - 4.7_wp*model%wood%compliance
+         call press(law, start, closure, trial)
+         indentation = closure - law%yields_at - 4.7_wp*law%wood%compliance
          call worsen(worst, largest_of([trial%state%pressure/4.7_wp - 1.0_wp, &
             trial%indentation(1)/indentation - 1.0_wp]))
          call assertEqual(0.0_wp, trial%indentation(2), 0.0_wp, 'the column does not yield')
@@ -149,10 +158,10 @@ contains
             0.0_wp, 'no stiffness')
          start = trial
          ! back by half the elastic deflection: no further indentation, less pressure
-         call press(model, start, closure - 0.5_wp*4.7_wp*model%wood%compliance, trial)
+         call press(law, start, closure - 0.5_wp*4.7_wp*law%wood%compliance, trial)
          call assertEqual(start%indentation, trial%indentation, 0.0_wp, 'keeps its indentation')
-         call assertEqual(closure - 0.5_wp*4.7_wp*model%wood%compliance, trial%state%overclosure &
-            + trial%state%pressure*model%wood%compliance + sum(trial%indentation), 1.0e-12_wp, &
+         call assertEqual(closure - 0.5_wp*4.7_wp*law%wood%compliance, trial%state%overclosure &
+            + trial%state%pressure*law%wood%compliance + sum(trial%indentation), 1.0e-12_wp, &
             'in series')
          call assertTrue(trial%state%pressure < 4.7_wp .and. trial%state%pressure > 2.0_wp, &
             'springs back')
@@ -166,18 +175,18 @@ contains
    !> Just short of the cap nothing is indented, although the compiled law may give a pressure above
    !> it there by its own error.
    subroutine test_below_cap()
-      type(tenon_model) :: model
+      type(rough_law) :: law
       type(contact_record) :: start, trial
       real(wp) :: at_cap
       integer :: i, j
 
       do j = 1, 40
-         call capped_model(model, 0.2_wp*j)
-         at_cap = model%yields_at + 0.2_wp*j*model%wood%compliance
+         call capped_law(law, 0.2_wp*j)
+         at_cap = law%yields_at + 0.2_wp*j*law%wood%compliance
          do i = 1, 36
             start = contact_record()
             trial = start
-            call press(model, start, at_cap*(1.0_wp - 1.0e-15_wp*2.0_wp**i), trial)
+            call press(law, start, at_cap*(1.0_wp - 1.0e-15_wp*2.0_wp**i), trial)
             call assertEqual(0.0_wp, sum(trial%indentation), 1.0e-12_wp, to_text(0.2_wp*j)//' MPa')
             ! within that error the overclosure may be that at the cap
             if (i > 26) call assertGreaterThan(trial%stiffness, 0.0_wp, 'elastic')
@@ -221,10 +230,10 @@ contains
 
       do rule = rule_abaqus, rule_dissipative
          sides = face_pair(friction_rule=rule)
-         call rub(sides, contact_record(), 0.0_wp, 2.0_wp, 3.0_wp, [0.1_wp, 0.2_wp], closed)
+         call at_pressure(sides, contact_record(), 0.0_wp, 2.0_wp, closed)
          call assertGreaterThan(closed%tangential_energy, 0.01_wp, 'stored')
          open = closed
-         call rub(sides, closed, -1.0_wp, 0.0_wp, 0.0_wp, [0.1_wp, 0.2_wp], open)
+         call at_pressure(sides, closed, -1.0_wp, 0.0_wp, open)
          call check(open)
          call assertEqual(merge([-1.0_wp, 0.0_wp], [0.0_wp, 1.0_wp], rule == rule_abaqus) &
             *closed%tangential_energy, [open%pressure_coupling, open%dissipation], 1.0e-15_wp, &
@@ -235,6 +244,20 @@ contains
          call assertEqual([0.0_wp, 0.0_wp], [away%weight, away%dissipation], 0.0_wp, 'away')
       end do
    contains
+      !> The point slides, touching from zero overclosure on
+      subroutine at_pressure(properties, start, overclosure, pressure, trial)
+         type(contact_properties), intent(in) :: properties
+         type(contact_record), intent(in) :: start
+         real(wp), intent(in) :: overclosure, pressure
+         type(contact_record), intent(inout) :: trial
+         type(contact_response) :: response
+
+         response%traction(1) = pressure
+         call slide(response, properties, start%state, overclosure, [0.1_wp, 0.2_wp], &
+            is_open=.not. pressure > 0.0_wp, closing=0.0_wp)
+         call keep_response(trial, response, overclosure, 1.0_wp)
+      end subroutine at_pressure
+
       subroutine check(point)
          type(contact_record), intent(in) :: point
 

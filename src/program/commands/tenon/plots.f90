@@ -2,7 +2,7 @@
 module asperity_program_commands_tenon_plots
    use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
-   use asperity_contact_point, only: status_open, status_slip, status_stick, &
+   use asperity_contact_state, only: status_open, status_slip, status_stick, &
       status_unset
    use asperity_program_commands_tenon_compare_models, only: joint_type, largest_cycle, &
       legends, loop_joules
@@ -10,7 +10,7 @@ module asperity_program_commands_tenon_plots
       cross, dashed, disc, figure_type, panel_type, solid
    use asperity_program_plot_palette, only: black, blue, red, sky
    use asperity_program_report_units, only: joule, kilonewton_metre
-   use asperity_replay_tenon_run, only: tenon_point
+   use asperity_replay_tenon_points, only: tenon_point
    implicit none
    private
    public :: joint_pictures
