@@ -238,7 +238,7 @@ for name in $(ls "$kept" "$out" | grep -v ':$' | sort -u); do
    diff -r --text "$kept/$name" "$out/$name" >"$out/differences" 2>&1 && continue
    different=$((different + 1))
    echo "DIFFERS $name: $(cat "$kept/$name/command" 2>/dev/null)"
-   cut -c1-200 "$out/differences" | head -n 12 | sed 's/^/   | /'
+   head -n 12 "$out/differences" | cut -c1-200 | sed "s/^/   | /"
 done
 echo "$cases cases and the one-file sources compared, $different differ"
 ((different == 0))
