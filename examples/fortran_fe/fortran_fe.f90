@@ -9,8 +9,8 @@
 ! link with: -llapack -lblas
 program fortran_fe
    use asperity, only: contact_properties, contact_response, contact_state, error_type, &
-      find_pair, new_contact_properties, new_normal_properties, no_rotation, normal_properties, &
-      pair_preset, status_slip, status_stick, update_contact_point, wp
+      find_pair, new_contact_properties, no_rotation, pair_preset, status_slip, status_stick, &
+      update_contact_point, wp
    implicit none
 
    !> Blocks, lower and upper: elements along x and y, left lower corner, size
@@ -79,14 +79,11 @@ contains
    !> The first pair of the paper, compiled, as in any model of many points.
    subroutine set_properties()
       type(pair_preset) :: pair
-      type(normal_properties) :: normal
       type(error_type), allocatable :: error
 
       call find_pair('transverse-tangential', pair, error)
-      if (.not. allocated(error)) call new_normal_properties(normal, pair%eta, pair%modulus, &
-         pair%radius, pair%hardness, pair%yield_factor, pair%sigma, error)
-      if (.not. allocated(error)) call new_contact_properties(wood, normal, &
-         pair%friction_coefficient, pair%critical_slip, error, compiled=.true.)
+      if (.not. allocated(error)) &
+         call new_contact_properties(wood, pair, error, compiled=.true.)
       if (allocated(error)) error stop error%message
    end subroutine set_properties
 
@@ -256,7 +253,7 @@ contains
       by_slip = along + dot_product(along_by_part, pack(moved, .true.))*by_part
 
       ! the law: always from the state at the start of the increment
-      point(i) = update_contact_point(wood, state(i), overclosure, [slip, 0.0_wp], no_rotation)
+      call update_contact_point(wood, state(i), overclosure, [slip, 0.0_wp], no_rotation, point(i))
 
       side = nx(2)
       area = extent(1, 2)/side

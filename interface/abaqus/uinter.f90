@@ -125,7 +125,7 @@ subroutine uinter( &
       end if
    end if
 
-   response = update_contact_point(properties, start, overclosure, slip, rotation)
+   call update_contact_point(properties, start, overclosure, slip, rotation, response)
    stress = response%traction(:ndir)
    ddsddr = response%tangent(:ndir, :ndir)
    sed = response%normal_energy + response%tangential_energy

@@ -16,16 +16,16 @@ module asperity_contact_point
    use asperity_law_normal_law, only: evaluate_normal_law, normal_response, vanishing_separation
    implicit none
    private
-   public :: update_contact_point, advance_contact_point, contact_tangent
+   public :: update_contact_point, contact_tangent
 
 contains
 
    !> Advance one contact point over one increment. Any finite input gives a finite result.
-   pure function update_contact_point(properties, start, overclosure, slip_increment, rotation) &
-         result(response)
+   pure subroutine update_contact_point(properties, start, overclosure, slip_increment, rotation, &
+         response)
       !> Checked properties
       type(contact_properties), intent(in) :: properties
-      !> State at the start of the increment
+      !> State at the start of the increment; no part of `response`
       type(contact_state), intent(in) :: start
       !> Overclosure at the end, mm; `no_opposite_surface` when there is none
       real(wp), intent(in) :: overclosure
@@ -33,18 +33,6 @@ contains
       real(wp), intent(in) :: slip_increment(2)
       !> Rotation of the slip directions in the increment: a vector v becomes rotation v
       real(wp), intent(in) :: rotation(2, 2)
-      type(contact_response) :: response
-
-      call advance_contact_point(properties, start, overclosure, slip_increment, rotation, response)
-   end function update_contact_point
-
-   !> The same as a subroutine: copying the result of the function costs as much as the update.
-   pure subroutine advance_contact_point(properties, start, overclosure, slip_increment, rotation, &
-         response)
-      !> As for `update_contact_point`
-      type(contact_properties), intent(in) :: properties
-      type(contact_state), intent(in) :: start
-      real(wp), intent(in) :: overclosure, slip_increment(2), rotation(2, 2)
       !> Result
       type(contact_response), intent(out) :: response
       type(normal_response) :: normal
@@ -68,7 +56,7 @@ contains
       closing = 0.0_wp
       if (may_close(start) .and. .not. opens) closing = closing_overclosure(properties)
       call slide(response, properties, turned, overclosure, slip_increment, opens, closing)
-   end subroutine advance_contact_point
+   end subroutine update_contact_point
 
    !> Tangent about a state, for perturbations: sticking points stick, slipping points slip on, so
    !> they resist only across the slip direction. Nothing changes status.

@@ -5,7 +5,7 @@ module asperity_contact_points
    use asperity_base_error, only: error_type, fatal_error
    use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
-   use asperity_contact_point, only: advance_contact_point
+   use asperity_contact_point, only: update_contact_point
    use asperity_contact_properties, only: contact_properties
    use asperity_contact_state, only: contact_response, contact_state, no_rotation, status_unset
    use asperity_law_validity, only: valid
@@ -157,7 +157,7 @@ contains
       turn = no_rotation
       do i = 1, points
          if (present(rotation)) turn = rotation(i, :, :)
-         call advance_contact_point(properties, get_contact_state(states, i), overclosure(i), &
+         call update_contact_point(properties, get_contact_state(states, i), overclosure(i), &
             [slip_increment(i, 1), slip_increment(i, 2)], turn, response)
          call set_contact_state(states, i, response%state)
          traction(i, :) = response%traction

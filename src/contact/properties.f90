@@ -7,8 +7,9 @@ module asperity_contact_properties
    use asperity_base_number_text, only: to_text
    use asperity_law_compiled_law, only: compiled_law, new_compiled_law
    use asperity_law_normal_law, only: vanishing_separation
-   use asperity_law_normal_properties, only: normal_properties
+   use asperity_law_normal_properties, only: new_normal_properties, normal_properties
    use asperity_law_plausibility, only: check_plausible_length, length_max
+   use asperity_paper_pairs, only: pair_preset
    implicit none
    private
    public :: contact_properties, new_contact_properties
@@ -61,14 +62,19 @@ module asperity_contact_properties
       type(compiled_law), allocatable :: compiled
    end type contact_properties
 
+   !> From checked properties of the normal law, or from a pair of the paper.
+   interface new_contact_properties
+      module procedure :: from_normal
+      module procedure :: from_pair
+   end interface new_contact_properties
+
 contains
 
    !> Check friction and datum, and derive the opening pressure.
    !> `error` is set when mu is not between 0 and 1000, gcrit not above zero, |d0| above 1e20, an
    !> option unknown, or gcrit or |d0| a length that no face has.
-   pure subroutine new_contact_properties(properties, normal, friction_coefficient, &
-         critical_slip, error, initial_separation, friction_rule, slip_integration, compiled, &
-         accept_unphysical)
+   pure subroutine from_normal(properties, normal, friction_coefficient, critical_slip, error, &
+         initial_separation, friction_rule, slip_integration, compiled, accept_unphysical)
       !> Result
       type(contact_properties), intent(out) :: properties
       !> Checked properties of the normal law
@@ -128,6 +134,27 @@ contains
       if (.not. compiled) return
       allocate (properties%compiled)
       call new_compiled_law(properties%compiled, properties%normal, error)
-   end subroutine new_contact_properties
+   end subroutine from_normal
+
+   !> The same of a pair of the paper, with its friction.
+   pure subroutine from_pair(properties, pair, error, initial_separation, friction_rule, &
+         slip_integration, compiled, accept_unphysical)
+      !> Result
+      type(contact_properties), intent(out) :: properties
+      !> The pair, such as `find_pair` finds
+      type(pair_preset), intent(in) :: pair
+      !> Set when a property is refused
+      type(error_type), allocatable, intent(out) :: error
+      !> As above
+      real(wp), intent(in), optional :: initial_separation
+      integer, intent(in), optional :: friction_rule, slip_integration
+      logical, intent(in), optional :: compiled, accept_unphysical
+      type(normal_properties) :: normal
+
+      call new_normal_properties(normal, pair, error, accept_unphysical)
+      if (.not. allocated(error)) call from_normal(properties, normal, &
+         pair%friction_coefficient, pair%critical_slip, error, initial_separation, &
+         friction_rule, slip_integration, compiled, accept_unphysical)
+   end subroutine from_pair
 
 end module asperity_contact_properties

@@ -11,6 +11,7 @@ module asperity_law_normal_properties
    use asperity_base_number_text, only: to_text
    use asperity_law_plausibility, only: check_plausible
    use asperity_law_validity, only: stiffer_than_hertz, valid
+   use asperity_paper_pairs, only: pair_preset
    implicit none
    private
    public :: normal_properties, new_normal_properties, equivalent_modulus
@@ -60,14 +61,20 @@ module asperity_law_normal_properties
       integer :: validity = valid
    end type normal_properties
 
+   !> From six numbers, or from a pair of the paper.
+   interface new_normal_properties
+      module procedure :: from_values
+      module procedure :: from_pair
+   end interface new_normal_properties
+
 contains
 
    !> Check the properties of the normal law and derive its constants.
    !> `error` is set, and `properties` unusable, when a value is not above zero (1e-20 to 1e20),
    !> the yield factor is outside 0.05 to 1, or a value is one that no face or solid has, such as
    !> an eta R sigma below 0.0158 (see `asperity_law_plausibility`).
-   pure subroutine new_normal_properties(properties, eta, modulus, radius, hardness, &
-         yield_factor, sigma, error, accept_unphysical)
+   pure subroutine from_values(properties, eta, modulus, radius, hardness, yield_factor, sigma, &
+         error, accept_unphysical)
       !> Result
       type(normal_properties), intent(out) :: properties
       !> Asperity density, 1/mm^2
@@ -122,7 +129,22 @@ contains
          + 2.0_wp*pi*radius*hardness*properties%w2**2/(properties%b3 + 1.0_wp)
 
       if (properties%b3 > 1.5_wp) properties%validity = ior(properties%validity, stiffer_than_hertz)
-   end subroutine new_normal_properties
+   end subroutine from_values
+
+   !> The same of a pair of the paper.
+   pure subroutine from_pair(properties, pair, error, accept_unphysical)
+      !> Result
+      type(normal_properties), intent(out) :: properties
+      !> The pair, such as `find_pair` finds
+      type(pair_preset), intent(in) :: pair
+      !> Set when a property is refused
+      type(error_type), allocatable, intent(out) :: error
+      !> Let what no face or solid has pass; results are then flagged
+      logical, intent(in), optional :: accept_unphysical
+
+      call from_values(properties, pair%eta, pair%modulus, pair%radius, pair%hardness, &
+         pair%yield_factor, pair%sigma, error, accept_unphysical)
+   end subroutine from_pair
 
    !> Equivalent modulus E* of two elastic bodies, MPa (Eq. 4).
    pure elemental function equivalent_modulus(modulus_1, poisson_1, modulus_2, poisson_2) &

@@ -88,7 +88,7 @@ contains
             slip = path(2:3, i)
             if (ndir == 2) slip(2) = 0.0_wp
             call try_increment(point, path(1, i), slip(:ndir - 1), dtime, error)
-            r = update_contact_point(p, r%state, path(1, i), slip, no_rotation)
+            call update_contact_point(p, (r%state), path(1, i), slip, no_rotation, r)
             call assertEqual(r%traction(:ndir), point%trial%stress, 0.0_wp, 'stress')
             call assertEqual(reshape(r%tangent(:ndir, :ndir), [ndir**2]), &
                reshape(point%trial%ddsddr, [ndir**2]), 0.0_wp, 'tangent')
@@ -137,7 +137,7 @@ contains
       do i = 1, 3
          call try_increment(point, 0.1_wp, [0.4_wp, 0.1_wp], dtime, error)
          call accept_increment(point)
-         r = update_contact_point(p, r%state, 0.1_wp, [0.4_wp, 0.1_wp], no_rotation)
+         call update_contact_point(p, (r%state), 0.1_wp, [0.4_wp, 0.1_wp], no_rotation, r)
          call assertEqual(r%normal_energy + r%tangential_energy, point%start%sed, 0.0_wp, 'SED')
          call assertEqual(r%dissipation, point%start%sfd, 0.0_wp, 'SFD')
          call assertEqual([0.0_wp, 0.0_wp, 0.0_wp], [point%start%spd, point%start%svd, &

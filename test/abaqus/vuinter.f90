@@ -89,7 +89,7 @@ contains
             if (n_dir == 2) slip(2) = 0.0_wp
             if (n_dir == 3) turn = real(rotation(:, :, 1), wp)
             call advance_nodes(nodes, path(1:1, i), path(2:3, i:i), rotation)
-            r = update_contact_point(p, r%state, real(path(1, i), wp), slip, turn)
+            call update_contact_point(p, (r%state), real(path(1, i), wp), slip, turn, r)
             call assertEqual(r%traction(:n_dir)/r%traction(1), &
                stress_wp(nodes)/r%traction(1), 4.0_wp*eps, 'stress')
             statev = statev_of(nodes, 1)
@@ -146,7 +146,8 @@ contains
       sum_of_sfd = 0.0_wp
       do i = 1, 3
          call advance_nodes(nodes, [0.1_vp], slip)
-         r = update_contact_point(p, r%state, real(0.1_vp, wp), real(slip(:, 1), wp), no_rotation)
+         call update_contact_point(p, (r%state), real(0.1_vp, wp), real(slip(:, 1), wp), &
+            no_rotation, r)
          call assertEqual(r%normal_energy + r%tangential_energy, real(nodes%sed(1), wp), &
             10.0_wp*eps*r%normal_energy, 'sed')
          ! slipping along one line, each increment forgets the rounding of the last

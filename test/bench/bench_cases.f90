@@ -80,8 +80,8 @@ contains
          position(1) = p%initial_separation - h*p%normal%sigma
          position(2:) = 0.3_wp*p%critical_slip*[cos(angle), sin(angle)]
          motion(1) = stream%uniform(-0.02_wp, 0.02_wp)*p%normal%sigma
-         response = update_contact_point(p, contact_state(), position(1) - motion(1), &
-            position(2:), no_rotation)
+         call update_contact_point(p, contact_state(), position(1) - motion(1), position(2:), &
+            no_rotation, response)
          set%state(point) = response%state
          set%statev(:, point) = 0.0_wp
          call statev_from_state(response%state, set%statev(:, point))
@@ -92,8 +92,8 @@ contains
          slip = merge(0.05_wp, 3.0_wp, status == status_stick)*p%critical_slip
          motion(2:) = slip*[cos(angle), sin(angle)]
          position(2:) = position(2:) + motion(2:)
-         response = update_contact_point(p, set%state(point), position(1), motion(2:), &
-            no_rotation)
+         call update_contact_point(p, set%state(point), position(1), motion(2:), no_rotation, &
+            response)
          if (response%status /= status) error stop 'bench: a point does not do what it should'
       end associate
    end subroutine new_point

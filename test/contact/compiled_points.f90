@@ -77,11 +77,11 @@ contains
             flags(1) = normal%validity
             call evaluate_compiled_law(compiled%compiled, separation, pressure, stiffness, &
                validity=flags(2))
-            r = update_contact_point(direct, contact_state(), -separation, [0.0_wp, 0.0_wp], &
-               no_rotation)
+            call update_contact_point(direct, contact_state(), -separation, [0.0_wp, 0.0_wp], &
+               no_rotation, r)
             flags(3) = r%validity
-            r = update_contact_point(compiled, contact_state(), -separation, [0.0_wp, 0.0_wp], &
-               no_rotation)
+            call update_contact_point(compiled, contact_state(), -separation, [0.0_wp, 0.0_wp], &
+               no_rotation, r)
             flags(4) = r%validity
             if (any(flags /= flags(1))) differ = differ + 1
             if (separation > 39.0_wp*sigma) then
@@ -113,8 +113,8 @@ contains
          call evaluate_compiled_law(p%compiled, p%initial_separation &
             - (p%initial_separation - separation), pressure, stiffness, energy=energy, &
             validity=validity)
-         r = update_contact_point(p, contact_state(), p%initial_separation - separation, &
-            [0.0_wp, 0.0_wp], no_rotation)
+         call update_contact_point(p, contact_state(), p%initial_separation - separation, &
+            [0.0_wp, 0.0_wp], no_rotation, r)
          call assertEqual([pressure, stiffness, energy], &
             [r%traction(1), r%tangent(1, 1), r%normal_energy], 0.0_wp, 'compiled')
          call assertEqual(validity, r%validity, 'validity')
@@ -144,8 +144,8 @@ contains
             overclosure = direct%initial_separation &
                - stream%uniform(-9.0_wp, 8.0_wp)*direct%normal%sigma
             slip = random_slip(stream, direct, 1.5_wp)
-            c = update_contact_point(compiled, start, overclosure, slip, no_rotation)
-            d = update_contact_point(direct, start, overclosure, slip, no_rotation)
+            call update_contact_point(compiled, start, overclosure, slip, no_rotation, c)
+            call update_contact_point(direct, start, overclosure, slip, no_rotation, d)
             call assertEqual(d%status, c%status, 'status')
             call assertEqual(d%validity, c%validity, 'validity')
             call worsen(worst(1), largest_of(c%traction - d%traction)/d%traction(1))
@@ -189,17 +189,19 @@ contains
          if (mod(i, 10) == 1) call random_pair(stream, i/10, direct, p)
          h = 1.0e-5_wp*p%normal%sigma
          overclosure = p%initial_separation - stream%uniform(-2.0_wp, 8.0_wp)*p%normal%sigma
-         r = update_contact_point(p, contact_state(), overclosure, random_slip(stream, p, 0.5_wp), &
-            no_rotation)
+         call update_contact_point(p, contact_state(), overclosure, &
+            random_slip(stream, p, 0.5_wp), no_rotation, r)
          start = r%state
          overclosure = overclosure + stream%uniform(-1.0_wp, 1.0_wp)*p%normal%sigma
          slip = random_slip(stream, p, 2.0_wp)
          v = [stream%uniform(-1.0_wp, 1.0_wp), stream%uniform(-1.0_wp, 1.0_wp), &
             stream%uniform(-1.0_wp, 1.0_wp)]
          v = v/norm2(v)
-         r = update_contact_point(p, start, overclosure, slip, no_rotation)
-         ahead = update_contact_point(p, start, overclosure + h*v(1), slip + h*v(2:), no_rotation)
-         behind = update_contact_point(p, start, overclosure - h*v(1), slip - h*v(2:), no_rotation)
+         call update_contact_point(p, start, overclosure, slip, no_rotation, r)
+         call update_contact_point(p, start, overclosure + h*v(1), slip + h*v(2:), no_rotation, &
+            ahead)
+         call update_contact_point(p, start, overclosure - h*v(1), slip - h*v(2:), no_rotation, &
+            behind)
          if (ahead%status /= behind%status) cycle
          cases(r%status) = cases(r%status) + 1
          do row = 1, 3

@@ -56,7 +56,7 @@ contains
                - stream%uniform(-0.5_wp, merge(7.0_wp, 3.5_wp, j == 5))*p%normal%sigma
             slip = p%critical_slip &
                *[stream%uniform(-1.5_wp, 1.5_wp), stream%uniform(-1.5_wp, 1.5_wp)]
-            next = update_contact_point(p, start, overclosure, slip, no_rotation)
+            call update_contact_point(p, start, overclosure, slip, no_rotation, next)
             work = normal_work(p, start, overclosure) + tangential_work(p, start, next, slip)
             change = next%normal_energy + next%tangential_energy &
                - last%normal_energy - last%tangential_energy
@@ -90,16 +90,16 @@ contains
       p = pair_properties(rule_abaqus)
       low = evaluate_normal_law(p%normal, p%initial_separation - 0.0541_wp)
       high = evaluate_normal_law(p%normal, p%initial_separation - 0.1423_wp)
-      r = update_contact_point(p, contact_state(), 0.0541_wp, [gamma, 0.0_wp], no_rotation)
-      r = update_contact_point(p, r%state, 0.1423_wp, none, no_rotation)
+      call update_contact_point(p, contact_state(), 0.0541_wp, [gamma, 0.0_wp], no_rotation, r)
+      call update_contact_point(p, (r%state), 0.1423_wp, none, no_rotation, r)
       coupling = r%pressure_coupling
       expected = 0.5_wp*p%friction_coefficient*gamma**2/p%critical_slip &
          *(high%pressure - low%pressure)
       call assertEqual(expected, coupling, 1.0e-14_wp, 'pressing stores')
       call assertEqual(0.3375_wp, coupling, 0.001_wp, 'about 4.65 MPa')
-      r = update_contact_point(p, r%state, 0.1423_wp, [-gamma, 0.0_wp], no_rotation)
+      call update_contact_point(p, (r%state), 0.1423_wp, [-gamma, 0.0_wp], no_rotation, r)
       call assertEqual(0.0_wp, r%tangential_energy, 1.0e-15_wp, 'slipping back gives it out')
-      r = update_contact_point(p, r%state, 0.0541_wp, none, no_rotation)
+      call update_contact_point(p, (r%state), 0.0541_wp, none, no_rotation, r)
       call assertEqual(0.0_wp, r%pressure_coupling, 1.0e-15_wp, 'nothing to take back')
       call assertEqual(0.0_wp, r%state%dissipation, 0.0_wp, 'nothing was dissipated')
    end subroutine test_coupling
@@ -126,7 +126,7 @@ contains
             if (j == 12) overclosure = p%initial_separation - 40.0_wp*p%normal%sigma
             slip = p%critical_slip &
                *[stream%uniform(-0.7_wp, 0.7_wp), stream%uniform(-0.7_wp, 0.7_wp)]
-            r = update_contact_point(p, start, overclosure, slip, no_rotation)
+            call update_contact_point(p, start, overclosure, slip, no_rotation, r)
             work = work + normal_work(p, start, overclosure) + tangential_work(p, start, r, slip)
             loss = loss + r%dissipation
             call assertEqual(0.0_wp, r%pressure_coupling, 0.0_wp, 'no coupling')
@@ -149,10 +149,10 @@ contains
       p = pair_properties()
       wrong = p
       wrong%friction_coefficient = 1.001_wp*p%friction_coefficient
-      r = update_contact_point(p, contact_state(), 0.1_wp, slip, no_rotation)
+      call update_contact_point(p, contact_state(), 0.1_wp, slip, no_rotation, r)
       work = tangential_work(p, contact_state(), r, slip)
       call assertEqual(r%tangential_energy + r%dissipation, work, 1.0e-13_wp, 'right')
-      r = update_contact_point(wrong, contact_state(), 0.1_wp, slip, no_rotation)
+      call update_contact_point(wrong, contact_state(), 0.1_wp, slip, no_rotation, r)
       call assertGreaterThan(abs(r%tangential_energy + r%dissipation - work), 1.0e-4_wp*work, &
          'wrong')
    end subroutine test_work_can_fail
@@ -197,12 +197,12 @@ contains
 
       work = 0.0_wp
       if (end%status == status_open) return
-      at = update_contact_point(p, start, end%state%overclosure, none, no_rotation)
+      call update_contact_point(p, start, end%state%overclosure, none, no_rotation, at)
       pressed = at%state
       motion = slip
       if (start%status == status_open) then
          ! motion before closing does no work
-         at = update_contact_point(p, start, end%state%overclosure, 1.0e-6_wp*slip, no_rotation)
+         call update_contact_point(p, start, end%state%overclosure, 1.0e-6_wp*slip, no_rotation, at)
          motion = at%state%elastic_slip/1.0e-6_wp
       end if
       if (p%slip_integration == slip_backward_euler) then
@@ -216,7 +216,8 @@ contains
       if (end%status == status_slip) then
          do i = 1, 60
             middle = 0.5_wp*(low + high)
-            at = update_contact_point(p, pressed, end%state%overclosure, middle*motion, no_rotation)
+            call update_contact_point(p, pressed, end%state%overclosure, middle*motion, &
+               no_rotation, at)
             if (at%status == status_slip) then
                high = middle
             else
@@ -239,8 +240,8 @@ contains
 
          part = 0.0_wp
          do i = 1, n_points
-            at = update_contact_point(p, from, from%overclosure, &
-               0.5_wp*(begin + finish + nodes(i)*(finish - begin))*motion, no_rotation)
+            call update_contact_point(p, from, from%overclosure, &
+               0.5_wp*(begin + finish + nodes(i)*(finish - begin))*motion, no_rotation, at)
             part = part + 0.5_wp*(finish - begin)*weights(i) &
                *dot_product(at%traction(2:3), motion)
          end do

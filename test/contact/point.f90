@@ -4,8 +4,8 @@ module test_contact_point
    use, intrinsic :: iso_fortran_env, only: int64
    use asperity, only: contact_properties, contact_response, contact_state, contact_tangent, &
       error_type, evaluate_normal_law, new_contact_properties, no_opposite_surface, &
-      no_rotation, normal_response, rule_abaqus, rule_dissipative, separation_for_pressure, &
-      slip_backward_euler, slip_exact, status_open, status_slip, status_stick, &
+      no_rotation, normal_response, pairs, rule_abaqus, rule_dissipative, &
+      separation_for_pressure, slip_backward_euler, slip_exact, status_open, status_slip, status_stick, &
       update_contact_point, wp
    use asperity_law_validity, only: implausible_property
    use contact_cases, only: pair_properties, random_contact
@@ -53,7 +53,7 @@ contains
       p = pair_properties()
       do i = -300, 300
          overclosure = 0.01_wp*i*p%normal%sigma*4.0_wp
-         r = update_contact_point(p, fresh, overclosure, none, no_rotation)
+         call update_contact_point(p, fresh, overclosure, none, no_rotation, r)
          law = evaluate_normal_law(p%normal, p%initial_separation - overclosure)
          call assertEqual(law%pressure, r%traction(1), 0.0_wp, 'pressure')
          call assertEqual(law%stiffness, r%tangent(1, 1), 0.0_wp, 'stiffness')
@@ -62,10 +62,10 @@ contains
          if (anyExceptions()) return
       end do
       ! no jump at zero overclosure: 1e-9 mm changes p by 1e-9 mm times the stiffness
-      r = update_contact_point(p, fresh, 0.0_wp, none, no_rotation)
+      call update_contact_point(p, fresh, 0.0_wp, none, no_rotation, r)
       at_zero = r%traction(1)
       call assertGreaterThan(at_zero, 1.0e-3_wp, 'the tail carries at zero overclosure')
-      r = update_contact_point(p, fresh, -1.0e-9_wp, none, no_rotation)
+      call update_contact_point(p, fresh, -1.0e-9_wp, none, no_rotation, r)
       below = r%traction(1)
       call assertEqual(at_zero - 1.0e-9_wp*r%tangent(1, 1), below, 1.0e-13_wp, 'no jump')
    end subroutine test_pressure
@@ -78,13 +78,13 @@ contains
 
       p = pair_properties()
       gamma = [0.1_wp, -0.2_wp]
-      r = update_contact_point(p, state, 0.1_wp, gamma, no_rotation)
+      call update_contact_point(p, state, 0.1_wp, gamma, no_rotation, r)
       pressure = r%traction(1)
       call assertEqual(status_stick, r%status, 'stick')
       call assertEqual(p%friction_coefficient*pressure*gamma/p%critical_slip, r%traction(2:3), &
          1.0e-15_wp, 'stick')
       call assertEqual(gamma, r%state%elastic_slip, 0.0_wp, 'elastic slip')
-      r = update_contact_point(p, r%state, 0.1_wp, 10.0_wp*gamma, no_rotation)
+      call update_contact_point(p, (r%state), 0.1_wp, 10.0_wp*gamma, no_rotation, r)
       call assertEqual(status_slip, r%status, 'slip')
       call assertEqual(p%friction_coefficient*pressure, norm2(r%traction(2:3)), 1.0e-14_wp, &
          'plateau')
@@ -104,8 +104,8 @@ contains
       p = pair_properties()
       do i = 1, size(factors)
          call separation_for_pressure(p%normal, factors(i)*p%p_open, d, error)
-         r = update_contact_point(p, state, p%initial_separation - d, [0.01_wp, 0.0_wp], &
-            no_rotation)
+         call update_contact_point(p, state, p%initial_separation - d, [0.01_wp, 0.0_wp], &
+            no_rotation, r)
          call assertTrue((r%status == status_open) .eqv. open_then(i), 'status')
          call assertEqual(factors(i), r%traction(1)/p%p_open, 1.0e-12_wp, 'the law stays')
          if (open_then(i)) then
@@ -126,13 +126,13 @@ contains
       do rule = rule_abaqus, rule_dissipative
          p = pair_properties(rule)
          state = contact_state()
-         r = update_contact_point(p, state, 0.12_wp, none, no_rotation)
-         r = update_contact_point(p, r%state, 0.12_wp, [1.0_wp, 0.5_wp], no_rotation)
+         call update_contact_point(p, state, 0.12_wp, none, no_rotation, r)
+         call update_contact_point(p, (r%state), 0.12_wp, [1.0_wp, 0.5_wp], no_rotation, r)
          call assertGreaterThan(r%traction(2), 0.1_wp, 'slides')
-         r = update_contact_point(p, r%state, -1.0_wp, none, no_rotation)
+         call update_contact_point(p, (r%state), -1.0_wp, none, no_rotation, r)
          call assertEqual(status_open, r%status, 'lifted')
-         r = update_contact_point(p, r%state, -1.0_wp, [-0.5_wp, 0.0_wp], no_rotation)
-         r = update_contact_point(p, r%state, 0.12_wp, none, no_rotation)
+         call update_contact_point(p, (r%state), -1.0_wp, [-0.5_wp, 0.0_wp], no_rotation, r)
+         call update_contact_point(p, (r%state), 0.12_wp, none, no_rotation, r)
          call assertEqual(none, r%traction(2:3), 0.0_wp, 'pressed again')
          call assertEqual(0.0_wp, r%tangential_energy, 0.0_wp, 'no energy stored')
       end do
@@ -155,14 +155,14 @@ contains
          from = p%initial_separation - stream%uniform(-1.0_wp, 9.0_wp)*p%normal%sigma
          to = p%initial_separation - stream%uniform(-1.0_wp, 4.0_wp)*p%normal%sigma
          slip = p%critical_slip*[stream%uniform(-2.0_wp, 2.0_wp), stream%uniform(-2.0_wp, 2.0_wp)]
-         whole = update_contact_point(p, contact_state(), from, none, no_rotation)
-         whole = update_contact_point(p, whole%state, from, &
-            p%critical_slip*[stream%uniform(-2.0_wp, 2.0_wp), 0.3_wp], no_rotation)
+         call update_contact_point(p, contact_state(), from, none, no_rotation, whole)
+         call update_contact_point(p, (whole%state), from, &
+            p%critical_slip*[stream%uniform(-2.0_wp, 2.0_wp), 0.3_wp], no_rotation, whole)
          start = whole%state
-         whole = update_contact_point(p, start, to, slip, no_rotation)
+         call update_contact_point(p, start, to, slip, no_rotation, whole)
          part = stream%uniform(0.1_wp, 0.9_wp)
-         half = update_contact_point(p, start, from + part*(to - from), part*slip, no_rotation)
-         half = update_contact_point(p, half%state, to, (1.0_wp - part)*slip, no_rotation)
+         call update_contact_point(p, start, from + part*(to - from), part*slip, no_rotation, half)
+         call update_contact_point(p, (half%state), to, (1.0_wp - part)*slip, no_rotation, half)
          if (start%status == status_open .and. whole%status /= status_open) closings = closings + 1
          call worsen(worst, norm2(whole%state%elastic_slip - half%state%elastic_slip) &
             /p%critical_slip)
@@ -181,12 +181,12 @@ contains
       real(wp), parameter :: slip(2) = [0.05_wp, 0.0_wp]
 
       p = pair_properties()
-      r = update_contact_point(p, contact_state(), no_opposite_surface, none, no_rotation)
+      call update_contact_point(p, contact_state(), no_opposite_surface, none, no_rotation, r)
       call assertEqual(status_open, r%status, 'open')
       call assertEqual([0.0_wp, 0.0_wp, 0.0_wp], r%traction, 0.0_wp, 'no traction')
       call assertEqual(0.0_wp, r%normal_energy, 0.0_wp, 'no energy')
-      r = update_contact_point(p, r%state, 0.1_wp, slip, no_rotation)
-      direct = update_contact_point(p, contact_state(), 0.1_wp, slip, no_rotation)
+      call update_contact_point(p, (r%state), 0.1_wp, slip, no_rotation, r)
+      call update_contact_point(p, contact_state(), 0.1_wp, slip, no_rotation, direct)
       call assertEqual(direct%traction, r%traction, 0.0_wp, 'first contact after it')
       call assertEqual(slip, r%state%elastic_slip, 0.0_wp, 'all motion counts')
       call assertEqual(0.1_wp, r%state%largest_closure, 0.0_wp, 'largest closure')
@@ -200,14 +200,14 @@ contains
       real(wp), parameter :: slip(2) = [0.2_wp, 0.1_wp]
 
       p = pair_properties(rule_abaqus)
-      low = update_contact_point(p, contact_state(), 0.05_wp, slip, no_rotation)
-      high = update_contact_point(p, low%state, 0.14_wp, none, no_rotation)
+      call update_contact_point(p, contact_state(), 0.05_wp, slip, no_rotation, low)
+      call update_contact_point(p, low%state, 0.14_wp, none, no_rotation, high)
       call assertEqual(slip, high%state%elastic_slip, 0.0_wp, 'abaqus keeps the elastic slip')
       p = pair_properties(rule_dissipative)
-      low = update_contact_point(p, contact_state(), 0.05_wp, slip, no_rotation)
-      high = update_contact_point(p, low%state, 0.14_wp, none, no_rotation)
+      call update_contact_point(p, contact_state(), 0.05_wp, slip, no_rotation, low)
+      call update_contact_point(p, low%state, 0.14_wp, none, no_rotation, high)
       call assertEqual(low%traction(2:3), high%traction(2:3), 1.0e-15_wp, 'rising keeps the stress')
-      back = update_contact_point(p, high%state, 0.05_wp, none, no_rotation)
+      call update_contact_point(p, high%state, 0.05_wp, none, no_rotation, back)
       call assertEqual(high%state%elastic_slip, back%state%elastic_slip, 0.0_wp, &
          'falling keeps the elastic slip')
    end subroutine test_rules
@@ -228,9 +228,9 @@ contains
          q = reshape([cos(angle), sin(angle), -sin(angle), cos(angle)], [2, 2])
          first = [stream%uniform(-0.5_wp, 0.5_wp), stream%uniform(-0.5_wp, 0.5_wp)]
          second = [stream%uniform(-0.5_wp, 0.5_wp), stream%uniform(-0.5_wp, 0.5_wp)]
-         r = update_contact_point(p, contact_state(), 0.08_wp, first, no_rotation)
-         turned = update_contact_point(p, r%state, 0.1_wp, matmul(q, second), q)
-         r = update_contact_point(p, r%state, 0.1_wp, second, no_rotation)
+         call update_contact_point(p, contact_state(), 0.08_wp, first, no_rotation, r)
+         call update_contact_point(p, r%state, 0.1_wp, matmul(q, second), q, turned)
+         call update_contact_point(p, (r%state), 0.1_wp, second, no_rotation, r)
          call assertEqual(matmul(q, r%traction(2:3)), turned%traction(2:3), 1.0e-14_wp, 'stress')
          call assertEqual(r%dissipation, turned%dissipation, 1.0e-14_wp, 'dissipation')
          call assertEqual(reshape(matmul(matmul(q, r%tangent(2:3, 2:3)), transpose(q)), [4]), &
@@ -248,11 +248,11 @@ contains
       p = pair_properties()
       tangent = contact_tangent(p, contact_state())
       call assertEqual(0.0_wp, largest_of(tangent), 0.0_wp, 'fresh point')
-      r = update_contact_point(p, contact_state(), 0.1_wp, [0.1_wp, 0.05_wp], no_rotation)
-      again = update_contact_point(p, r%state, 0.1_wp, none, no_rotation)
+      call update_contact_point(p, contact_state(), 0.1_wp, [0.1_wp, 0.05_wp], no_rotation, r)
+      call update_contact_point(p, r%state, 0.1_wp, none, no_rotation, again)
       tangent = contact_tangent(p, r%state)
       call assertEqual(reshape(again%tangent, [9]), reshape(tangent, [9]), 1.0e-12_wp, 'stick')
-      r = update_contact_point(p, contact_state(), 0.1_wp, [3.0_wp, 0.0_wp], no_rotation)
+      call update_contact_point(p, contact_state(), 0.1_wp, [3.0_wp, 0.0_wp], no_rotation, r)
       tangent = contact_tangent(p, r%state)
       pressure = r%traction(1)
       call assertEqual(0.0_wp, tangent(2, 2), 1.0e-15_wp, 'along the slip')
@@ -260,12 +260,12 @@ contains
          1.0e-14_wp, 'across the slip')
       call assertEqual(p%friction_coefficient*r%tangent(1, 1), tangent(2, 1), 1.0e-12_wp, &
          'coupling')
-      r = update_contact_point(p, r%state, 0.1_wp, [3.0_wp, 4.0_wp]*1.0e3_wp, no_rotation)
+      call update_contact_point(p, (r%state), 0.1_wp, [3.0_wp, 4.0_wp]*1.0e3_wp, no_rotation, r)
       tangent = contact_tangent(p, r%state)
       call assertEqual([0.64_wp, -0.48_wp, -0.48_wp, 0.36_wp], &
          reshape(tangent(2:3, 2:3), [4])*p%critical_slip/(p%friction_coefficient*pressure), &
          1.0e-14_wp, 'oblique slip')
-      r = update_contact_point(p, r%state, -1.0_wp, none, no_rotation)
+      call update_contact_point(p, (r%state), -1.0_wp, none, no_rotation, r)
       tangent = contact_tangent(p, r%state)
       call assertEqual(0.0_wp, largest_of(tangent(2:3, :)), 0.0_wp, 'open')
    end subroutine test_base_tangent
@@ -279,8 +279,8 @@ contains
       real(wp) :: stored, left
 
       p = pair_properties()
-      closed = update_contact_point(p, contact_state(), 0.1_wp, [0.2_wp, 0.1_wp], no_rotation)
-      r = update_contact_point(p, closed%state, -0.15_wp, none, no_rotation)
+      call update_contact_point(p, contact_state(), 0.1_wp, [0.2_wp, 0.1_wp], no_rotation, closed)
+      call update_contact_point(p, closed%state, -0.15_wp, none, no_rotation, r)
       call assertEqual(status_open, r%status, 'open')
       stored = 0.5_wp*p%friction_coefficient*closed%traction(1)*0.05_wp/p%critical_slip
       left = 0.5_wp*p%friction_coefficient*r%traction(1)*0.05_wp/p%critical_slip
@@ -289,11 +289,11 @@ contains
       call assertEqual(left - stored, r%pressure_coupling, 1.0e-15_wp, 'coupling')
       call assertEqual(1.0e-9_wp*2.0_wp*acos(-1.0_wp)*p%normal%eta*p%normal%radius &
          *p%normal%hardness*p%normal%sigma, p%p_open, 1.0e-20_wp, 'p_open')
-      r = update_contact_point(p, closed%state, 0.1_wp, none, 2.0_wp*no_rotation)
+      call update_contact_point(p, closed%state, 0.1_wp, none, 2.0_wp*no_rotation, r)
       call assertEqual(p%critical_slip*[2.0_wp, 1.0_wp]/sqrt(5.0_wp), r%state%elastic_slip, &
          1.0e-15_wp, 'no longer than gcrit')
-      r = update_contact_point(p, closed%state, 0.2_wp, none, no_rotation)
-      r = update_contact_point(p, r%state, 0.1_wp, none, no_rotation)
+      call update_contact_point(p, closed%state, 0.2_wp, none, no_rotation, r)
+      call update_contact_point(p, (r%state), 0.1_wp, none, no_rotation, r)
       call assertEqual(0, r%validity, 'valid again')
       call assertTrue(r%state%validity > 0, 'but not forgotten')
    end subroutine test_release
@@ -309,7 +309,7 @@ contains
       dissipation = 0.0_wp
       coupling = 0.0_wp
       do i = 1, size(path)
-         r = update_contact_point(p, r%state, path(i), [0.4_wp, 0.0_wp], no_rotation)
+         call update_contact_point(p, (r%state), path(i), [0.4_wp, 0.0_wp], no_rotation, r)
          dissipation = dissipation + r%dissipation
          coupling = coupling + r%pressure_coupling
          call assertEqual(maxval(path(:i)), r%state%largest_closure, 0.0_wp, 'largest closure')
@@ -358,6 +358,21 @@ contains
       call assertEqual(ior(p%normal%validity, implausible_property), made%normal%validity, &
          'flagged')
       call assertEqual(made%normal%validity, made%compiled%properties%validity, 'compiled as well')
+      ! a pair of the paper in one call, with each option in its place
+      call new_contact_properties(made, pairs(2), error, -1.0_wp, rule_dissipative, &
+         slip_backward_euler, .true.)
+      call assertFalse(allocated(error), 'a pair')
+      call assertEqual([0.5_wp, 0.31_wp, -1.0_wp, pairs(2)%sigma], [made%friction_coefficient, &
+         made%critical_slip, made%initial_separation, made%normal%sigma], 0.0_wp)
+      call assertEqual(rule_dissipative, made%friction_rule)
+      call assertEqual(slip_backward_euler, made%slip_integration)
+      call assertTrue(allocated(made%compiled), 'compiled')
+      call new_contact_properties(made, pairs(2), error)
+      call assertEqual(4.0_wp*pairs(2)%sigma, made%initial_separation, 0.0_wp)
+      call new_contact_properties(made, pairs(1), error, 237.2_wp)
+      call expect('initial_separation = 237.0 mm is above 10.0 mm')
+      call new_contact_properties(made, pairs(1), error, 237.2_wp, accept_unphysical=.true.)
+      call assertFalse(allocated(error), 'accepted')
 
    contains
 

@@ -132,7 +132,7 @@ contains
       do i = 1, size(alone)
          rotation = no_rotation
          if (allocated(a%rotation)) rotation = a%rotation(i, :, :)
-         r = update_contact_point(p, alone(i), a%overclosure(i), a%slip(i, :), rotation)
+         call update_contact_point(p, alone(i), a%overclosure(i), a%slip(i, :), rotation, r)
          alone(i) = r%state
          seen(r%status) = seen(r%status) + 1
          found = get_contact_state(states, i)

@@ -52,11 +52,11 @@ contains
          direction = [stream%uniform(-1.0_wp, 1.0_wp), stream%uniform(-1.0_wp, 1.0_wp), &
             stream%uniform(-1.0_wp, 1.0_wp)]
          direction = direction/norm2(direction)
-         r = update_contact_point(p, start, overclosure, slip, no_rotation)
-         ahead = update_contact_point(p, start, overclosure + h*direction(1), &
-            slip + h*direction(2:), no_rotation)
-         behind = update_contact_point(p, start, overclosure - h*direction(1), &
-            slip - h*direction(2:), no_rotation)
+         call update_contact_point(p, start, overclosure, slip, no_rotation, r)
+         call update_contact_point(p, start, overclosure + h*direction(1), slip + h*direction(2:), &
+            no_rotation, ahead)
+         call update_contact_point(p, start, overclosure - h*direction(1), slip - h*direction(2:), &
+            no_rotation, behind)
          if (ahead%status /= behind%status) cycle
          if (.not. in_branch(branch, start, r)) cycle
          counts(branch) = counts(branch) + 1
@@ -108,8 +108,9 @@ contains
          from = p%initial_separation - stream%uniform(7.0_wp, 9.0_wp)*p%normal%sigma
          overclosure = p%initial_separation - stream%uniform(-1.0_wp, 4.0_wp)*p%normal%sigma
       end select
-      r = update_contact_point(p, start, from, p%critical_slip*[stream%uniform(-0.4_wp, 0.4_wp), &
-         stream%uniform(-0.4_wp, 0.4_wp)], no_rotation)
+      call update_contact_point(p, start, from, &
+         p%critical_slip*[stream%uniform(-0.4_wp, 0.4_wp), stream%uniform(-0.4_wp, 0.4_wp)], &
+         no_rotation, r)
       start = r%state
       slip = length*p%critical_slip*[cos(angle), sin(angle)]
    end subroutine prepare
@@ -143,17 +144,17 @@ contains
       do integration = slip_exact, slip_backward_euler
          p = pair_properties(rule_abaqus, integration)
          h = step*p%normal%sigma
-         inside = update_contact_point(p, contact_state(), 0.1_wp, &
-            [p%critical_slip - h, 0.0_wp], no_rotation)
-         further = update_contact_point(p, contact_state(), 0.1_wp, &
-            [p%critical_slip - 3.0_wp*h, 0.0_wp], no_rotation)
+         call update_contact_point(p, contact_state(), 0.1_wp, [p%critical_slip - h, 0.0_wp], &
+            no_rotation, inside)
+         call update_contact_point(p, contact_state(), 0.1_wp, &
+            [p%critical_slip - 3.0_wp*h, 0.0_wp], no_rotation, further)
          slope = (inside%traction(2) - further%traction(2))/(2.0_wp*h)
          call assertEqual(status_stick, inside%status, 'stick')
          call assertEqual(slope, inside%tangent(2, 2), allowed*slope, 'stick side')
-         outside = update_contact_point(p, contact_state(), 0.1_wp, &
-            [p%critical_slip + h, 0.0_wp], no_rotation)
-         further = update_contact_point(p, contact_state(), 0.1_wp, &
-            [p%critical_slip + 3.0_wp*h, 0.0_wp], no_rotation)
+         call update_contact_point(p, contact_state(), 0.1_wp, [p%critical_slip + h, 0.0_wp], &
+            no_rotation, outside)
+         call update_contact_point(p, contact_state(), 0.1_wp, &
+            [p%critical_slip + 3.0_wp*h, 0.0_wp], no_rotation, further)
          call assertEqual(status_slip, outside%status, 'slip')
          call assertEqual((further%traction(2) - outside%traction(2))/(2.0_wp*h), &
             outside%tangent(2, 2), allowed*slope, 'slip side')
@@ -169,7 +170,7 @@ contains
       real(wp) :: pressure_slope
 
       p = pair_properties()
-      r = update_contact_point(p, contact_state(), 0.1_wp, [0.2_wp, 0.0_wp], no_rotation)
+      call update_contact_point(p, contact_state(), 0.1_wp, [0.2_wp, 0.0_wp], no_rotation, r)
       pressure_slope = r%tangent(1, 1)
       call assertEqual(p%friction_coefficient*0.2_wp/p%critical_slip*pressure_slope, &
          r%tangent(2, 1), 1.0e-13_wp*pressure_slope, 'shear by overclosure')

@@ -50,7 +50,7 @@ contains
          do i = 1, 8
             overclosure = p%initial_separation - stream%uniform(-2.0_wp, 3.0_wp)*p%normal%sigma
             slip = random_slip(stream, p, 1.5_wp)
-            next = update_contact_point(p, start, overclosure, slip, no_rotation)
+            call update_contact_point(p, start, overclosure, slip, no_rotation, next)
             work = normal_work(p, start, overclosure) + slip_work(p, start, overclosure, slip)
             change = next%normal_energy + next%tangential_energy &
                - last%normal_energy - last%tangential_energy
@@ -81,9 +81,9 @@ contains
       wrong = p
       wrong%friction_coefficient = (1.0_wp + 1.0e-8_wp)*p%friction_coefficient
       work = slip_work(p, contact_state(), 0.1_wp, slip)
-      r = update_contact_point(p, contact_state(), 0.1_wp, slip, no_rotation)
+      call update_contact_point(p, contact_state(), 0.1_wp, slip, no_rotation, r)
       call assertEqual(work, r%tangential_energy + r%dissipation, 1.0e-13_wp*work, 'right')
-      r = update_contact_point(wrong, contact_state(), 0.1_wp, slip, no_rotation)
+      call update_contact_point(wrong, contact_state(), 0.1_wp, slip, no_rotation, r)
       call assertGreaterThan(abs(r%tangential_energy + r%dissipation - work), 0.9e-8_wp*work, &
          'wrong')
    end subroutine test_energy_can_fail
@@ -122,7 +122,7 @@ contains
       real(wp) :: work, gamma(2), root, ends(3), half
       integer :: i, leg
 
-      pressed = update_contact_point(p, start, overclosure, none, no_rotation)
+      call update_contact_point(p, start, overclosure, none, no_rotation, pressed)
       gamma = pressed%state%elastic_slip
       ! |gamma + s slip| = gcrit
       root = dot_product(gamma, slip)**2 &
@@ -134,8 +134,8 @@ contains
       do leg = 1, 2
          half = 0.5_wp*(ends(leg + 1) - ends(leg))
          do i = 1, n_points
-            at = update_contact_point(p, pressed%state, overclosure, &
-               (0.5_wp*(ends(leg + 1) + ends(leg)) + half*nodes(i))*slip, no_rotation)
+            call update_contact_point(p, pressed%state, overclosure, &
+               (0.5_wp*(ends(leg + 1) + ends(leg)) + half*nodes(i))*slip, no_rotation, at)
             work = work + half*weights(i)*dot_product(at%traction(2:3), slip)
          end do
       end do

@@ -94,10 +94,12 @@ contains
       integer :: i
 
       do i = 1, 2
-         call new_normal_properties(p, pairs(i)%eta, pairs(i)%modulus, pairs(i)%radius, &
-            pairs(i)%hardness, pairs(i)%yield_factor, pairs(i)%sigma, error)
+         call new_normal_properties(p, pairs(i), error)
          call assertFalse(allocated(error))
          call assertEqual(valid, p%validity)
+         call assertEqual([pairs(i)%eta, pairs(i)%modulus, pairs(i)%radius, pairs(i)%hardness, &
+            pairs(i)%yield_factor, pairs(i)%sigma], &
+            [p%eta, p%modulus, p%radius, p%hardness, p%yield_factor, p%sigma], 0.0_wp)
          call assertEqual(number(i), p%eta*p%radius*p%sigma, half_digit(i))
       end do
       numbers = surfaces%eta*surfaces%radius*surfaces%sigma

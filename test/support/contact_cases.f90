@@ -1,7 +1,7 @@
 !> Properties and random contact points for the tests of the update and of UINTER.
 module contact_cases
    use asperity, only: contact_properties, error_type, find_pair, new_contact_properties, &
-      new_normal_properties, normal_properties, pair_preset, rule_abaqus, slip_exact, wp
+      normal_properties, pair_preset, rule_abaqus, slip_exact, wp
    use random_inputs, only: random_properties, random_stream
    implicit none
    private
@@ -15,7 +15,6 @@ contains
       character(len=*), intent(in), optional :: pair
       type(contact_properties) :: properties
       type(pair_preset) :: preset
-      type(normal_properties) :: normal
       type(error_type), allocatable :: error
       integer :: rule, integration
 
@@ -24,14 +23,12 @@ contains
       else
          call find_pair('transverse-tangential', preset, error)
       end if
-      call new_normal_properties(normal, preset%eta, preset%modulus, preset%radius, &
-         preset%hardness, preset%yield_factor, preset%sigma, error)
       rule = rule_abaqus
       if (present(friction_rule)) rule = friction_rule
       integration = slip_exact
       if (present(slip_integration)) integration = slip_integration
-      call new_contact_properties(properties, normal, preset%friction_coefficient, &
-         preset%critical_slip, error, friction_rule=rule, slip_integration=integration)
+      call new_contact_properties(properties, preset, error, friction_rule=rule, &
+         slip_integration=integration)
       if (allocated(error)) error stop 'the pair of the tests is refused'
    end function pair_properties
 

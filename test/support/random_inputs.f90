@@ -78,8 +78,7 @@ contains
 
       call find_pair(name, pair, error)
       if (allocated(error)) error stop 'normal_of_pair: '//error%message
-      call new_normal_properties(properties, pair%eta, pair%modulus, pair%radius, pair%hardness, &
-         pair%yield_factor, pair%sigma, error)
+      call new_normal_properties(properties, pair, error)
       if (allocated(error)) error stop 'normal_of_pair: '//error%message
    end function normal_of_pair
 

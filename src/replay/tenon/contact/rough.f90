@@ -5,7 +5,7 @@ module asperity_replay_tenon_contact_rough
    use asperity_base_error, only: computation_error, error_type, fatal_error
    use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
-   use asperity_contact_point, only: advance_contact_point
+   use asperity_contact_point, only: update_contact_point
    use asperity_contact_state, only: contact_response, no_rotation
    use asperity_law_compiled_law, only: evaluate_compiled_law, new_compiled_law
    use asperity_law_normal_inverse, only: separation_for_pressure
@@ -112,7 +112,7 @@ contains
       !> Set on failure
       type(error_type), allocatable, intent(out) :: error
 
-      call advance_contact_point(law%faces, start%state, overclosure, slip, no_rotation, response)
+      call update_contact_point(law%faces, start%state, overclosure, slip, no_rotation, response)
    end subroutine update
 
    !> Keep what the update returned, and how the wood shares the closure.
