@@ -26,16 +26,8 @@ int main(void)
    double overclosure[n], slip[2][n], traction[3][n], separation;
    int i, step;
 
-   asperity_properties_init(&pair, sizeof pair, &error);
+   asperity_properties_from_pair(&pair, sizeof pair, "transverse-tangential", &error);
    check(&error);
-   pair.eta = 206.0;
-   pair.modulus = 297.0;
-   pair.radius = 0.1477;
-   pair.hardness = 24.53;
-   pair.yield_factor = 0.4;
-   pair.sigma = 0.0593;
-   pair.friction_coefficient = 0.5;
-   pair.critical_slip = 0.31;
    pair.compiled = 1;
    asperity_law_new(&law, &pair, &error);
    check(&error);

@@ -11,7 +11,7 @@ others).
 import ctypes
 import os
 import sys
-from ctypes import POINTER, byref, c_char, c_double, c_int, c_size_t, c_void_p, sizeof
+from ctypes import POINTER, byref, c_char, c_char_p, c_double, c_int, c_size_t, c_void_p, sizeof
 
 doubles, ints = POINTER(c_double), POINTER(c_int)
 
@@ -47,7 +47,7 @@ def load(file):
     pointer = POINTER(c_void_p)
     for name, *arguments in (
             ("library_version", c_char * 16, c_int),
-            ("properties_init", POINTER(Properties), c_size_t),
+            ("properties_from_pair", POINTER(Properties), c_size_t, c_char_p),
             ("law_new", pointer, POINTER(Properties)),
             ("law_free", pointer),
             ("law_evaluate", c_void_p, c_int, *[doubles] * 6, ints),
@@ -80,10 +80,8 @@ def main():
     print("asperity", version.value.decode())
 
     pair, law, states = Properties(), c_void_p(), c_void_p()
-    call("properties_init", byref(pair), sizeof(pair))
-    pair.eta, pair.modulus, pair.radius, pair.hardness = 206.0, 297.0, 0.1477, 24.53
-    pair.yield_factor, pair.sigma = 0.4, 0.0593
-    pair.friction_coefficient, pair.critical_slip, pair.compiled = 0.5, 0.31, 1
+    call("properties_from_pair", byref(pair), sizeof(pair), b"transverse-tangential")
+    pair.compiled = 1
     call("law_new", byref(law), byref(pair))
     try:
         # the normal law at many separations in one call

@@ -107,8 +107,8 @@ typedef struct asperity_law asperity_law;
 /** What a number of contact points remember between increments. */
 typedef struct asperity_states asperity_states;
 
-/** Properties of a pair of faces. Fill it by asperity_properties_init() first: members may join at
- * the end in later versions. */
+/** Properties of a pair of faces. Fill it by asperity_properties_init() or
+ * asperity_properties_from_pair() first: members may join at the end in later versions. */
 typedef struct asperity_properties {
    /** Size of this struct; set by asperity_properties_init(). */
    size_t size;
@@ -190,6 +190,16 @@ int asperity_validity_remark(int validity, char *buffer, int length, asperity_er
  * @param error      may be NULL
  */
 int asperity_properties_init(asperity_properties *properties, size_t size, asperity_error *error);
+
+/**
+ * @brief Fill the struct with defaults and the properties of a pair of faces of the paper.
+ * @param properties struct to fill; unchanged after an error
+ * @param size       sizeof(asperity_properties)
+ * @param pair       name: "transverse-tangential" or "tangential-tangential"
+ * @param error      may be NULL
+ */
+int asperity_properties_from_pair(asperity_properties *properties, size_t size, const char *pair,
+                                  asperity_error *error);
 
 /**
  * @brief Build a law. Free it by asperity_law_free().

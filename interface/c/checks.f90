@@ -9,7 +9,7 @@ module asperity_c_checks
       code_ok, error_struct, handle_object, message_length
    implicit none
    private
-   public :: answer, check_pointer, check_points, content_of, copy_text, free_handle, &
+   public :: answer, check_pointer, check_points, clear_handle, content_of, copy_text, free_handle, &
       number_of, wrap
 
    !> Alignment of every handle and struct, and of arrays of double
@@ -86,6 +86,24 @@ contains
             code_input)
       end if
    end subroutine check_pointer
+
+   !> The caller's handle that a new law or new states go to, set to NULL.
+   subroutine clear_handle(problem, name, address, handle)
+      !> Set when there is no place for it
+      type(error_type), allocatable, intent(inout) :: problem
+      !> Name of the argument
+      character(len=*), intent(in) :: name
+      !> Where the caller has the handle
+      type(c_ptr), intent(in) :: address
+      !> The handle
+      type(c_ptr), pointer, intent(out) :: handle
+
+      nullify (handle)
+      call check_pointer(problem, name, address)
+      if (allocated(problem)) return
+      call c_f_pointer(address, handle)
+      handle = c_null_ptr
+   end subroutine clear_handle
 
    !> Content of a handle; NULL and a problem when it is not of that kind.
    subroutine content_of(problem, name, address, tag, content, null_passes)

@@ -1,50 +1,23 @@
 !> C interface: the law. See asperity.h for what each function does.
 module asperity_c_law
-   use, intrinsic :: iso_c_binding, only: c_double, c_f_pointer, c_int, c_int64_t, c_loc, &
-      c_null_ptr, c_ptr, c_size_t, c_sizeof
+   use, intrinsic :: iso_c_binding, only: c_double, c_int, c_loc, c_ptr, c_size_t
    use asperity_base_error, only: error_type, fatal_error
    use asperity_base_number_text, only: to_text
-   use asperity_c_checks, only: answer, check_pointer, content_of, free_handle, wrap
+   use asperity_c_checks, only: answer, clear_handle, content_of, free_handle, wrap
    use asperity_c_contents, only: content_at
-   use asperity_c_types, only: code_input, code_length, error_struct, four_sigma, &
-      properties_struct, tag_law
-   use asperity_contact_properties, only: contact_properties, new_contact_properties, rule_abaqus, &
-      slip_exact
+   use asperity_c_properties, only: view_properties
+   use asperity_c_types, only: code_input, error_struct, four_sigma, properties_struct, tag_law
+   use asperity_contact_properties, only: contact_properties, new_contact_properties
    use asperity_law_normal_properties, only: new_normal_properties, normal_properties
    implicit none
    private
-   public :: asperity_properties_init, asperity_law_new, asperity_law_free, &
-      asperity_law_properties, law_of
+   public :: asperity_law_new, asperity_law_free, asperity_law_properties, law_of
 
    !> Words that must be free before a law is built, as the library does not ask of each of its
    !> small allocations whether it succeeded
    integer, parameter :: head_room = 2**15
-   !> Not a number: a property that was not set
-   real(c_double), parameter :: unset = transfer(int(z'7FF8000000000000', c_int64_t), 1.0_c_double)
 
 contains
-
-   !> Defaults; what has none is NaN, so that the law refuses a property that was forgotten.
-   integer(c_int) function asperity_properties_init(properties, size, error) result(code) &
-         bind(c, name='asperity_properties_init')
-      !> Struct to fill
-      type(c_ptr), value :: properties
-      !> Its size for the caller
-      integer(c_size_t), value :: size
-      !> Filled when present
-      type(error_struct), intent(inout), optional :: error
-      type(properties_struct), pointer :: p
-      type(error_type), allocatable :: problem
-
-      call view_properties(problem, properties, p, size)
-      if (.not. allocated(problem)) then
-         p = properties_struct(size=size, eta=unset, modulus=unset, radius=unset, &
-            hardness=unset, yield_factor=unset, sigma=unset, friction_coefficient=unset, &
-            critical_slip=unset, initial_separation=four_sigma, friction_rule=rule_abaqus, &
-            slip_integration=slip_exact, accept_unphysical=0, compiled=0)
-      end if
-      code = answer(problem, error)
-   end function asperity_properties_init
 
    !> Build a law.
    integer(c_int) function asperity_law_new(law, properties, error) result(code) &
@@ -61,12 +34,8 @@ contains
       logical :: starved
 
       starved = .false.
-      call check_pointer(problem, 'law', law)
-      if (.not. allocated(problem)) then
-         call c_f_pointer(law, handle)
-         handle = c_null_ptr
-         call view_properties(problem, properties, p)
-      end if
+      call clear_handle(problem, 'law', law, handle)
+      call view_properties(problem, properties, p)
       if (.not. allocated(problem)) call make_law(problem, p, handle, starved)
       code = answer(problem, error, starved)
    end function asperity_law_new
@@ -135,29 +104,6 @@ contains
       call content_of(problem, 'law', handle, tag_law, address, null_passes)
       if (.not. allocated(problem)) call content_at(address, content)
    end subroutine law_of
-
-   !> The caller's struct, after a check that it is the one of this library.
-   subroutine view_properties(problem, address, p, size)
-      type(error_type), allocatable, intent(inout) :: problem
-      type(c_ptr), intent(in) :: address
-      type(properties_struct), pointer, intent(out) :: p
-      integer(c_size_t), intent(in), optional :: size
-      integer(c_size_t) :: given
-
-      nullify (p)
-      call check_pointer(problem, 'properties', address)
-      if (allocated(problem)) return
-      call c_f_pointer(address, p)
-      if (present(size)) then
-         given = size
-      else
-         given = p%size
-      end if
-      if (given /= c_sizeof(p)) call fatal_error(problem, 'the size of asperity_properties is '// &
-         'not '//to_text(int(c_sizeof(p)))//' bytes: fill the struct by '// &
-         'asperity_properties_init(&p, sizeof p, &error) first, and compile with the header of '// &
-         'this library', code_length)
-   end subroutine view_properties
 
    !> Build the law and its handle.
    subroutine make_law(problem, p, handle, starved)

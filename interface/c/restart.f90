@@ -36,11 +36,8 @@ contains
       type(state_struct), pointer :: place
       type(error_type), allocatable :: problem
 
-      call states_of(problem, 'states', states, content)
-      call check_pointer(problem, 'state', state)
-      call check_point(problem, content, point)
+      call view_point(problem, states, point, state, content, place)
       if (.not. allocated(problem)) then
-         call c_f_pointer(state, place)
          associate (s => get_contact_state(content, point + 1))
             place = state_struct(s%status, s%validity, s%overclosure, s%pressure, &
                s%normal_energy, s%elastic_slip, s%largest_closure, s%dissipation, &
@@ -65,30 +62,33 @@ contains
       type(state_struct), pointer :: s
       type(error_type), allocatable :: problem
 
-      call states_of(problem, 'states', states, content)
-      call check_pointer(problem, 'state', state)
-      call check_point(problem, content, point)
-      if (.not. allocated(problem)) then
-         call c_f_pointer(state, s)
-         call check_state(problem, s)
-         if (.not. allocated(problem)) call set_contact_state(content, point + 1, &
-            contact_state(s%status, s%overclosure, s%pressure, s%normal_energy, s%elastic_slip, &
-            s%largest_closure, s%dissipation, s%pressure_coupling, s%validity))
-      end if
+      call view_point(problem, states, point, state, content, s)
+      if (.not. allocated(problem)) call check_state(problem, s)
+      if (.not. allocated(problem)) call set_contact_state(content, point + 1, &
+         contact_state(s%status, s%overclosure, s%pressure, s%normal_energy, s%elastic_slip, &
+         s%largest_closure, s%dissipation, s%pressure_coupling, s%validity))
       code = answer(problem, error)
    end function asperity_states_set
 
-   !> Refuse the number of a point that is not there.
-   subroutine check_point(problem, states, point)
+   !> The states and the caller's struct, unless a handle, the struct or the point is not there.
+   subroutine view_point(problem, states, point, state, content, s)
       type(error_type), allocatable, intent(inout) :: problem
-      type(contact_states), pointer, intent(in) :: states
+      type(c_ptr), intent(in) :: states, state
       integer(c_int), intent(in) :: point
+      type(contact_states), pointer, intent(out) :: content
+      type(state_struct), pointer, intent(out) :: s
 
+      nullify (s)
+      call states_of(problem, 'states', states, content)
+      call check_pointer(problem, 'state', state)
       if (allocated(problem)) return
-      if (point < 0 .or. point >= size(states%status)) call fatal_error(problem, 'point = '// &
-         to_text(point)//' is not there: the states have '//to_text(size(states%status))// &
-         ' points, counted from 0', code_length)
-   end subroutine check_point
+      if (point < 0 .or. point >= size(content%status)) then
+         call fatal_error(problem, 'point = '//to_text(point)//' is not there: the states have '// &
+            to_text(size(content%status))//' points, counted from 0', code_length)
+      else
+         call c_f_pointer(state, s)
+      end if
+   end subroutine view_point
 
    !> Refuse what no update can have left behind.
    subroutine check_state(problem, state)

@@ -1,9 +1,10 @@
 !> C interface: contact states. See asperity.h for what each function does.
 module asperity_c_states
-   use, intrinsic :: iso_c_binding, only: c_f_pointer, c_int, c_loc, c_null_ptr, c_ptr
+   use, intrinsic :: iso_c_binding, only: c_f_pointer, c_int, c_loc, c_ptr
    use asperity_base_error, only: error_type, fatal_error
    use asperity_base_number_text, only: to_text
-   use asperity_c_checks, only: answer, check_pointer, check_points, content_of, free_handle, wrap
+   use asperity_c_checks, only: answer, check_pointer, check_points, clear_handle, content_of, &
+      free_handle, wrap
    use asperity_c_contents, only: content_at
    use asperity_c_types, only: code_length, error_struct, tag_states
    use asperity_contact_points, only: contact_states, set_contact_state
@@ -30,12 +31,8 @@ contains
       logical :: starved
 
       starved = .false.
-      call check_pointer(problem, 'states', states)
-      if (.not. allocated(problem)) then
-         call c_f_pointer(states, handle)
-         handle = c_null_ptr
-         call check_points(problem, n)
-      end if
+      call clear_handle(problem, 'states', states, handle)
+      call check_points(problem, n)
       if (.not. allocated(problem)) then
          call make_states(n, content, starved)
          if (.not. starved) call wrap(tag_states, c_loc(content), handle, starved)

@@ -1,27 +1,16 @@
-!> C interface: version and texts, and all other functions under one name. See asperity.h, which
-!> tells C callers everything; tests of the interface are in C.
+!> C interface: version and texts. See asperity.h, which tells C callers everything; tests of the
+!> interface are in C.
 module asperity_c_texts
    use, intrinsic :: iso_c_binding, only: c_char, c_f_pointer, c_int, c_ptr
    use asperity_base_error, only: error_type, fatal_error
    use asperity_base_number_text, only: to_text
    use asperity_base_version, only: version
    use asperity_c_checks, only: answer, check_pointer, copy_text
-   use asperity_c_evaluate, only: asperity_law_evaluate, asperity_law_separation
-   use asperity_c_law, only: asperity_law_free, asperity_law_new, asperity_law_properties, &
-      asperity_properties_init
-   use asperity_c_restart, only: asperity_states_get, asperity_states_set
-   use asperity_c_states, only: asperity_states_copy, asperity_states_count, asperity_states_free, &
-      asperity_states_new
    use asperity_c_types, only: code_input, code_length, error_struct
-   use asperity_c_update, only: asperity_states_update
    use asperity_law_validity, only: all_flags, valid, validity_remark
    implicit none
    private
-   public :: asperity_law_evaluate, asperity_law_free, asperity_law_new, &
-      asperity_law_properties, asperity_law_separation, asperity_library_version, &
-      asperity_properties_init, asperity_states_copy, asperity_states_count, &
-      asperity_states_free, asperity_states_get, asperity_states_new, asperity_states_set, &
-      asperity_states_update, asperity_validity_remark
+   public :: asperity_library_version, asperity_validity_remark
 
 contains
 

@@ -3,6 +3,7 @@
 module asperity_c_types
    use, intrinsic :: iso_c_binding, only: c_char, c_double, c_int, c_int64_t, c_ptr, c_size_t
    use asperity_base_error, only: computation_error, input_error
+   use asperity_contact_properties, only: rule_abaqus, slip_exact
    implicit none
    private
    public :: error_struct, handle_object, properties_struct, state_struct
@@ -29,18 +30,23 @@ module asperity_c_types
       character(kind=c_char) :: message(message_length)
    end type error_struct
 
+   !> Not a number: a property that was not set, which the law refuses
+   real(c_double), parameter :: unset = transfer(int(z'7FF8000000000000', c_int64_t), 1.0_c_double)
+
    !> struct asperity_properties
    type, bind(c) :: properties_struct
       !> Size of the struct in the header that the caller was compiled with
-      integer(c_size_t) :: size
+      integer(c_size_t) :: size = 0_c_size_t
       !> As in `normal_properties`
-      real(c_double) :: eta, modulus, radius, hardness, yield_factor, sigma
+      real(c_double) :: eta = unset, modulus = unset, radius = unset, hardness = unset, &
+         yield_factor = unset, sigma = unset
       !> As in `contact_properties`
-      real(c_double) :: friction_coefficient, critical_slip, initial_separation
+      real(c_double) :: friction_coefficient = unset, critical_slip = unset, &
+         initial_separation = four_sigma
       !> As in `contact_properties`
-      integer(c_int) :: friction_rule, slip_integration
+      integer(c_int) :: friction_rule = rule_abaqus, slip_integration = slip_exact
       !> 0 or 1
-      integer(c_int) :: accept_unphysical, compiled
+      integer(c_int) :: accept_unphysical = 0_c_int, compiled = 0_c_int
    end type properties_struct
 
    !> struct asperity_state: `contact_state`

@@ -224,12 +224,14 @@ static void handles(void)
    asperity_state state;
    double d = 9.0;
    int count = 9;
-   char text[16];
+   char text[16], long_name[100];
    /* memory of no handle at all */
    uint64_t words[8] = {0, 0, 0, 0, 0, 0, 0, 0};
    asperity_law *false_law = (asperity_law *)words;
    asperity_states *false_states = (asperity_states *)words;
 
+   memset(long_name, 'a', sizeof long_name);
+   long_name[sizeof long_name - 1] = 0;
    memset(&state, 0, sizeof state);
    CHECK_CODE(asperity_law_new(NULL, &p, &error), ASPERITY_NULL_ARGUMENT);
    CHECK_CODE(asperity_law_new(&other, NULL, &error), ASPERITY_NULL_ARGUMENT);
@@ -258,6 +260,17 @@ static void handles(void)
    CHECK_CODE(asperity_properties_init(NULL, sizeof p, &error), ASPERITY_NULL_ARGUMENT);
    CHECK_CODE(asperity_properties_init(&p, sizeof p + 1, &error), ASPERITY_WRONG_LENGTH);
    CHECK_CODE(asperity_properties_init(&p, 0, &error), ASPERITY_WRONG_LENGTH);
+   CHECK_CODE(asperity_properties_from_pair(NULL, sizeof p, "transverse-tangential", &error),
+              ASPERITY_NULL_ARGUMENT);
+   CHECK_CODE(asperity_properties_from_pair(&p, sizeof p + 1, "transverse-tangential", &error),
+              ASPERITY_WRONG_LENGTH);
+   CHECK_CODE(asperity_properties_from_pair(&p, sizeof p, NULL, &error), ASPERITY_NULL_ARGUMENT);
+   CHECK_CODE(asperity_properties_from_pair(&p, sizeof p, "", &error), ASPERITY_BAD_INPUT);
+   CHECK_CODE(asperity_properties_from_pair(&p, sizeof p, "radial-radial", &error),
+              ASPERITY_BAD_INPUT);
+   CHECK_MESSAGE("pair = 'radial-radial' is unknown; known pairs: transverse-tangential, ");
+   CHECK_CODE(asperity_properties_from_pair(&p, sizeof p, long_name, &error), ASPERITY_BAD_INPUT);
+   CHECK_MESSAGE("is unknown");
    CHECK(p.eta == -1.0);
    /* a struct that was never filled says so */
    p = wood(0);

@@ -54,6 +54,18 @@ static void properties(void)
    CHECK(g.p.accept_unphysical == 1 && g.p.compiled == 1);
    CHECK_CODE(asperity_law_free(&law, &error), ASPERITY_OK);
 
+   /* a pair of the paper, each value in its own member, and the defaults */
+   CHECK_CODE(asperity_properties_from_pair(&g.p, sizeof g.p, "transverse-tangential", &error),
+              ASPERITY_OK);
+   CHECK(g.before == 1.25 && g.after == 2.5);
+   p = wood(0);
+   CHECK(memcmp(&g.p, &p, sizeof p) == 0);
+   CHECK_CODE(asperity_properties_from_pair(&p, sizeof p, "tangential-tangential", &error),
+              ASPERITY_OK);
+   CHECK(p.eta == 134.0 && p.modulus == 263.0 && p.radius == 0.1142 && p.hardness == 12.14);
+   CHECK(p.yield_factor == 0.4 && p.sigma == 0.0416 && p.friction_coefficient == 0.5);
+   CHECK(p.critical_slip == 0.31 && p.initial_separation == ASPERITY_FOUR_SIGMA);
+
    law = wood_law(0);
    CHECK_CODE(asperity_law_properties(law, &p, sizeof p, &error), ASPERITY_OK);
    CHECK(p.initial_separation == 4.0 * 0.0593 && p.compiled == 0);
