@@ -11,7 +11,8 @@ module asperity
    use asperity_contact_state, only: contact_response, contact_state, no_opposite_surface, &
       no_rotation, no_surface_limit, status_open, status_slip, status_stick, status_text, &
       status_unset
-   use asperity_law_compiled_law, only: compiled_law, evaluate_compiled_law, new_compiled_law
+   use asperity_law_compile_law, only: new_compiled_law
+   use asperity_law_compiled_law, only: compiled_law, evaluate_compiled_law
    use asperity_law_normal_inverse, only: separation_for_pressure
    use asperity_law_normal_law, only: evaluate_normal_law, normal_response
    use asperity_law_normal_properties, only: equivalent_modulus, new_normal_properties, &

@@ -5,7 +5,8 @@ module asperity_contact_properties
    use asperity_base_error, only: error_type, fatal_error
    use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
-   use asperity_law_compiled_law, only: compiled_law, new_compiled_law
+   use asperity_law_compile_law, only: new_compiled_law
+   use asperity_law_compiled_law, only: compiled_law
    use asperity_law_normal_law, only: vanishing_separation
    use asperity_law_normal_properties, only: new_normal_properties, normal_properties
    use asperity_law_plausibility, only: check_plausible_length, length_max

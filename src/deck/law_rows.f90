@@ -13,7 +13,8 @@ module asperity_deck_law_rows
    use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
    use asperity_contact_properties, only: contact_properties
-   use asperity_law_compiled_law, only: compiled_law, evaluate_compiled_law, new_compiled_law
+   use asperity_law_compile_law, only: new_compiled_law
+   use asperity_law_compiled_law, only: compiled_law, evaluate_compiled_law
    use asperity_law_normal_inverse, only: separation_for_pressure
    use asperity_law_normal_law, only: evaluate_normal_law, normal_response
    use asperity_law_normal_properties, only: normal_properties

@@ -1,49 +1,49 @@
 !> The normal law compiled to polynomials of degree seven on fixed intervals of h = d/sigma, for
-!> very many evaluations: within 1e-10 of the direct evaluation. Built once from the properties,
-!> then read only, so that threads share it.
+!> very many evaluations: within 1e-10 of the direct evaluation. Built once from the properties by
+!> `asperity_law_compile_law`, then read only, so that threads share it.
 !>
 !> Up to h = 8 the polynomials are of pressure, area and energy themselves; beyond, of the same over
 !> exp(-h^2/2). Values and slopes are exact at four points of an interval, its ends among them. The
 !> stiffness is the derivative of the polynomial of the pressure. Outside -8 <= h < 38 the law is
 !> evaluated directly, and beyond 39 it is zero.
 module asperity_law_compiled_law
-   use asperity_base_error, only: error_type, fatal_error
    use asperity_base_kinds, only: wp
    use asperity_law_gaussian_tail, only: tail_moments
-   use asperity_law_hermite_polynomial, only: degree, hermite_points, hermite_polynomial
-   use asperity_law_normal_law, only: evaluate_normal_law, evaluate_scaled_law, normal_response, &
-      vanishing_separation
+   use asperity_law_hermite_polynomial, only: degree
+   use asperity_law_normal_law, only: evaluate_normal_law, normal_response, vanishing_separation
    use asperity_law_normal_properties, only: normal_properties
    use asperity_law_validity, only: area_above_nominal, closure_above_half_radius, &
       pressure_above_hardness
    implicit none
    private
-   public :: compiled_law, new_compiled_law, evaluate_compiled_law
+   public :: compiled_law, evaluate_compiled_law, place_interval
 
    !> Ends of the three ranges of h, and intervals per unit of h in each
-   real(wp), parameter :: first = -8.0_wp, second = 2.0_wp, third = 8.0_wp, last = 38.0_wp
+   real(wp), parameter, public :: first = -8.0_wp, last = 38.0_wp
+   real(wp), parameter :: second = 2.0_wp, third = 8.0_wp
    integer, parameter :: coarse = 5, fine = 21
    real(wp), parameter :: far = 1.5_wp
    !> Number of intervals: in the first two ranges, and in all
-   integer, parameter :: n_near = nint((second - first)*coarse + (third - second)*fine)
-   integer, parameter :: n_all = n_near + nint((last - third)*far)
+   integer, parameter, public :: n_near = nint((second - first)*coarse + (third - second)*fine)
+   integer, parameter, public :: n_all = n_near + nint((last - third)*far)
    !> Points of a batch that are worked on at a time
    integer, parameter :: chunk = 64
    !> Stand for the column of an h without a polynomial: evaluated directly, or zero
    integer, parameter :: outside = 0, beyond = -1
 
-   !> The law of one pair of faces, compiled. Build it with `new_compiled_law`; read only after.
+   !> The law of one pair of faces, compiled. Build it with `new_compiled_law`; read only after: all
+   !> but the properties is for the evaluation.
    type :: compiled_law
       !> What it was compiled from
       type(normal_properties) :: properties
       !> 1/sigma
-      real(wp), private :: inverse_sigma
+      real(wp) :: inverse_sigma
       !> Separations over sigma below which a limit of the law is passed: nominal area, hardness,
       !> half the radius
-      real(wp), private :: limits(3)
+      real(wp) :: limits(3)
       !> Polynomials, one column an interval: powers 0 to 7, and the middle of the interval
-      real(wp), private :: pressure(0:degree + 1, n_all)
-      real(wp), private :: area_fraction(0:degree, n_all), energy(0:degree, n_all)
+      real(wp) :: pressure(0:degree + 1, n_all)
+      real(wp) :: area_fraction(0:degree, n_all), energy(0:degree, n_all)
    end type compiled_law
 
    !> Pressure and stiffness at one separation, or at many in one call; at one also the rest.
@@ -53,114 +53,6 @@ module asperity_law_compiled_law
    end interface evaluate_compiled_law
 
 contains
-
-   !> Compile the law. `error` is set when the properties were never built.
-   pure subroutine new_compiled_law(law, properties, error)
-      !> Result
-      type(compiled_law), intent(out) :: law
-      !> Checked properties
-      type(normal_properties), intent(in) :: properties
-      !> Set when the properties were never built
-      type(error_type), allocatable, intent(out) :: error
-      real(wp), dimension(4, 3) :: values, slopes
-      real(wp) :: middle, half_width
-      integer :: i, j
-
-      if (.not. properties%sigma > 0.0_wp) then
-         call fatal_error(error, 'the properties of the normal law are not set: build them '// &
-            'with new_normal_properties')
-         return
-      end if
-      law%properties = properties
-      law%inverse_sigma = 1.0_wp/properties%sigma
-      do i = 1, n_all
-         call place_interval(i, middle, half_width)
-         if (i == 1 .or. i == n_near + 1) then
-            call sample(properties, middle - half_width, i > n_near, values(1, :), slopes(1, :))
-         else
-            values(1, :) = values(4, :)
-            slopes(1, :) = slopes(4, :)
-         end if
-         do j = 2, 4
-            call sample(properties, middle + half_width*hermite_points(j), i > n_near, &
-               values(j, :), slopes(j, :))
-         end do
-         law%pressure(:degree, i) = hermite_polynomial(values(:, 1), slopes(:, 1), half_width)
-         law%pressure(degree + 1, i) = middle
-         law%area_fraction(:, i) = hermite_polynomial(values(:, 2), slopes(:, 2), half_width)
-         law%energy(:, i) = hermite_polynomial(values(:, 3), slopes(:, 3), half_width)
-      end do
-      call find_limits(law)
-   end subroutine new_compiled_law
-
-   !> Middle and half width of an interval of h.
-   pure subroutine place_interval(i, middle, half_width)
-      integer, intent(in) :: i
-      real(wp), intent(out) :: middle, half_width
-      integer, parameter :: n_first = nint((second - first)*coarse)
-
-      if (i <= n_first) then
-         half_width = 0.5_wp/coarse
-         middle = first + half_width*(2*i - 1)
-      else if (i <= n_near) then
-         half_width = 0.5_wp/fine
-         middle = second + half_width*(2*(i - n_first) - 1)
-      else
-         half_width = 0.5_wp/far
-         middle = third + half_width*(2*(i - n_near) - 1)
-      end if
-   end subroutine place_interval
-
-   !> Pressure, area fraction and energy, and their derivatives by h; over exp(-h^2/2) if `scaled`.
-   pure subroutine sample(properties, h, scaled, values, slopes)
-      type(normal_properties), intent(in) :: properties
-      real(wp), intent(in) :: h
-      logical, intent(in) :: scaled
-      real(wp), intent(out) :: values(:), slopes(:)
-      type(normal_response) :: r
-      real(wp) :: area_stiffness, decay
-
-      call evaluate_scaled_law(properties, h*properties%sigma, r, area_stiffness)
-      values = [r%pressure, r%area_fraction, r%energy]
-      slopes = -properties%sigma*[r%stiffness, area_stiffness, r%pressure]
-      if (scaled) then
-         slopes = slopes + h*values
-      else
-         decay = exp(-0.5_wp*max(h, 0.0_wp)**2)
-         values = values*decay
-         slopes = slopes*decay
-      end if
-   end subroutine sample
-
-   !> Find where the law's limits are passed, by bisection. What lies outside the polynomials is
-   !> evaluated, and judged, directly.
-   pure subroutine find_limits(law)
-      type(compiled_law), intent(inout) :: law
-      real(wp) :: near, distant, h, pressure, stiffness, area_fraction, moments(0:2)
-      logical :: passed
-      integer :: i
-
-      do i = 1, 3
-         near = first
-         distant = last
-         do while (distant - near > epsilon(h)*max(1.0_wp, abs(near)))
-            h = 0.5_wp*(near + distant)
-            if (i < 3) then
-               call evaluate_point(law, h*law%properties%sigma, pressure, stiffness, area_fraction)
-               passed = merge(area_fraction > 1.0_wp, pressure > law%properties%hardness, i == 1)
-            else
-               moments = tail_moments(h)
-               passed = law%properties%sigma*moments(1) > 0.5_wp*law%properties%radius*moments(0)
-            end if
-            if (passed) then
-               near = h
-            else
-               distant = h
-            end if
-         end do
-         law%limits(i) = distant
-      end do
-   end subroutine find_limits
 
    !> At one separation. The error against the direct evaluation is below 1e-10 for |h| <= 8 and
    !> below 1e-9 beyond, relative, in every quantity.
@@ -343,6 +235,26 @@ contains
          column_at = merge(beyond, outside, separation > vanishing_separation*law%properties%sigma)
       end if
    end function column_at
+
+   !> Middle and half width of an interval of h.
+   pure subroutine place_interval(i, middle, half_width)
+      !> Its number, 1 to `n_all`
+      integer, intent(in) :: i
+      !> Both of h
+      real(wp), intent(out) :: middle, half_width
+      integer, parameter :: n_first = nint((second - first)*coarse)
+
+      if (i <= n_first) then
+         half_width = 0.5_wp/coarse
+         middle = first + half_width*(2*i - 1)
+      else if (i <= n_near) then
+         half_width = 0.5_wp/fine
+         middle = second + half_width*(2*(i - n_first) - 1)
+      else
+         half_width = 0.5_wp/far
+         middle = third + half_width*(2*(i - n_near) - 1)
+      end if
+   end subroutine place_interval
 
    !> Number of intervals that lie below h, with a fraction.
    pure real(wp) function intervals_below(h)

@@ -7,7 +7,8 @@ module asperity_replay_tenon_contact_rough
    use asperity_base_number_text, only: to_text
    use asperity_contact_point, only: update_contact_point
    use asperity_contact_state, only: contact_response, no_rotation
-   use asperity_law_compiled_law, only: evaluate_compiled_law, new_compiled_law
+   use asperity_law_compile_law, only: new_compiled_law
+   use asperity_law_compiled_law, only: evaluate_compiled_law
    use asperity_law_normal_inverse, only: separation_for_pressure
    use asperity_replay_tenon_contact_interface_law, only: interface_law
    use asperity_replay_tenon_contact_overclosure_search, only: improve_overclosure, &

@@ -1,0 +1,109 @@
+!> Compiles the normal law: values and slopes of the direct evaluation at four points of each
+!> interval become the polynomials of `asperity_law_compiled_law`.
+module asperity_law_compile_law
+   use asperity_base_error, only: error_type, fatal_error
+   use asperity_base_kinds, only: wp
+   use asperity_law_compiled_law, only: compiled_law, evaluate_compiled_law, first, last, n_all, &
+      n_near, place_interval
+   use asperity_law_gaussian_tail, only: tail_moments
+   use asperity_law_hermite_polynomial, only: degree, hermite_points, hermite_polynomial
+   use asperity_law_normal_law, only: evaluate_scaled_law, normal_response
+   use asperity_law_normal_properties, only: normal_properties
+   implicit none
+   private
+   public :: new_compiled_law
+
+contains
+
+   !> Compile the law. `error` is set when the properties were never built.
+   pure subroutine new_compiled_law(law, properties, error)
+      !> Result
+      type(compiled_law), intent(out) :: law
+      !> Checked properties
+      type(normal_properties), intent(in) :: properties
+      !> Set when the properties were never built
+      type(error_type), allocatable, intent(out) :: error
+      real(wp), dimension(4, 3) :: values, slopes
+      real(wp) :: middle, half_width
+      integer :: i, j
+
+      if (.not. properties%sigma > 0.0_wp) then
+         call fatal_error(error, 'the properties of the normal law are not set: build them '// &
+            'with new_normal_properties')
+         return
+      end if
+      law%properties = properties
+      law%inverse_sigma = 1.0_wp/properties%sigma
+      do i = 1, n_all
+         call place_interval(i, middle, half_width)
+         if (i == 1 .or. i == n_near + 1) then
+            call sample(properties, middle - half_width, i > n_near, values(1, :), slopes(1, :))
+         else
+            values(1, :) = values(4, :)
+            slopes(1, :) = slopes(4, :)
+         end if
+         do j = 2, 4
+            call sample(properties, middle + half_width*hermite_points(j), i > n_near, &
+               values(j, :), slopes(j, :))
+         end do
+         law%pressure(:degree, i) = hermite_polynomial(values(:, 1), slopes(:, 1), half_width)
+         law%pressure(degree + 1, i) = middle
+         law%area_fraction(:, i) = hermite_polynomial(values(:, 2), slopes(:, 2), half_width)
+         law%energy(:, i) = hermite_polynomial(values(:, 3), slopes(:, 3), half_width)
+      end do
+      call find_limits(law)
+   end subroutine new_compiled_law
+
+   !> Pressure, area fraction and energy, and their derivatives by h; over exp(-h^2/2) if `scaled`.
+   pure subroutine sample(properties, h, scaled, values, slopes)
+      type(normal_properties), intent(in) :: properties
+      real(wp), intent(in) :: h
+      logical, intent(in) :: scaled
+      real(wp), intent(out) :: values(:), slopes(:)
+      type(normal_response) :: r
+      real(wp) :: area_stiffness, decay
+
+      call evaluate_scaled_law(properties, h*properties%sigma, r, area_stiffness)
+      values = [r%pressure, r%area_fraction, r%energy]
+      slopes = -properties%sigma*[r%stiffness, area_stiffness, r%pressure]
+      if (scaled) then
+         slopes = slopes + h*values
+      else
+         decay = exp(-0.5_wp*max(h, 0.0_wp)**2)
+         values = values*decay
+         slopes = slopes*decay
+      end if
+   end subroutine sample
+
+   !> Find where the law's limits are passed, by bisection. What lies outside the polynomials is
+   !> evaluated, and judged, directly.
+   pure subroutine find_limits(law)
+      type(compiled_law), intent(inout) :: law
+      real(wp) :: near, distant, h, pressure, stiffness, area_fraction, moments(0:2)
+      logical :: passed
+      integer :: i
+
+      do i = 1, 3
+         near = first
+         distant = last
+         do while (distant - near > epsilon(h)*max(1.0_wp, abs(near)))
+            h = 0.5_wp*(near + distant)
+            if (i < 3) then
+               call evaluate_compiled_law(law, h*law%properties%sigma, pressure, stiffness, &
+                  area_fraction)
+               passed = merge(area_fraction > 1.0_wp, pressure > law%properties%hardness, i == 1)
+            else
+               moments = tail_moments(h)
+               passed = law%properties%sigma*moments(1) > 0.5_wp*law%properties%radius*moments(0)
+            end if
+            if (passed) then
+               near = h
+            else
+               distant = h
+            end if
+         end do
+         law%limits(i) = distant
+      end do
+   end subroutine find_limits
+
+end module asperity_law_compile_law
