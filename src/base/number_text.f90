@@ -3,6 +3,7 @@
 !> Character results have explicit lengths: gfortran keeps the length of a deferred-length result
 !> in static storage, which two threads that warn at once would share.
 module asperity_base_number_text
+   use, intrinsic :: iso_fortran_env, only: int64
    use asperity_base_finite, only: is_finite, is_nan
    use asperity_base_kinds, only: wp
    implicit none
@@ -14,6 +15,7 @@ module asperity_base_number_text
    !> there is none.
    interface to_text
       module procedure :: integer_to_text
+      module procedure :: large_integer_to_text
       module procedure :: real_to_text
       module procedure :: figures_to_text
    end interface to_text
@@ -25,7 +27,7 @@ module asperity_base_number_text
 contains
 
    pure integer function integer_length(value)
-      integer, intent(in) :: value
+      integer(int64), intent(in) :: value
       character(len=buffer_length) :: buffer
 
       write (buffer, '(i0)') value
@@ -45,10 +47,19 @@ contains
    pure function integer_to_text(value) result(text)
       !> The number
       integer, intent(in) :: value
-      character(len=integer_length(value)) :: text
+      character(len=integer_length(1_int64*value)) :: text
 
       write (text, '(i0)') value
    end function integer_to_text
+
+   !> Decimal text of a large integer.
+   pure function large_integer_to_text(value) result(text)
+      !> The number
+      integer(int64), intent(in) :: value
+      character(len=integer_length(value)) :: text
+
+      write (text, '(i0)') value
+   end function large_integer_to_text
 
    !> Shortest text of a real that reads back as the same bits.
    pure function real_to_text(value) result(text)

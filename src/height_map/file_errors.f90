@@ -6,31 +6,13 @@ module asperity_height_map_file_errors
    use asperity_height_map_bytes_byte_source, only: byte_source
    implicit none
    private
-   public :: byte_error, count_text, excerpt, fits_memory, line_error, line_text, map_error, &
+   public :: byte_error, excerpt, fits_memory, line_error, line_text, map_error, &
       plain_excerpt
 
    !> Characters of a file that a message shows
    integer, parameter :: shown = 40
-   integer, parameter :: count_length = 20
 
 contains
-
-   pure integer function length_of(count)
-      integer(int64), intent(in) :: count
-      character(len=count_length) :: buffer
-
-      write (buffer, '(i0)') count
-      length_of = len_trim(buffer)
-   end function length_of
-
-   !> Decimal text of a large integer.
-   pure function count_text(count) result(text)
-      !> The number
-      integer(int64), intent(in) :: count
-      character(len=length_of(count)) :: text
-
-      write (text, '(i0)') count
-   end function count_text
 
    !> Set `error` to a fault of the file as a whole.
    pure subroutine map_error(error, source, message)
@@ -55,8 +37,8 @@ contains
       !> What is wrong, what is allowed and what to do
       character(len=*), intent(in) :: message
 
-      call fatal_error(error, source%name//':'//count_text(source%line)//':'// &
-         count_text(int(max(at - source%first + 1, 1), int64))//': '//message)
+      call fatal_error(error, source%name//':'//to_text(source%line)//':'// &
+         to_text(int(max(at - source%first + 1, 1), int64))//': '//message)
    end subroutine line_error
 
    !> Set `error` to a fault at a byte.
@@ -70,7 +52,7 @@ contains
       !> What is wrong, what is allowed and what to do
       character(len=*), intent(in) :: message
 
-      call fatal_error(error, source%name//': byte '//count_text(offset)//': '//message)
+      call fatal_error(error, source%name//': byte '//to_text(offset)//': '//message)
    end subroutine byte_error
 
    !> The current line, at most so many characters of it.
@@ -153,14 +135,14 @@ contains
       integer(int64), parameter :: largest = huge(1)
 
       if (nx < 1_int64 .or. ny < 1_int64) then
-         call byte_error(error, source, offset, 'the header promises '//count_text(nx)//' x '// &
-            count_text(ny)//' points: both must be above 0')
+         call byte_error(error, source, offset, 'the header promises '//to_text(nx)//' x '// &
+            to_text(ny)//' points: both must be above 0')
       else if (nx > largest .or. ny > largest .or. nx > largest/ny) then
-         call byte_error(error, source, offset, 'the header promises '//count_text(nx)//' x '// &
-            count_text(ny)//' points: at most '//to_text(huge(1))//' points are read: cut the map')
+         call byte_error(error, source, offset, 'the header promises '//to_text(nx)//' x '// &
+            to_text(ny)//' points: at most '//to_text(huge(1))//' points are read: cut the map')
       else if (nx*ny > most) then
-         call byte_error(error, source, offset, 'the header promises '//count_text(nx)//' x '// &
-            count_text(ny)//' points, the file has room for '//count_text(max(most, 0_int64))// &
+         call byte_error(error, source, offset, 'the header promises '//to_text(nx)//' x '// &
+            to_text(ny)//' points, the file has room for '//to_text(max(most, 0_int64))// &
             ' at most: it was cut off, or the header is wrong')
       end if
    end subroutine fits_memory

@@ -4,9 +4,10 @@ module asperity_height_map_read
    use, intrinsic :: iso_fortran_env, only: int64
    use asperity_base_error, only: error_type
    use asperity_base_kinds, only: wp
+   use asperity_base_number_text, only: to_text
    use asperity_height_map_bytes_byte_source, only: byte_source, close_source, open_source, &
       progress_report, read_at, start_lines, use_bytes
-   use asperity_height_map_file_errors, only: count_text, map_error
+   use asperity_height_map_file_errors, only: map_error
    use asperity_height_map_marker, only: note_marker
    use asperity_height_map_sdf_read, only: read_binary_sdf, read_text_sdf
    use asperity_height_map_sur_read, only: read_sur
@@ -205,7 +206,7 @@ contains
          if (has_points) return
          if (header%fields == 2_int64 .or. (header%fields == 3_int64 .and. fits .and. &
             names%places(3) > 0 .and. count(names%places(:2) > 0) == 1)) then
-            call map_error(error, source, 'has '//count_text(header%fields)//' columns, '// &
+            call map_error(error, source, 'has '//to_text(header%fields)//' columns, '// &
                'but not x, y and z: this is a profile, and profiles are not read; surface '// &
                'takes maps, such as parallel profiles, a line each, with the steps both ways '// &
                'in --step')

@@ -1,16 +1,21 @@
 !> A height map: heights of one face on a regular grid, some of which may be missing.
 module asperity_height_map_type
+   use, intrinsic :: iso_fortran_env, only: int64
    use asperity_base_error, only: error_type, fatal_error
    use asperity_base_finite, only: is_finite
    use asperity_base_kinds, only: wp
+   use asperity_base_memory, only: check_memory, check_room
    use asperity_base_no_value, only: none
    use asperity_base_number_text, only: to_text
    implicit none
    private
-   public :: add_note, check_height_map, height_map, missing_points
+   public :: add_note, allocate_heights, check_height_map, height_map, missing_points, thinned
 
    !> Fewest points along either side of a map
    integer, parameter, public :: fewest_points = 5
+
+   !> Points of a map from which there may be too little memory for what is small beside it
+   integer(int64), parameter :: worth_a_look = 2_int64**17
 
    !> End of a note
    character(len=1), parameter, public :: note_end = achar(10)
@@ -32,6 +37,26 @@ module asperity_height_map_type
 
 contains
 
+   !> Allocate the heights of a map of nx x ny points, whose product is a default integer.
+   pure subroutine allocate_heights(name, nx, ny, map, error)
+      !> Name of the file
+      character(len=*), intent(in) :: name
+      !> Points along x and y
+      integer(int64), intent(in) :: nx, ny
+      !> The map
+      type(height_map), intent(inout) :: map
+      !> Set when it is too narrow, or there is not enough memory
+      type(error_type), allocatable, intent(out) :: error
+      integer :: status
+
+      call check_size(name, nx, ny, error)
+      if (allocated(error)) return
+      allocate (map%heights(nx, ny), stat=status)
+      call check_memory(status, name, 8_int64*nx*ny, error)
+      ! a line of bytes is read at a time; small maps are not worth the look
+      if (nx*ny > worth_a_look) call check_room(name, 8_int64*nx, error)
+   end subroutine allocate_heights
+
    !> Add a note on where the heights come from.
    pure subroutine add_note(map, text)
       !> The map
@@ -52,14 +77,8 @@ contains
       type(error_type), allocatable, intent(out) :: error
       integer :: i, j
 
-      associate (nx => size(map%heights, 1), ny => size(map%heights, 2))
-         if (min(nx, ny) < fewest_points) then
-            call fatal_error(error, map%source//': '//to_text(nx)//' x '//to_text(ny)// &
-               ' points are no map: at least '//to_text(fewest_points)//' are needed either way')
-            return
-         end if
-      end associate
-      call check_step(map, 'x', map%step_x, error)
+      call check_size(map%source, size(map%heights, 1, int64), size(map%heights, 2, int64), error)
+      if (.not. allocated(error)) call check_step(map, 'x', map%step_x, error)
       if (.not. allocated(error)) call check_step(map, 'y', map%step_y, error)
       if (allocated(error)) return
       do j = 1, size(map%heights, 2)
@@ -73,6 +92,17 @@ contains
       if (missing_points(map) == size(map%heights)) call fatal_error(error, map%source// &
          ': every point is missing')
    end subroutine check_height_map
+
+   !> Set `error` when there are too few points along a side.
+   pure subroutine check_size(name, nx, ny, error)
+      character(len=*), intent(in) :: name
+      integer(int64), intent(in) :: nx, ny
+      type(error_type), allocatable, intent(out) :: error
+
+      if (min(nx, ny) < fewest_points) call fatal_error(error, name//': '//to_text(nx)//' x '// &
+         to_text(ny)//' points are no map: at least '//to_text(fewest_points)// &
+         ' are needed either way')
+   end subroutine check_size
 
    !> Set `error` unless a step is positive and finite.
    pure subroutine check_step(map, axis, step, error)
@@ -95,5 +125,30 @@ contains
 
       missing_points = count(map%heights >= none)
    end function missing_points
+
+   !> Every so-manieth point of a map either way, from its first on; nothing is averaged, as a
+   !> coarser measurement would not.
+   pure subroutine thinned(map, every, thin)
+      !> The map
+      type(height_map), intent(in) :: map
+      !> Take each of these: 2 for every second; at least 1
+      integer, intent(in) :: every
+      !> The thinned map
+      type(height_map), intent(out) :: thin
+      integer :: i, j, stride
+
+      stride = max(every, 1)
+      allocate (thin%heights((size(map%heights, 1) - 1)/stride + 1, &
+         (size(map%heights, 2) - 1)/stride + 1))
+      do j = 1, size(thin%heights, 2)
+         do i = 1, size(thin%heights, 1)
+            thin%heights(i, j) = map%heights((i - 1)*stride + 1, (j - 1)*stride + 1)
+         end do
+      end do
+      thin%step_x = stride*map%step_x
+      thin%step_y = stride*map%step_y
+      if (allocated(map%source)) thin%source = map%source
+      if (allocated(map%format)) thin%format = map%format
+   end subroutine thinned
 
 end module asperity_height_map_type

@@ -6,13 +6,13 @@ module asperity_surface_analysis
    use asperity_base_memory, only: check_room
    use asperity_base_no_value, only: is_none, none
    use asperity_base_number_text, only: to_text
-   use asperity_height_map_type, only: check_height_map, fewest_points, height_map, missing_points
+   use asperity_height_map_type, only: check_height_map, fewest_points, height_map, &
+      missing_points, thinned
    use asperity_surface_parameters_from_sums, only: parameters_of
    use asperity_surface_parameters_parameters, only: n_parameters
    use asperity_surface_parameters_sum_tiles, only: sum_map
    use asperity_surface_parameters_tile_sums, only: summed, surface_sums_type
    use asperity_surface_parameters_uncertainty, only: uncertainties
-   use asperity_surface_prepare_every_nth, only: thinned
    use asperity_surface_prepare_fill_holes, only: fill_missing, missing_share
    use asperity_surface_prepare_gaussian_filter, only: filter_long, filter_short
    use asperity_surface_prepare_level, only: level_plane, remove_form

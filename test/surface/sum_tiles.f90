@@ -5,10 +5,9 @@ module test_surface_sum_tiles
    use asperity_base_kinds, only: wp
    use asperity_base_no_value, only: none
    use asperity_base_number_text, only: to_text
-   use asperity_height_map_type, only: height_map
+   use asperity_height_map_type, only: height_map, thinned
    use asperity_surface_parameters_sum_tiles, only: sum_map
    use asperity_surface_parameters_tile_sums, only: summed, surface_sums_type
-   use asperity_surface_prepare_every_nth, only: thinned
    use asperity_surface_summits_find, only: find_summits, summit_set
    use extremes, only: largest_of
    use funit, only: assertEqual, assertFalse, assertLessThan, assertRelativelyEqual, assertTrue, &

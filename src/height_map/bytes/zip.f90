@@ -4,8 +4,9 @@ module asperity_height_map_bytes_zip
       c_int64_t, c_null_char, c_null_ptr, c_ptr
    use, intrinsic :: iso_fortran_env, only: int64
    use asperity_base_error, only: error_type
+   use asperity_base_number_text, only: to_text
    use asperity_height_map_bytes_byte_source, only: byte_source
-   use asperity_height_map_file_errors, only: count_text, map_error
+   use asperity_height_map_file_errors, only: map_error
    implicit none
    private
    public :: close_member, close_zip, find_member, handle_of, open_member, open_zip, read_handle, &
@@ -221,7 +222,7 @@ contains
       done = c_zip_fread(member%handle, to, count)
       if (done < 0_int64) then
          done = 0_int64
-         call map_error(error, source, member%name//': byte '//count_text(member%done)// &
+         call map_error(error, source, member%name//': byte '//to_text(member%done)// &
             ': the packed bytes are damaged: get the file once more')
       end if
       member%done = member%done + done

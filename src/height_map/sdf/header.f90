@@ -63,7 +63,7 @@ contains
       header%data_offset = header%sizes_offset + merge(8_int64, 4_int64, is_second) + scales_length
       if (source%size < header%data_offset) then
          call byte_error(error, source, source%size, 'the file ends within its header of '// &
-            to_text(int(header%data_offset))//' bytes: it was cut off')
+            to_text(header%data_offset)//' bytes: it was cut off')
          return
       end if
       call read_numbers(source, header%sizes_offset, kind, sizes, error)

@@ -6,17 +6,17 @@ module asperity_height_map_sdf_read
    use asperity_base_error, only: error_type
    use asperity_base_kinds, only: wp
    use asperity_base_no_value, only: none
-   use asperity_height_map_allocate_map, only: allocate_heights
+   use asperity_base_number_text, only: to_text
    use asperity_height_map_bytes_byte_source, only: byte_source, next_line, read_at, start_lines
    use asperity_height_map_decode_heights, only: byte_buffer, bytes_of, decode, float64, &
       height_message, scale_heights
-   use asperity_height_map_file_errors, only: byte_error, count_text, fits_memory, line_error
+   use asperity_height_map_file_errors, only: byte_error, fits_memory, line_error
    use asperity_height_map_sdf_header, only: check_sdf_header, drop_markers, read_binary_header, &
       sdf_header
    use asperity_height_map_sdf_text_header, only: read_text_header
    use asperity_height_map_text_fields, only: field_error, field_missing, field_too_large, &
       read_field, skip_field
-   use asperity_height_map_type, only: height_map
+   use asperity_height_map_type, only: allocate_heights, height_map
    use asperity_height_map_units, only: map_hints
    implicit none
    private
@@ -52,7 +52,7 @@ contains
       if (allocated(error)) return
       call check_trailer(source, header%data_offset + header%nx*header%ny*width, error)
       if (allocated(error)) return
-      call allocate_heights(source, header%nx, header%ny, map, error)
+      call allocate_heights(source%name, header%nx, header%ny, map, error)
       if (allocated(error)) return
       allocate (buffer%bytes(header%nx*width))
       offset = header%data_offset
@@ -104,7 +104,7 @@ contains
       do i = 1, int(n)
          select case (bytes(i))
          case (1:8, 11:12, 14:25, 27:31, 127)
-            call byte_error(error, source, offset, count_text(source%size - offset)//' bytes '// &
+            call byte_error(error, source, offset, to_text(source%size - offset)//' bytes '// &
                'follow the points that the header promises, and are no text: the header is wrong')
             return
          case default
@@ -140,7 +140,7 @@ contains
          1_int64)/2, &
          header%sizes_offset, error)
       if (allocated(error)) return
-      call allocate_heights(source, header%nx, header%ny, map, error)
+      call allocate_heights(source%name, header%nx, header%ny, map, error)
       if (allocated(error)) return
       call read_points(source, header, factor, map, error)
    end subroutine read_text_sdf
@@ -184,7 +184,7 @@ contains
             end if
             if (j > size(map%heights, 2)) then
                call line_error(error, source, before, 'more numbers than the '// &
-                  count_text(header%nx)//' x '//count_text(header%ny)//' that the header promises')
+                  to_text(header%nx)//' x '//to_text(header%ny)//' that the header promises')
                return
             end if
             call drop_markers(value, header%kind, header%is_bcr)
@@ -203,8 +203,8 @@ contains
          end do
       end do lines
       if (j <= size(map%heights, 2)) call line_error(error, source, source%first, 'the numbers '// &
-         'end after '//count_text((j - 1)*header%nx + i - 1)//', the header promises '// &
-         count_text(header%nx)//' x '//count_text(header%ny)//': the file was cut off, or the '// &
+         'end after '//to_text((j - 1)*header%nx + i - 1)//', the header promises '// &
+         to_text(header%nx)//' x '//to_text(header%ny)//': the file was cut off, or the '// &
          'header is wrong')
    end subroutine read_points
 

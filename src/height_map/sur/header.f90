@@ -17,7 +17,7 @@ module asperity_height_map_sur_header
    use asperity_height_map_bytes_byte_source, only: byte_source, read_at
    use asperity_height_map_decode_heights, only: byte_buffer, decode, float32, is_allowed_scale, &
       sint16, sint32, uint16, uint32
-   use asperity_height_map_file_errors, only: byte_error, count_text, plain_excerpt
+   use asperity_height_map_file_errors, only: byte_error, plain_excerpt
    use asperity_height_map_type, only: height_map
    use asperity_height_map_units, only: map_hints, plain_unit, settle_step, settle_unit
    implicit none
@@ -144,8 +144,8 @@ contains
             'save it as SDF or X3P')
       else if (header%nx < 1_int64 .or. header%ny < 1_int64 .or. &
          header%nx*header%ny /= header%points) then
-         call byte_error(error, source, 108_int64, 'the header promises '//count_text(header%nx)// &
-            ' x '//count_text(header%ny)//' points, and '//count_text(header%points)//' in all')
+         call byte_error(error, source, 108_int64, 'the header promises '//to_text(header%nx)// &
+            ' x '//to_text(header%ny)//' points, and '//to_text(header%points)//' in all')
       end if
       if (allocated(error)) return
       call check_lengths(source, header, hints, unit, error)

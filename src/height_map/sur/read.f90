@@ -9,15 +9,14 @@ module asperity_height_map_sur_read
    use asperity_base_kinds, only: wp
    use asperity_base_no_value, only: none
    use asperity_base_number_text, only: to_text
-   use asperity_height_map_allocate_map, only: allocate_heights
    use asperity_height_map_bytes_byte_source, only: byte_source, read_at
    use asperity_height_map_bytes_inflate, only: end_inflate, finish_inflate, inflate_bytes, &
       inflater, start_inflate
    use asperity_height_map_decode_heights, only: byte_buffer, bytes_of, decode, height_message, &
       scale_heights, sint16, sint32, uint32
-   use asperity_height_map_file_errors, only: byte_error, count_text, fits_memory
+   use asperity_height_map_file_errors, only: byte_error, fits_memory
    use asperity_height_map_sur_header, only: check_sur_header, read_sur_header, sur_header
-   use asperity_height_map_type, only: add_note, height_map
+   use asperity_height_map_type, only: add_note, allocate_heights, height_map
    use asperity_height_map_units, only: map_hints
    implicit none
    private
@@ -58,17 +57,17 @@ contains
          ' objects: the first is read.')
       call fits_memory(source, header%nx, header%ny, room, 108_int64, error)
       if (allocated(error)) return
-      call allocate_heights(source, header%nx, header%ny, map, error)
+      call allocate_heights(source%name, header%nx, header%ny, map, error)
       if (allocated(error)) return
       if (is_compressed) then
          call read_compressed(source, header, kind, factor, zero, map, error)
       else if (header%objects < 2 .and. room >= 2_int64*header%points) then
          call byte_error(error, source, header%data_offset + header%points*width, &
-            'as many points as the '//count_text(header%nx)//' x '//count_text(header%ny)// &
+            'as many points as the '//to_text(header%nx)//' x '//to_text(header%ny)// &
             ' that the header promises, or more, follow them: the header is wrong')
       else
          if (header%objects < 2 .and. room > header%points) call add_note(map, &
-            count_text(source%size - header%data_offset - header%points*width)// &
+            to_text(source%size - header%data_offset - header%points*width)// &
             ' bytes follow the points and are left out.')
          call read_plain(source, header, kind, factor, zero, map, error)
       end if
@@ -136,7 +135,7 @@ contains
                packed = int(numbers(2), int64)
                if (packed > source%size - offset) then
                   call byte_error(error, source, offset, 'a compressed stream of '// &
-                     count_text(packed)//' bytes does not fit in the file: it was cut off')
+                     to_text(packed)//' bytes does not fit in the file: it was cut off')
                   exit rows
                end if
                call start_inflate(stream, offset, packed)
@@ -162,11 +161,11 @@ contains
       if (j < size(map%heights, 2)) then
          call byte_error(error, source, offset, 'the compressed heights end in line '// &
             to_text(j + &
-            1)//' of '//count_text(header%ny)//': the file was cut off, or the header '// &
+            1)//' of '//to_text(header%ny)//': the file was cut off, or the header '// &
             'is wrong')
       else if (unpacked > 0_int64 .or. i < streams) then
          call byte_error(error, source, offset, 'compressed heights follow the '// &
-            count_text(header%nx)//' x '//count_text(header%ny)//' that the header promises')
+            to_text(header%nx)//' x '//to_text(header%ny)//' that the header promises')
       end if
 
    contains

@@ -6,18 +6,17 @@ module asperity_height_map_text_matrix
    use asperity_base_kinds, only: wp
    use asperity_base_no_value, only: none
    use asperity_base_number_text, only: to_text
-   use asperity_height_map_allocate_map, only: allocate_heights
    use asperity_height_map_bytes_byte_source, only: byte_source, next_line
    use asperity_height_map_bytes_number_chunks, only: number_store
    use asperity_height_map_decode_heights, only: height_message, scale_heights
-   use asperity_height_map_file_errors, only: count_text, fits_memory, line_error
+   use asperity_height_map_file_errors, only: fits_memory, line_error
    use asperity_height_map_text_ending, only: check_text_end, line_type, line_blank, line_comment
    use asperity_height_map_text_fields, only: field_error, field_missing, field_number, &
       read_field, skip_field
    use asperity_height_map_text_frame, only: border_type, find_frame, frame_type
    use asperity_height_map_text_header, only: marks_missing, text_header
    use asperity_height_map_text_matrix_steps, only: check_size, check_units, settle_steps
-   use asperity_height_map_type, only: height_map
+   use asperity_height_map_type, only: allocate_heights, height_map
    use asperity_height_map_units, only: map_hints
    implicit none
    private
@@ -87,7 +86,7 @@ contains
       end do
       call settle_steps(source, header, hints, frame, points, map, error)
       if (allocated(error)) return
-      call allocate_heights(source, points(1), points(2), map, error)
+      call allocate_heights(source%name, points(1), points(2), map, error)
       if (allocated(error)) return
       call unload(matrix, header%is_esri, frame, map)
    end subroutine read_matrix
@@ -174,8 +173,8 @@ contains
                matrix%is_narrower = source%block(max(source%last, 1)) == header%separator
             if (n /= matrix%columns .or. matrix%store%count > huge(1)) then
                call line_error(error, source, source%first, &
-                  'row of '//count_text(n)//' fields, '// &
-                  'the first one has '//count_text(matrix%columns)// &
+                  'row of '//to_text(n)//' fields, '// &
+                  'the first one has '//to_text(matrix%columns)// &
                   ': all rows must have the same, at '// &
                   'most '//to_text(huge(1))//' in all; write NaN where a height is missing')
                return
@@ -191,8 +190,8 @@ contains
          ! whole rows, of another length than promised
          call check_size(source, header, 1, header%fields, error)
       else if (n > 0_int64) then
-         call line_error(error, source, source%first, 'the last row has '//count_text(n)// &
-            ' heights, the header promises '//count_text(matrix%columns)// &
+         call line_error(error, source, source%first, 'the last row has '//to_text(n)// &
+            ' heights, the header promises '//to_text(matrix%columns)// &
             ' columns: the file was cut off, or the header is wrong')
       end if
 

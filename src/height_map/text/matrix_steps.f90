@@ -6,7 +6,7 @@ module asperity_height_map_text_matrix_steps
    use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
    use asperity_height_map_bytes_byte_source, only: byte_source
-   use asperity_height_map_file_errors, only: count_text, line_error, map_error
+   use asperity_height_map_file_errors, only: line_error, map_error
    use asperity_height_map_text_frame, only: frame_type
    use asperity_height_map_text_header, only: text_header
    use asperity_height_map_type, only: add_note, height_map
@@ -34,8 +34,8 @@ contains
       type(error_type), allocatable, intent(out) :: error
 
       if (header%sizes(axis) == 0_int64 .or. header%sizes(axis) == found) return
-      call line_error(error, source, source%first, 'there are '//count_text(found)//' '// &
-         trim(columns_rows(axis))//', the header promises '//count_text(header%sizes(axis))// &
+      call line_error(error, source, source%first, 'there are '//to_text(found)//' '// &
+         trim(columns_rows(axis))//', the header promises '//to_text(header%sizes(axis))// &
          ': the file was cut off, or the header is wrong')
    end subroutine check_size
 
@@ -96,7 +96,7 @@ contains
             call map_error(error, source, trim(extents(3 - i))//' is the number of '// &
                trim(columns_rows(3 - i))//', but '//trim(extents(i))//' = '// &
                to_text(header%lengths(i))//' is not that of the '//trim(columns_rows(i))//', '// &
-               count_text(points(i))//': the file was cut off, or the header lacks units')
+               to_text(points(i))//': the file was cut off, or the header lacks units')
             return
          else if (header%lengths(i) > 0.0_wp) then
             call find_unit(source, header, hints, header%length_units(i), 'lengths', unit, error)

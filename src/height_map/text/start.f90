@@ -3,8 +3,9 @@ module asperity_height_map_text_start
    use, intrinsic :: iso_fortran_env, only: int64
    use asperity_base_error, only: error_type
    use asperity_base_kinds, only: wp
+   use asperity_base_number_text, only: to_text
    use asperity_height_map_bytes_byte_source, only: byte_source, next_line
-   use asperity_height_map_file_errors, only: count_text, line_error, line_text, map_error
+   use asperity_height_map_file_errors, only: line_error, line_text, map_error
    use asperity_height_map_text_ending, only: line_other, line_type
    use asperity_height_map_text_fields, only: choose_separator, field_error, field_missing, &
       field_number, field_text, read_field, skip_field
@@ -107,7 +108,7 @@ contains
          call count_fields(source, header, error)
          if (allocated(error)) return
          if (header%fields == 2_int64) cycle
-         call line_error(error, source, source%first, 'row of '//count_text(header%fields)// &
+         call line_error(error, source, source%first, 'row of '//to_text(header%fields)// &
             ' fields after one of 2: the header is of no format that is known')
          return
       end do

@@ -10,11 +10,10 @@ module asperity_height_map_text_xyz
    use asperity_base_memory, only: check_room
    use asperity_base_no_value, only: none
    use asperity_base_number_text, only: to_text
-   use asperity_height_map_allocate_map, only: allocate_heights
    use asperity_height_map_bytes_byte_source, only: byte_source, next_line
    use asperity_height_map_bytes_number_chunks, only: number_store
    use asperity_height_map_decode_heights, only: height_message, scale_heights
-   use asperity_height_map_file_errors, only: count_text, line_error, map_error
+   use asperity_height_map_file_errors, only: line_error, map_error
    use asperity_height_map_text_distinct_values, only: axis_type, most_coordinates, &
       number_of_coordinate
    use asperity_height_map_text_ending, only: check_text_end, line_blank, line_comment, line_type
@@ -22,7 +21,7 @@ module asperity_height_map_text_xyz
       read_field, skip_field
    use asperity_height_map_text_find_grid, only: find_grid
    use asperity_height_map_text_header, only: marks_missing, text_header
-   use asperity_height_map_type, only: height_map
+   use asperity_height_map_type, only: allocate_heights, height_map
    use asperity_height_map_units, only: map_hints, settle_step, settle_unit
    implicit none
    private
@@ -185,8 +184,8 @@ contains
       if (allocated(error)) return
       if (nx*ny > most_sparse*points) then
          call map_error(error, source, &
-            'the points are on no grid: '//count_text(points)//' points '// &
-            'on '//count_text(nx)//' x '//count_text(ny)//' lines, at least every '// &
+            'the points are on no grid: '//to_text(points)//' points '// &
+            'on '//to_text(nx)//' x '//to_text(ny)//' lines, at least every '// &
             to_text(int(most_sparse))//'th place must be taken: resample the map')
          return
       end if
@@ -194,7 +193,7 @@ contains
       if (allocated(error)) return
       call settle_step(source%name, 'y', steps(2)*unit, hints%step_y, map%step_y, error)
       if (allocated(error)) return
-      call allocate_heights(source, nx, ny, map, error)
+      call allocate_heights(source%name, nx, ny, map, error)
       if (allocated(error)) return
       map%heights = none
       call unload(source, store, axes, columns, rows, map, error)

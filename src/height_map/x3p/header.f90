@@ -11,7 +11,7 @@ module asperity_height_map_x3p_header
    use asperity_height_map_bytes_xml, only: close_xml, next_text, open_xml, xml_reader
    use asperity_height_map_bytes_zip, only: zip_member
    use asperity_height_map_decode_heights, only: float32, float64, is_allowed_scale, sint16, sint32
-   use asperity_height_map_file_errors, only: count_text, map_error
+   use asperity_height_map_file_errors, only: map_error
    use asperity_height_map_text_header_fields, only: number_in, plain_key
    use asperity_height_map_type, only: height_map
    use asperity_height_map_units, only: map_hints, settle_step, settle_unit
@@ -232,7 +232,7 @@ contains
       else if (header%points /= '' .and. scan(header%data_type(3), 'ILFD') == 0) then
          call map_error(error, source, 'main.xml: DataType of CZ must be I, L, F or D')
       else if (header%sizes(3) /= 1_int64) then
-         call map_error(error, source, 'main.xml: SizeZ is '//count_text(header%sizes(3))// &
+         call map_error(error, source, 'main.xml: SizeZ is '//to_text(header%sizes(3))// &
             ': only surfaces of one layer are read')
       end if
       if (allocated(error)) return

@@ -7,14 +7,14 @@ module asperity_height_map_x3p_read
    use asperity_base_error, only: error_type
    use asperity_base_kinds, only: wp
    use asperity_base_no_value, only: none
-   use asperity_height_map_allocate_map, only: allocate_heights
+   use asperity_base_number_text, only: to_text
    use asperity_height_map_bytes_byte_source, only: byte_source, memory_of, report_progress
    use asperity_height_map_bytes_zip, only: close_member, close_zip, find_member, open_member, &
       open_zip, read_member, zip_archive, zip_member
    use asperity_height_map_decode_heights, only: byte_buffer, bytes_of, decode, height_message, &
       scale_heights
-   use asperity_height_map_file_errors, only: count_text, fits_memory, map_error
-   use asperity_height_map_type, only: height_map
+   use asperity_height_map_file_errors, only: fits_memory, map_error
+   use asperity_height_map_type, only: allocate_heights, height_map
    use asperity_height_map_units, only: map_hints
    use asperity_height_map_x3p_header, only: check_x3p_header, read_x3p_header, x3p_header
    implicit none
@@ -59,7 +59,7 @@ contains
       if (allocated(error)) return
       if (member%size > some_xml + xml_ratio*source%size) then
          call map_error(error, source, &
-            'main.xml: '//count_text(member%size)//' bytes are packed '// &
+            'main.xml: '//to_text(member%size)//' bytes are packed '// &
             'in it, more than any surface needs: it is not unpacked')
          return
       end if
@@ -81,12 +81,12 @@ contains
       if (allocated(error)) return
       if (member%size /= header%sizes(1)*header%sizes(2)*bytes_of(kind)) then
          call map_error(error, source, &
-            member%name//': '//count_text(member%size)//' bytes, main.xml '// &
-            'promises '//count_text(header%sizes(1))//' x '//count_text(header%sizes(2))// &
-            ' points of '//count_text(bytes_of(kind))//' bytes')
+            member%name//': '//to_text(member%size)//' bytes, main.xml '// &
+            'promises '//to_text(header%sizes(1))//' x '//to_text(header%sizes(2))// &
+            ' points of '//to_text(bytes_of(kind))//' bytes')
          return
       end if
-      call allocate_heights(source, header%sizes(1), header%sizes(2), map, error)
+      call allocate_heights(source%name, header%sizes(1), header%sizes(2), map, error)
       if (allocated(error)) return
       call open_member(archive, source, member, error)
       if (.not. allocated(error)) call read_rows(source, member, kind, factor, zero, map, error)
@@ -137,7 +137,7 @@ contains
             call scale_heights(row, factor, zero, bad)
             if (bad > 0) then
                call height_message(row(bad), factor, message)
-               call map_error(error, source, member%name//': byte '//count_text(member%done - &
+               call map_error(error, source, member%name//': byte '//to_text(member%done - &
                   done + &
                   (bad - 1)*bytes_of(kind))//': '//message)
                return
@@ -149,7 +149,7 @@ contains
          done, error)
       if (allocated(error)) return
       if (j <= size(map%heights, 2) .or. done > 0_int64) call map_error(error, source, &
-         member%name//': byte '//count_text(member%done)//': the points do not end where the '// &
+         member%name//': byte '//to_text(member%done)//': the points do not end where the '// &
          'archive says: get the file once more')
    end subroutine read_rows
 
@@ -167,8 +167,8 @@ contains
       needed = (size(map%heights, kind=int64) + 7_int64)/8_int64
       if (member%size /= needed) then
          call map_error(error, source, &
-            member%name//': '//count_text(member%size)//' bytes, for '// &
-            count_text(size(map%heights, kind=int64))//' points there must be '//count_text(needed))
+            member%name//': '//to_text(member%size)//' bytes, for '// &
+            to_text(size(map%heights, kind=int64))//' points there must be '//to_text(needed))
          return
       end if
       done = 0_int64
@@ -186,8 +186,8 @@ contains
          end if
          if (mod(at, 8_int64*size(bytes))/8_int64 >= done) then
             call map_error(error, source, &
-               member%name//': ends at byte '//count_text(member%done)// &
-               ' of '//count_text(needed)//': get the file once more')
+               member%name//': ends at byte '//to_text(member%done)// &
+               ' of '//to_text(needed)//': get the file once more')
             return
          end if
          if (.not. btest(bytes(mod(at, 8_int64*size(bytes))/8_int64 + 1), int(mod(at, 8_int64)))) &
@@ -211,11 +211,11 @@ contains
       if (allocated(error)) return
       if (header%list%count /= header%sizes(1)*header%sizes(2)) then
          call map_error(error, source, &
-            'main.xml: '//count_text(header%list%count)//' heights, it '// &
-            'promises '//count_text(header%sizes(1))//' x '//count_text(header%sizes(2)))
+            'main.xml: '//to_text(header%list%count)//' heights, it '// &
+            'promises '//to_text(header%sizes(1))//' x '//to_text(header%sizes(2)))
          return
       end if
-      call allocate_heights(source, header%sizes(1), header%sizes(2), map, error)
+      call allocate_heights(source%name, header%sizes(1), header%sizes(2), map, error)
       if (allocated(error)) return
       i = 0
       j = 1
