@@ -1,10 +1,10 @@
 !> Interfaces of the functions of C that read files and search bytes. Fortran's own stream
 !> input would copy every block once more, and opens folders with some compilers.
-module asperity_height_map_bytes_libc
+module asperity_base_libc
    use, intrinsic :: iso_c_binding, only: c_char, c_int, c_long, c_ptr, c_size_t
    implicit none
    private
-   public :: c_fclose, c_fopen, c_fread, c_fseek, c_ftell, c_memchr, c_memmove
+   public :: c_fclose, c_fopen, c_fread, c_fseek, c_ftell, c_memchr, c_memmove, c_strlen
 
    !> Positions counted from the beginning and from the end of a file, for `c_fseek`
    integer(c_int), parameter, public :: from_start = 0_c_int, from_end = 2_c_int
@@ -44,6 +44,10 @@ module asperity_height_map_bytes_libc
          type(c_ptr), value :: to, from
          integer(c_size_t), value :: count
       end function c_memmove
+      integer(c_size_t) function c_strlen(text) bind(c, name='strlen')
+         import :: c_ptr, c_size_t
+         type(c_ptr), value :: text
+      end function c_strlen
    end interface
 
-end module asperity_height_map_bytes_libc
+end module asperity_base_libc

@@ -6,10 +6,10 @@ module asperity_height_map_bytes_byte_source
    use, intrinsic :: iso_fortran_env, only: int64
    use asperity_base_error, only: error_type, fatal_error, file_error
    use asperity_base_kinds, only: wp
+   use asperity_base_libc, only: c_fclose, c_fopen, c_fread, c_fseek, c_ftell, &
+      c_memchr, c_memmove, from_end, from_start
    use asperity_base_memory, only: check_memory
    use asperity_base_number_text, only: to_text
-   use asperity_height_map_bytes_libc, only: c_fclose, c_fopen, c_fread, c_fseek, c_ftell, &
-      c_memchr, c_memmove, from_end, from_start
    implicit none
    private
    public :: byte_source, close_source, memory_of, next_line, open_source, progress_report, &

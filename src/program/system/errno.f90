@@ -1,7 +1,8 @@
 !> Why the last call of the operating system failed.
 module asperity_program_system_errno
    use, intrinsic :: iso_c_binding, only: c_char, c_f_pointer, c_int, c_ptr
-   use asperity_program_system_posix, only: c_errno_location, c_strerror, c_strlen
+   use asperity_base_libc, only: c_strlen
+   use asperity_program_system_posix, only: c_errno_location, c_strerror
    implicit none
    private
    public :: last_error, last_reason

@@ -2,11 +2,13 @@
 !> full disk reliably nor renames. Every return value is checked. A subroutine sets `reason` to the
 !> system's words on failure and leaves it unallocated else.
 module asperity_program_system_files
-   use, intrinsic :: iso_c_binding, only: c_associated, c_int, c_null_char, c_ptr, c_size_t
+   use, intrinsic :: iso_c_binding, only: c_associated, c_int, c_loc, c_null_char, c_ptr, &
+      c_size_t
+   use asperity_base_libc, only: c_fclose, c_fopen, c_fread
    use asperity_base_memory, only: memory_remedy
    use asperity_program_system_errno, only: eintr, last_error, last_reason
-   use asperity_program_system_posix, only: c_close, c_creat, c_fclose, c_ferror, c_fopen, &
-      c_fread, c_isatty, c_rename, c_unlink, c_write
+   use asperity_program_system_posix, only: c_close, c_creat, c_ferror, c_isatty, c_rename, &
+      c_unlink, c_write
    implicit none
    private
    public :: open_file, write_text, close_file, rename_file, remove_file, read_file, is_terminal
@@ -90,7 +92,7 @@ contains
       !> Most characters read
       integer, intent(in) :: limit
       !> What was read
-      character(len=:), allocatable, intent(out) :: text
+      character(len=:), allocatable, target, intent(out) :: text
       !> Set on failure
       character(len=:), allocatable, intent(out) :: reason
       type(c_ptr) :: stream
@@ -112,7 +114,7 @@ contains
          end if
          call resize(text, length, room, reason)
          if (allocated(reason)) exit
-         length = length + int(c_fread(text(length + 1:), 1_c_size_t, &
+         length = length + int(c_fread(c_loc(text(length + 1:length + 1)), 1_c_size_t, &
             int(room - length, c_size_t), stream))
          if (c_ferror(stream) /= 0) reason = last_reason()
       end do

@@ -3,10 +3,11 @@
 module asperity_program_system_locked_file
    use, intrinsic :: iso_c_binding, only: c_associated, c_int, c_long, c_null_char, &
       c_null_ptr, c_ptr
+   use asperity_base_libc, only: c_fclose, c_fopen
    use asperity_program_system_errno, only: ewouldblock, last_error, last_reason
    use asperity_program_system_file_facts, only: facts_of, facts_of_descriptor, file_facts
    use asperity_program_system_files, only: remove_file, write_text
-   use asperity_program_system_posix, only: c_fclose, c_fileno, c_flock, c_fopen, c_ftruncate
+   use asperity_program_system_posix, only: c_fileno, c_flock, c_ftruncate
    implicit none
    private
    public :: locked_file, open_locked, shorten, append_text, remove_locked

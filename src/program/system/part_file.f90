@@ -1,12 +1,12 @@
 !> Temporary files: beside the file that they become, under a name that nobody else has.
 module asperity_program_system_part_file
    use, intrinsic :: iso_c_binding, only: c_associated, c_int, c_null_char, c_null_ptr, c_ptr
+   use asperity_base_libc, only: c_fclose, c_fopen
    use asperity_base_number_text, only: to_text
    use asperity_program_system_errno, only: einval, last_error, last_reason
    use asperity_program_system_file_facts, only: facts_of, facts_of_link, file_facts
    use asperity_program_system_files, only: write_text
-   use asperity_program_system_posix, only: c_fchmod, c_fchown, c_fclose, c_fileno, c_fopen, &
-      c_fsync, c_getpid
+   use asperity_program_system_posix, only: c_fchmod, c_fchown, c_fileno, c_fsync, c_getpid
    implicit none
    private
    public :: part_file, free_name, create_part, write_part, close_part

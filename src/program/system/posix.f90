@@ -5,10 +5,9 @@ module asperity_program_system_posix
       c_int64_t, c_long, c_ptr, c_size_t
    implicit none
    private
-   public :: c_access, c_close, c_creat, c_errno_location, c_fchmod, c_fchown, c_fclose, c_ferror, &
-      c_fileno, c_flock, c_fopen, c_fread, c_fsync, c_ftruncate, c_fwrite, c_getpid, c_isatty, &
-      c_pclose, c_popen, c_readlink, c_realpath, c_rename, c_signal, c_statx, c_strerror, &
-      c_strlen, c_system, c_unlink, c_write, statx_type
+   public :: c_access, c_close, c_creat, c_errno_location, c_fchmod, c_fchown, c_ferror, c_fileno, &
+      c_flock, c_fsync, c_ftruncate, c_fwrite, c_getpid, c_isatty, c_pclose, c_popen, c_readlink, &
+      c_realpath, c_rename, c_signal, c_statx, c_strerror, c_system, c_unlink, c_write, statx_type
 
    !> What statx tells; unlike that of stat, it is laid out in one way on every machine.
    type, bind(c) :: statx_type
@@ -107,16 +106,6 @@ module asperity_program_system_posix
          import :: c_int, c_ptr
          type(c_ptr), value :: stream
       end function c_pclose
-      type(c_ptr) function c_fopen(path, mode) bind(c, name='fopen')
-         import :: c_char, c_ptr
-         character(kind=c_char), intent(in) :: path(*), mode(*)
-      end function c_fopen
-      integer(c_size_t) function c_fread(text, size, length, stream) bind(c, name='fread')
-         import :: c_char, c_ptr, c_size_t
-         character(kind=c_char), intent(out) :: text(*)
-         integer(c_size_t), value :: size, length
-         type(c_ptr), value :: stream
-      end function c_fread
       integer(c_size_t) function c_fwrite(text, size, length, stream) bind(c, name='fwrite')
          import :: c_char, c_ptr, c_size_t
          character(kind=c_char), intent(in) :: text(*)
@@ -131,10 +120,6 @@ module asperity_program_system_posix
          import :: c_int, c_ptr
          type(c_ptr), value :: stream
       end function c_fileno
-      integer(c_int) function c_fclose(stream) bind(c, name='fclose')
-         import :: c_int, c_ptr
-         type(c_ptr), value :: stream
-      end function c_fclose
       type(c_funptr) function c_signal(number, action) bind(c, name='signal')
          import :: c_funptr, c_int
          integer(c_int), value :: number
@@ -147,10 +132,6 @@ module asperity_program_system_posix
          import :: c_int, c_ptr
          integer(c_int), value :: number
       end function c_strerror
-      integer(c_size_t) function c_strlen(text) bind(c, name='strlen')
-         import :: c_ptr, c_size_t
-         type(c_ptr), value :: text
-      end function c_strlen
    end interface
 
 end module asperity_program_system_posix
