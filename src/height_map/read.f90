@@ -6,7 +6,8 @@ module asperity_height_map_read
    use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
    use asperity_height_map_bytes_byte_source, only: byte_source, close_source, open_source, &
-      progress_report, read_at, start_lines, use_bytes
+      progress_report, read_at, use_bytes
+   use asperity_height_map_bytes_lines, only: start_lines
    use asperity_height_map_file_errors, only: map_error
    use asperity_height_map_marker, only: note_marker
    use asperity_height_map_sdf_read, only: read_binary_sdf, read_text_sdf

@@ -1,24 +1,19 @@
-!> The bytes of a file, or of a memory that stands for one, without holding more than a block of
-!> them: in pieces at any offset, or line by line.
+!> The bytes of a file, or of a memory that stands for one, in pieces at any offset.
 module asperity_height_map_bytes_byte_source
-   use, intrinsic :: iso_c_binding, only: c_associated, c_f_pointer, c_int, c_intptr_t, c_loc, &
-      c_long, c_null_char, c_null_ptr, c_ptr, c_size_t
+   use, intrinsic :: iso_c_binding, only: c_associated, c_f_pointer, c_int, c_loc, c_long, &
+      c_null_char, c_null_ptr, c_ptr, c_size_t
    use, intrinsic :: iso_fortran_env, only: int64
    use asperity_base_error, only: error_type, fatal_error, file_error
    use asperity_base_kinds, only: wp
-   use asperity_base_libc, only: c_fclose, c_fopen, c_fread, c_fseek, c_ftell, &
-      c_memchr, c_memmove, from_end, from_start
-   use asperity_base_memory, only: check_memory
-   use asperity_base_number_text, only: to_text
+   use asperity_base_libc, only: c_fclose, c_fopen, c_fread, c_fseek, c_ftell, c_memmove, &
+      from_end, from_start
    implicit none
    private
-   public :: byte_source, close_source, memory_of, next_line, open_source, progress_report, &
-      read_at, &
-      report_progress, start_lines, use_bytes
+   public :: byte_source, close_source, memory_of, open_source, progress_report, read_at, &
+      report_progress, use_bytes
 
-   !> Bytes read at once; bytes of the longest line
-   integer, parameter :: usual_block = 2**20, longest_line = 2**26
-   integer(c_int), parameter :: line_feed = 10_c_int, carriage_return = 13_c_int
+   !> Bytes read at once
+   integer, parameter :: usual_block = 2**20
 
    abstract interface
       !> Hears how far the reading is.
@@ -46,8 +41,10 @@ module asperity_height_map_bytes_byte_source
       integer :: first = 1, last = 0
       !> Its number, from one
       integer(int64) :: line = 0_int64
-      integer, private :: next = 1, block_length = usual_block
-      integer(c_int), private :: line_end = line_feed
+      !> Where the next one begins in the block, and the character that ends lines
+      integer :: next = 1, line_end = 0
+      !> Length of a block
+      integer :: block_length = usual_block
       type(c_ptr), private :: stream = c_null_ptr
       character(len=1), pointer, contiguous, private :: memory(:) => null()
       procedure(progress_report), pointer, nopass, private :: progress => null()
@@ -171,114 +168,5 @@ contains
       source%reported = share
       call source%progress(share)
    end subroutine report_progress
-
-   !> Begin to read lines, after `offset` bytes. A file without line feeds ends its lines with
-   !> carriage returns.
-   subroutine start_lines(source, offset, error)
-      !> The source
-      type(byte_source), intent(inout), target :: source
-      !> Bytes before the first line
-      integer(int64), intent(in) :: offset
-      !> Set when the source cannot be read
-      type(error_type), allocatable, intent(out) :: error
-      integer :: cut, status
-
-      source%start = offset
-      source%filled = 0
-      source%next = 1
-      source%line = 0_int64
-      status = 0
-      if (.not. allocated(source%block)) &
-         allocate (source%block(source%block_length), stat=status)
-      call check_memory(status, source%name, int(source%block_length, int64), error)
-      if (allocated(error)) return
-      call refill(source, error)
-      if (allocated(error)) return
-      source%line_end = line_feed
-      if (position_of(source, 1, line_feed) > 0) return
-      cut = position_of(source, 1, carriage_return)
-      if (cut > 0 .and. cut < source%filled) source%line_end = carriage_return
-   end subroutine start_lines
-
-   !> Go to the next line.
-   subroutine next_line(source, found, error)
-      !> The source; `first` and `last` are the line's place in its block
-      type(byte_source), intent(inout), target :: source
-      !> False after the last line
-      logical, intent(out) :: found
-      !> Set when the source cannot be read
-      type(error_type), allocatable, intent(out) :: error
-      integer :: finish, searched
-
-      found = .false.
-      searched = source%next
-      do
-         finish = position_of(source, searched, source%line_end)
-         if (finish > 0) exit
-         if (source%start + source%filled >= source%size) then
-            if (source%next > source%filled) return
-            finish = source%filled + 1
-            exit
-         end if
-         searched = source%filled - source%next + 2
-         call refill(source, error)
-         if (allocated(error)) return
-      end do
-      found = .true.
-      source%line = source%line + 1_int64
-      source%first = source%next
-      source%last = finish - 1
-      source%next = finish + 1
-      if (source%last >= source%first) then
-         if (ichar(source%block(source%last)) == carriage_return) source%last = source%last - 1
-      end if
-   end subroutine next_line
-
-   !> Place of a byte in the block from `from` on, 0 if it is not there.
-   integer function position_of(source, from, byte)
-      type(byte_source), intent(in), target :: source
-      integer, intent(in) :: from
-      integer(c_int), intent(in) :: byte
-      type(c_ptr) :: place
-
-      position_of = 0
-      if (from > source%filled) return
-      place = c_memchr(c_loc(source%block(from)), byte, int(source%filled - from + 1, c_size_t))
-      if (c_associated(place)) position_of = from + int(transfer(place, 0_c_intptr_t) - &
-         transfer(c_loc(source%block(from)), 0_c_intptr_t))
-   end function position_of
-
-   !> Move the beginning of a line to the front of the block, which grows where the line fills it,
-   !> and read what follows.
-   subroutine refill(source, error)
-      type(byte_source), intent(inout), target :: source
-      type(error_type), allocatable, intent(out) :: error
-      character(len=1), allocatable, target :: larger(:)
-      type(c_ptr) :: unused
-      integer :: kept, added, status
-
-      kept = source%filled - source%next + 1
-      if (2*kept > size(source%block)) then
-         if (size(source%block) >= longest_line) then
-            call fatal_error(error, source%name//': has a line of more than '// &
-               to_text(longest_line/2**20)//' MiB: this is no table of heights', file_error)
-            return
-         end if
-         allocate (larger(2*size(source%block)), stat=status)
-         call check_memory(status, source%name, 2_int64*size(source%block), error)
-         if (allocated(error)) return
-         unused = c_memmove(c_loc(larger), c_loc(source%block(source%next)), int(kept, c_size_t))
-         call move_alloc(larger, source%block)
-      else if (kept > 0 .and. source%next > 1) then
-         unused = c_memmove(c_loc(source%block), c_loc(source%block(source%next)), &
-            int(kept, c_size_t))
-      end if
-      source%start = source%start + source%next - 1
-      source%next = 1
-      added = int(min(int(size(source%block) - kept, int64), source%size - source%start - kept))
-      source%filled = kept + max(added, 0)
-      if (added > 0) call read_at(source, source%start + kept, c_loc(source%block(kept + 1)), &
-         int(added, int64), error)
-   end subroutine refill
 
 end module asperity_height_map_bytes_byte_source

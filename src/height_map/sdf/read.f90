@@ -7,7 +7,8 @@ module asperity_height_map_sdf_read
    use asperity_base_kinds, only: wp
    use asperity_base_no_value, only: none
    use asperity_base_number_text, only: to_text
-   use asperity_height_map_bytes_byte_source, only: byte_source, next_line, read_at, start_lines
+   use asperity_height_map_bytes_byte_source, only: byte_source, read_at
+   use asperity_height_map_bytes_lines, only: next_line, start_lines
    use asperity_height_map_decode_heights, only: byte_buffer, bytes_of, decode, float64, &
       height_message, scale_heights
    use asperity_height_map_file_errors, only: byte_error, fits_memory, line_error

@@ -3,7 +3,8 @@ module asperity_height_map_sdf_text_header
    use, intrinsic :: iso_fortran_env, only: int64
    use asperity_base_error, only: error_type
    use asperity_base_kinds, only: wp
-   use asperity_height_map_bytes_byte_source, only: byte_source, next_line
+   use asperity_height_map_bytes_byte_source, only: byte_source
+   use asperity_height_map_bytes_lines, only: next_line
    use asperity_height_map_decode_heights, only: float64, uint8
    use asperity_height_map_file_errors, only: line_error, line_text, map_error
    use asperity_height_map_sdf_header, only: sdf_header

@@ -1,7 +1,8 @@
 !> Lines of a text that are no numbers: blank ones, and comments, which end the numbers.
 module asperity_height_map_text_ending
    use asperity_base_error, only: error_type
-   use asperity_height_map_bytes_byte_source, only: byte_source, next_line
+   use asperity_height_map_bytes_byte_source, only: byte_source
+   use asperity_height_map_bytes_lines, only: next_line
    use asperity_height_map_file_errors, only: line_error
    implicit none
    private

@@ -6,7 +6,8 @@ module asperity_height_map_text_matrix
    use asperity_base_kinds, only: wp
    use asperity_base_no_value, only: none
    use asperity_base_number_text, only: to_text
-   use asperity_height_map_bytes_byte_source, only: byte_source, next_line
+   use asperity_height_map_bytes_byte_source, only: byte_source
+   use asperity_height_map_bytes_lines, only: next_line
    use asperity_height_map_bytes_number_chunks, only: number_store
    use asperity_height_map_decode_heights, only: height_message, scale_heights
    use asperity_height_map_file_errors, only: fits_memory, line_error

@@ -4,7 +4,8 @@ module asperity_height_map_text_start
    use asperity_base_error, only: error_type
    use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
-   use asperity_height_map_bytes_byte_source, only: byte_source, next_line
+   use asperity_height_map_bytes_byte_source, only: byte_source
+   use asperity_height_map_bytes_lines, only: next_line
    use asperity_height_map_file_errors, only: line_error, line_text, map_error
    use asperity_height_map_text_ending, only: line_other, line_type
    use asperity_height_map_text_fields, only: choose_separator, field_error, field_missing, &
