@@ -1,13 +1,13 @@
 !> Mesh of a disc: a square in the middle, whose sides bulge, and rings of cells around it, so that
 !> no cell is flat at the rim. Layers of it make the disc.
 module asperity_deck_mesh_disc
+   use asperity_base_constants, only: pi
    use asperity_base_kinds, only: wp
    use asperity_deck_mesh_hexahedra, only: even_cuts, hex_mesh
    implicit none
    private
    public :: new_disc_mesh
 
-   real(wp), parameter :: pi = acos(-1.0_wp)
    !> Middle of a side of the square, and its corners, as shares of the radius: near the places at
    !> which cells of the square and of the rings are of one size
    real(wp), parameter :: side = 0.56_wp, corner = 0.66_wp

@@ -1,5 +1,6 @@
 !> Units as laboratories write them: what they measure, and how much they are.
 module asperity_program_record_units
+   use asperity_base_constants, only: pi
    use asperity_base_kinds, only: wp
    use asperity_program_system_strings, only: lower_case
    implicit none
@@ -33,7 +34,7 @@ module asperity_program_record_units
       real(wp) :: factor
    end type unit_type
 
-   real(wp), parameter :: degree = acos(-1.0_wp)/180.0_wp, inch = 25.4_wp
+   real(wp), parameter :: degree = pi/180.0_wp, inch = 25.4_wp
 
    type(unit_type), parameter :: units(*) = [ &
       unit_type('mm', unit_length, 1.0_wp), unit_type('cm', unit_length, 10.0_wp), &
