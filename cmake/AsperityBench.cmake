@@ -6,7 +6,8 @@ find_package(OpenMP COMPONENTS Fortran)
 
 file(GLOB bench_sources CONFIGURE_DEPENDS test/bench/*.f90 test/bench/contenders/*.f90)
 list(APPEND bench_sources test/support/random_inputs.f90
-   test/support/contact_cases.f90 test/support/abaqus_stubs.f90)
+   test/support/contact_cases.f90 test/support/abaqus_stubs.f90
+   test/abaqus/abaqus_utilities.f90)
 string(TOUPPER "${CMAKE_BUILD_TYPE}" bench_build_type)
 get_target_property(target_flags asperity_law COMPILE_OPTIONS)
 separate_arguments(bench_flags NATIVE_COMMAND

@@ -59,8 +59,8 @@ asperity_test_suite(deck asperity_deck)
 # The same tests of VUINTER against the file for single precision, all from sources, as its modules
 # are not those of the library
 set(single_sources support/abaqus_stubs support/contact_cases support/extremes support/random_inputs
-   support/run_suites support/threads abaqus/vuinter_host abaqus/vuinter abaqus/vuinter_agreement
-   single/main)
+   support/run_suites support/threads abaqus/abaqus_utilities abaqus/vuinter_host abaqus/vuinter
+   abaqus/vuinter_agreement single/main)
 if(NOT PFUNIT_FOUND)
    list(APPEND single_sources support/funit support/funit_assert)
 endif()
@@ -78,16 +78,14 @@ target_link_libraries(asperity_single_tests PRIVATE ${funit_target})
 asperity_test(single)
 
 # What the CalculiX interface computes itself, without CalculiX
-file(GLOB calculix_sources CONFIGURE_DEPENDS test/calculix/*.f90)
-# by name, as nothing here calls it: UINTER does, which comes last
-list(APPEND calculix_sources test/support/abaqus_stubs.f90)
-foreach(name refusal faces kinematics interactions spring_state outputs ccx_state springs master_faces
-      keyword areas)
-   list(APPEND calculix_sources interface/calculix/glue/${name}.f90)
-endforeach()
-add_executable(asperity_calculix_tests ${calculix_sources})
-target_link_libraries(asperity_calculix_tests PRIVATE asperity_test_support)
-asperity_test(calculix)
+file(GLOB glue_sources CONFIGURE_DEPENDS interface/calculix/glue/*.f90)
+add_library(asperity_calculix_glue STATIC ${glue_sources})
+asperity_compile_options(asperity_calculix_glue)
+target_include_directories(asperity_calculix_glue PUBLIC
+   ${PROJECT_BINARY_DIR}/modules/asperity_calculix_glue)
+target_link_libraries(asperity_calculix_glue PUBLIC asperity_abaqus)
+asperity_test_suite(calculix asperity_calculix_glue)
+target_sources(asperity_calculix_tests PRIVATE test/abaqus/abaqus_utilities.f90)
 
 # Layers of the sources, and the runner of CalculiX decks with a fake CalculiX
 find_package(Python3 COMPONENTS Interpreter)

@@ -1,7 +1,6 @@
 !> The tenon joint as a whole: symmetry, limits, convergence, UINTER in place of the update, and
 !> what is refused.
 module test_replay_tenon_joint
-   use abaqus_stubs, only: forget_calls, messages
    use asperity, only: computation_error, error_type, wp
    use asperity_base_number_text, only: to_text
    use asperity_replay_tenon_check_settings, only: check_tenon_settings
@@ -152,7 +151,6 @@ contains
       type(tenon_point), allocatable :: points(:), other_points(:)
       integer :: i, at(2), n
 
-      call forget_calls()
       at = [12, 30]
       do i = 1, 2
          s = tenon_settings(points=40, side_points=6, shoulders=i == 2, &
@@ -175,9 +173,8 @@ contains
          call assertEqual(points%pressure, other_points%pressure, 1.0e-7_wp, 'pressures')
          call assertEqual(points%shear_1, other_points%shear_1, 1.0e-7_wp, 'shear')
          call assertEqual(0, count(points%status /= other_points%status), 'status')
-         call assertEqual(steps(n)%validity, others(n)%validity, 'validity')
+         call assertEqual(0, others(n)%validity, 'UINTER has nothing to say')
       end do
-      call assertEqual(0, messages, 'UINTER has nothing to say')
    end subroutine test_uinter_joint
 
    !> Less clearance than 4 sigma presses the rough faces at rest; with unequal clearances the tenon

@@ -1,6 +1,5 @@
-!> Stubs of ABAQUS' STDB_ABQERR and XIT, and of XPLB_ABQERR and XPLB_EXIT of ABAQUS/Explicit, that
-!> record their calls and return, so that a test can look at what UINTER and VUINTER said. They are
-!> linked before those of the program.
+!> What UINTER and VUINTER said: messages and exits, recorded by the utilities of
+!> test/abaqus/abaqus_utilities.f90.
 module abaqus_stubs
    implicit none
    private
@@ -36,47 +35,3 @@ contains
    end subroutine remember_exit
 
 end module abaqus_stubs
-
-subroutine stdb_abqerr(lop, string, intv, realv, charv)
-   use abaqus_stubs, only: remember_message
-   use asperity_base_kinds, only: wp
-   implicit none
-   integer, intent(in) :: lop
-   character(len=*), intent(in) :: string
-   integer, intent(in) :: intv(*)
-   real(wp), intent(in) :: realv(*)
-   character(len=8), intent(in) :: charv(*)
-
-   associate (unused => [real(intv(1), wp), realv(1)], unused_name => charv(1))
-   end associate
-   call remember_message(lop, string)
-end subroutine stdb_abqerr
-
-subroutine xit()
-   use abaqus_stubs, only: remember_exit
-   implicit none
-
-   call remember_exit()
-end subroutine xit
-
-subroutine xplb_abqerr(lop, string, intv, realv, charv)
-   use abaqus_stubs, only: remember_message
-   use asperity_abaqus_vuinter_precision, only: vp
-   implicit none
-   integer, intent(in) :: lop
-   character(len=*), intent(in) :: string
-   integer, intent(in) :: intv(*)
-   real(vp), intent(in) :: realv(*)
-   character(len=8), intent(in) :: charv(*)
-
-   associate (unused => [real(intv(1), vp), realv(1)], unused_name => charv(1))
-   end associate
-   call remember_message(lop, string)
-end subroutine xplb_abqerr
-
-subroutine xplb_exit()
-   use abaqus_stubs, only: remember_exit
-   implicit none
-
-   call remember_exit()
-end subroutine xplb_exit

@@ -29,7 +29,7 @@ contains
       if (size(needed) == 0) return
       known = .true.
       do i = 1, size(needed)
-         known = known .and. associated(find_interaction(needed(i)))
+         if (known) known = associated(find_interaction(needed(i)))
       end do
       if (known) then
          call write_interactions(trim(job)//'.uinter')
@@ -48,7 +48,7 @@ contains
       type(interaction_type), allocatable :: list(:)
       integer :: unit, status, i
 
-      list = all_interactions()
+      allocate (list, source=all_interactions())
       open (newunit=unit, file=name, status='replace', action='write', iostat=status)
       if (status /= 0) call refuse(name//' cannot be written')
       write (unit, '(a)') first_line

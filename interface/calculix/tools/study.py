@@ -10,7 +10,6 @@ from . import history, pictures
 from .files import tables
 
 HERE = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
-ROOT = os.path.dirname(os.path.dirname(HERE))
 PALETTE = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#555555")
 
 
@@ -34,9 +33,8 @@ def add_programs(parser):
 
 
 def found(built, name):
-    """The program built here if it is there, else that of PATH."""
-    path = os.path.join(ROOT, built)
-    return path if os.path.exists(path) else name
+    """The program built below the current folder if it is there, else that of PATH."""
+    return built if os.path.exists(built) else name
 
 
 def need(program, remedy):
