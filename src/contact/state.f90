@@ -95,6 +95,14 @@ contains
       may_close = state%status == status_open .and. state%overclosure >= no_surface_limit
    end function may_close
 
+   !> A status that has a name. It stands before its use, where gfortran 12 sees no interface
+   !> otherwise.
+   pure integer function known(status)
+      integer, intent(in) :: status
+
+      known = min(max(status, 0), 3)
+   end function known
+
    !> Name of a status: `unset`, `open`, `stick` or `slip`.
    pure function status_text(status) result(text)
       !> One of the status enumerators
@@ -103,12 +111,5 @@ contains
 
       text = status_names(known(status))
    end function status_text
-
-   !> A status that has a name.
-   pure integer function known(status)
-      integer, intent(in) :: status
-
-      known = min(max(status, 0), 3)
-   end function known
 
 end module asperity_contact_state

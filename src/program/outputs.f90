@@ -13,6 +13,7 @@ module asperity_program_outputs
    use asperity_program_report_terminal, only: terminal_text, warning_text
    use asperity_program_system_atomic_files, only: open_target, output_file, write_files, &
       write_standard_output
+   use asperity_program_system_environment, only: output_width
    use asperity_program_system_files, only: standard_error, write_text
    use asperity_program_system_path, only: resolved_path
    use asperity_program_system_utf8, only: make_utf8, utf8_text
@@ -142,7 +143,7 @@ contains
       if (.not. allocated(error)) call write_files(delivery%files, error)
       if (allocated(error)) return
       if (delivery%standard == '') then
-         call write_standard_output(utf8_text(terminal_text(report)), error)
+         call write_standard_output(utf8_text(terminal_text(report, output_width())), error)
       else
          call write_standard_output(text, error)
          call write_text(standard_error, utf8_text(warning_text(report)), reason)

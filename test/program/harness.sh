@@ -3,6 +3,9 @@ passed=0
 failed=0
 skipped=0
 
+# lines as wide as any table and remark; output.sh looks at narrow ones
+export COLUMNS=1000
+
 # limited COMMAND...: a command that hangs is stopped, with status 124
 timeout=$(command -v timeout)
 limited() { "$timeout" -k 10 600 "$@"; }

@@ -18,7 +18,7 @@ cd "$work" || exit 3
 
 . "$here/harness.sh"
 for part in input/options commands/{curve,press,shear,tenon,table,deck,hysteresis,records,surface} \
-   input/{surface_files,case_file,bad_input} output/{output,writing,picture}; do
+   input/{surface_files,case_file,bad_input} output/{output,writing,picture,looks}; do
    echo "-- $part"
    . "$here/$part.sh"
 done

@@ -20,7 +20,7 @@ contains
 
       none_s = none
       none_p = none
-      report%table = new_table(columns=12, rows=size(pairs) + size(surfaces))
+      report%table = new_table(columns=12, rows=size(pairs) + size(surfaces), leading=2)
       associate (table => report%table)
          call table%add_texts('kind', [character(len=7) :: ('pair', i=1, size(pairs)), &
             ('surface', i=1, size(surfaces))])

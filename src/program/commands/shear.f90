@@ -90,7 +90,7 @@ contains
          end associate
       end do
 
-      report%table = new_table(columns=22, rows=size(s))
+      report%table = new_table(columns=22, rows=size(s), leading=2)
       ! Parentheses make the copies that gfortran makes anyway, and would warn of when checking
       associate (table => report%table)
          call table%add_numbers('normal_stress_nominal', 'MPa', nominal)

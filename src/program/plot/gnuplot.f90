@@ -7,7 +7,7 @@ module asperity_program_plot_gnuplot
    use asperity_program_system_part_file, only: close_part, create_part, free_name, part_file
    use asperity_program_system_process, only: close_shell, held_interrupts, hold_interrupts, &
       open_shell, release_interrupts, run_shell, shell_type
-   use asperity_program_system_strings, only: backslash, escaped, lower_case, newline
+   use asperity_program_system_strings, only: lower_case, newline, shell_word
    use asperity_program_system_utf8, only: utf8_text
    implicit none
    private
@@ -108,13 +108,5 @@ contains
          is_complete = index(picture, '%%EOF', back=.true.) > 0
       end select
    end function is_complete
-
-   !> A text as one word of a shell command.
-   pure function shell_word(text) result(word)
-      character(len=*), intent(in) :: text
-      character(len=:), allocatable :: word
-
-      word = "'"//escaped(text, "'", "'"//backslash//"''")//"'"
-   end function shell_word
 
 end module asperity_program_plot_gnuplot

@@ -116,7 +116,7 @@ contains
                " noenhanced font 'DejaVu Sans,"//to_text(f)//"' background 'white'"
          case ('png')
             text = 'pngcairo size '//to_text(3*w/2)//','//to_text(3*h/2)// &
-               " noenhanced font 'DejaVu Sans,"//to_text(3*f/2)//"' linewidth 1.5 pointscale 1.5"
+               " noenhanced font 'DejaVu Sans,"//to_text(3*f/2)//"' linewidth 1.5 pointscale 2.2"
          case default
             text = 'pdfcairo size '//to_text(w/48)//'cm,'//to_text(h/48)// &
                "cm noenhanced font 'DejaVu Sans,"//to_text(f - 2)//"'"

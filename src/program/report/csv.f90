@@ -1,9 +1,9 @@
 !> A table as CSV: one line of column names with units, one line per row, numbers with 17 figures.
 module asperity_program_report_csv
    use asperity_base_error, only: error_type
+   use asperity_base_text_builder, only: growing_text
    use asperity_program_report_table, only: column_texts, column_type, table_type
    use asperity_program_system_strings, only: escaped, newline
-   use asperity_program_system_text_buffer, only: text_buffer
    implicit none
    private
    public :: write_csv
@@ -18,7 +18,7 @@ contains
       character(len=:), allocatable, intent(out) :: text
       !> Set when there is not enough memory for it
       type(error_type), allocatable, intent(out) :: error
-      type(text_buffer) :: buffer
+      type(growing_text) :: buffer
       integer :: i, row
 
       do i = 1, table%set

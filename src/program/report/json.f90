@@ -3,6 +3,7 @@
 module asperity_program_report_json
    use asperity_base_error, only: error_type
    use asperity_base_number_text, only: to_text
+   use asperity_base_text_builder, only: growing_text
    use asperity_base_version, only: version
    use asperity_law_validity, only: validity_remark
    use asperity_program_input_keys, only: belongs, command_names, keys, kind_file, kind_integer, &
@@ -12,7 +13,6 @@ module asperity_program_report_json
    use asperity_program_report_table, only: column_counts, column_numbers, column_type, &
       full_figures, table_type
    use asperity_program_system_strings, only: backslash, string_type
-   use asperity_program_system_text_buffer, only: text_buffer
    implicit none
    private
    public :: write_json
@@ -27,7 +27,7 @@ contains
       character(len=:), allocatable, intent(out) :: text
       !> Set when there is not enough memory for it
       type(error_type), allocatable, intent(out) :: error
-      type(text_buffer) :: buffer
+      type(growing_text) :: buffer
       integer :: i
 
       call buffer%line('{')
@@ -179,7 +179,7 @@ contains
 
    !> One line `"name": [...]` per column.
    pure subroutine add_columns(buffer, table)
-      type(text_buffer), intent(inout) :: buffer
+      type(growing_text), intent(inout) :: buffer
       type(table_type), intent(in) :: table
       integer :: i, row
 
@@ -211,7 +211,7 @@ contains
       type(setting_type), intent(in) :: setting
       integer, intent(in) :: kind
       character(len=:), allocatable :: text
-      type(text_buffer) :: buffer
+      type(growing_text) :: buffer
       integer :: i
 
       select case (kind)

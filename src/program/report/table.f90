@@ -58,6 +58,8 @@ module asperity_program_report_table
       integer :: rows = 0
       !> Number of columns set
       integer :: set = 0
+      !> Columns that tell rows apart; the terminal repeats them where a table is too wide
+      integer :: leading = 1
    contains
       !> Append a column of numbers
       procedure :: add_numbers
@@ -74,13 +76,16 @@ module asperity_program_report_table
 contains
 
    !> A table without columns yet.
-   pure function new_table(columns, rows) result(table)
+   pure function new_table(columns, rows, leading) result(table)
       !> How many columns will be added
       integer, intent(in) :: columns
       !> Number of rows
       integer, intent(in) :: rows
+      !> Columns that tell rows apart, one when absent
+      integer, intent(in), optional :: leading
       type(table_type) :: table
 
+      if (present(leading)) table%leading = leading
       allocate (table%columns(columns))
       table%rows = rows
    end function new_table

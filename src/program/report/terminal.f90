@@ -3,6 +3,7 @@ module asperity_program_report_terminal
    use asperity_base_error, only: error_type
    use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
+   use asperity_base_text_builder, only: growing_text
    use asperity_base_version, only: version
    use asperity_law_validity, only: validity_remark
    use asperity_paper_pairs, only: find_pair, pair_preset
@@ -12,16 +13,17 @@ module asperity_program_report_terminal
    use asperity_program_report_report, only: report_type
    use asperity_program_report_table, only: table_type
    use asperity_program_report_text_table, only: add_table, validity_mark
-   use asperity_program_system_strings, only: newline
-   use asperity_program_system_text_buffer, only: text_buffer
+   use asperity_program_system_strings, only: newline, wrapped
    implicit none
    private
    public :: terminal_text, warning_text, input_text
 
    !> Evenly spaced rows that are shown: of one run, and of all
    integer, parameter :: fewest_rows = 6, most_rows = 21, all_rows = 33
-   !> Column at which the source of a value starts
-   integer, parameter :: source_column = 50
+   !> Columns before a value, and before its source
+   integer, parameter :: value_column = 26, source_column = 50
+   !> Part of a value that computing it may have added
+   real(wp), parameter :: rounding = 1.0e-12_wp
    !> Most columns of a further table that are shown
    integer, parameter :: most_columns = 20
    !> Most values of a list that are shown
@@ -30,62 +32,69 @@ module asperity_program_report_terminal
 contains
 
    !> The report as text.
-   pure function terminal_text(report) result(text)
+   pure function terminal_text(report, width) result(text)
       !> The report
       type(report_type), intent(in) :: report
+      !> Characters of a line
+      integer, intent(in) :: width
       character(len=:), allocatable :: text
-      type(text_buffer) :: buffer
+      type(growing_text) :: buffer
       integer :: i
 
       call buffer%line('asperity '//version//' '//command_names(report%command))
       call buffer%line()
       if (report%command /= command_pairs) then
-         call add_inputs(buffer, report)
+         call add_inputs(buffer, report, width)
          call buffer%line()
       end if
       if (allocated(report%record_kind)) then
-         call buffer%line('Record: '//report%record_kind)
+         call buffer%line(wrapped('Record: '//report%record_kind, width, 8))
          call buffer%line()
       end if
       if (report%summary%set > 0) then
-         call add_table(buffer, report%summary)
+         call add_table(buffer, report%summary, width)
          call buffer%line()
       end if
-      if (allocated(report%more)) call add_more(buffer, report)
-      if (report%shows_table) call add_main_table(buffer, report)
+      if (allocated(report%more)) call add_more(buffer, report, width)
+      if (report%shows_table) call add_main_table(buffer, report, width)
       if (report%table%find('validity') > 0) then
-         call buffer%add(remark_lines(report))
-      else
-         call buffer%add(own_remarks(report, ''))
+         call add_validity(buffer, report, width)
+      end if
+      if (allocated(report%remarks)) then
+         do i = 1, size(report%remarks)
+            call buffer%line(wrapped(report%remarks(i)%text, width, 2))
+         end do
       end if
       if (allocated(report%verdict)) then
          do i = 1, size(report%verdict)
-            call buffer%line(merge('Verdict: ', '         ', i == 1)//report%verdict(i)%text)
+            call buffer%line(wrapped(merge('Verdict: ', '         ', i == 1)// &
+               report%verdict(i)%text, width, 9))
          end do
       end if
-      if (report%table%find('note') > 0) call buffer%add(note_lines(report%table))
+      if (report%table%find('note') > 0) call add_notes(buffer, report%table, width)
       text = buffer%text()
    end function terminal_text
 
    !> The further tables that have a title.
-   pure subroutine add_more(buffer, report)
-      type(text_buffer), intent(inout) :: buffer
+   pure subroutine add_more(buffer, report, width)
+      type(growing_text), intent(inout) :: buffer
       type(report_type), intent(in) :: report
+      integer, intent(in) :: width
       character(len=32) :: names(most_columns)
       integer :: i, j
 
       do i = 1, size(report%more)
          if (report%more(i)%title == '') cycle
-         call buffer%line(report%more(i)%title)
+         call buffer%line(wrapped(report%more(i)%title, width, 0))
          associate (table => report%more(i)%table, &
                shown => min(report%more(i)%columns_shown, most_columns))
             if (shown == 0) then
-               call add_table(buffer, table)
+               call add_table(buffer, table, width)
             else
                do j = 1, shown
                   names(j) = table%columns(j)%name
                end do
-               call add_table(buffer, table, columns=names(:shown))
+               call add_table(buffer, table, width, columns=names(:shown))
             end if
          end associate
          call buffer%line()
@@ -93,41 +102,42 @@ contains
    end subroutine add_more
 
    !> The main table, or its most telling rows.
-   pure subroutine add_main_table(buffer, report)
-      type(text_buffer), intent(inout) :: buffer
+   pure subroutine add_main_table(buffer, report, width)
+      type(growing_text), intent(inout) :: buffer
       type(report_type), intent(in) :: report
+      integer, intent(in) :: width
       integer, allocatable :: rows(:)
       integer :: runs
 
       runs = size(report%first_rows) - 1
       allocate (rows, source=report%selected_rows(max(fewest_rows, min(most_rows, all_rows/runs))))
-      call add_table(buffer, report%table, rows, report%shown_columns)
-      if (size(rows) < report%table%rows) call buffer%line(to_text(size(rows))//' of '// &
-         to_text(report%table%rows)//' rows: evenly spaced ones and turning points; '// &
-         'all of them with --csv FILE')
+      call add_table(buffer, report%table, width, rows, report%shown_columns)
+      if (size(rows) < report%table%rows) call buffer%line(wrapped(to_text(size(rows))// &
+         ' of '//to_text(report%table%rows)//' rows: evenly spaced ones and turning points; '// &
+         'all of them with --csv FILE', width, 0))
       if (allocated(report%shown_columns)) &
          call buffer%line('More columns with --csv FILE or --json FILE')
       call buffer%line()
    end subroutine add_main_table
 
-   !> What the validity flags of the results mean, one line each, with the number of rows.
-   pure function remark_lines(report) result(text)
+   !> What the validity flags of the results mean, each with the number of rows.
+   pure subroutine add_validity(buffer, report, width)
+      type(growing_text), intent(inout) :: buffer
       type(report_type), intent(in) :: report
-      character(len=:), allocatable :: text
+      integer, intent(in) :: width
       integer :: bit, flags
 
       flags = report%validity()
       if (flags == 0) then
-         text = 'Validity: '//report%valid_text()//newline//own_remarks(report, '')
+         call buffer%line(wrapped('Validity: '//report%valid_text(), width, 2))
          return
       end if
-      text = 'Validity: results that pass a limit of the law are marked:'//newline
+      call buffer%line('Validity: results that pass a limit of the law are marked:')
       do bit = 0, bit_size(flags) - 2
-         if (btest(flags, bit)) text = text//'  '//validity_mark(bit)//'  '// &
-            flag_text(report, bit)//newline
+         if (btest(flags, bit)) call buffer%line(wrapped('  '//validity_mark(bit)//'  '// &
+            flag_text(report, bit), width, 5))
       end do
-      text = text//own_remarks(report, '')
-   end function remark_lines
+   end subroutine add_validity
 
    !> What a validity flag means, and in how many rows it is set.
    pure function flag_text(report, bit) result(text)
@@ -142,53 +152,43 @@ contains
       end associate
    end function flag_text
 
-   !> What else is to be said of the results, each line after some words.
-   pure function own_remarks(report, before) result(text)
-      type(report_type), intent(in) :: report
-      character(len=*), intent(in) :: before
-      character(len=:), allocatable :: text
-      integer :: i
-
-      text = ''
-      if (.not. allocated(report%remarks)) return
-      do i = 1, size(report%remarks)
-         text = text//before//report%remarks(i)%text//newline
-      end do
-   end function own_remarks
-
    !> The notes of a table with names and notes.
-   pure function note_lines(table) result(text)
+   pure subroutine add_notes(buffer, table, width)
+      type(growing_text), intent(inout) :: buffer
       type(table_type), intent(in) :: table
-      character(len=:), allocatable :: text
+      integer, intent(in) :: width
       integer :: row
 
-      text = ''
       do row = 1, table%rows
-         text = text//table%columns(table%find('name'))%cell(row)//': '// &
-            table%columns(table%find('note'))%cell(row)//newline
+         call buffer%line(wrapped(table%columns(table%find('name'))%cell(row)//': '// &
+            table%columns(table%find('note'))%cell(row), width, 2))
       end do
-   end function note_lines
+   end subroutine add_notes
 
    !> The same as warnings for standard error, when the table is not shown.
    pure function warning_text(report) result(text)
       !> The report
       type(report_type), intent(in) :: report
       character(len=:), allocatable :: text
-      integer :: bit, flags
+      character(len=*), parameter :: warning = 'asperity: warning: '
+      integer :: bit, flags, i
 
       text = ''
       flags = report%validity()
       do bit = 0, bit_size(flags) - 2
-         if (btest(flags, bit)) text = text//'asperity: warning: '// &
-            flag_text(report, bit)//newline
+         if (btest(flags, bit)) text = text//warning//flag_text(report, bit)//newline
       end do
-      text = text//own_remarks(report, 'asperity: warning: ')
+      if (.not. allocated(report%remarks)) return
+      do i = 1, size(report%remarks)
+         text = text//warning//report%remarks(i)%text//newline
+      end do
    end function warning_text
 
    !> Properties and settings: name, value, unit, where it comes from.
-   pure subroutine add_inputs(buffer, report)
-      type(text_buffer), intent(inout) :: buffer
+   pure subroutine add_inputs(buffer, report, width)
+      type(growing_text), intent(inout) :: buffer
       type(report_type), intent(in) :: report
+      integer, intent(in) :: width
       type(pair_preset) :: pair
       type(error_type), allocatable :: error
       character(len=:), allocatable :: left
@@ -200,36 +200,42 @@ contains
             if (.not. belongs(key, report%command) .or. keys(key)%kind >= kind_file) cycle
             if (.not. s%of(key)%has_value .or. s%of(key)%unused) cycle
             left = '  '//keys(key)%name//input_text(s, key)//' '//s%unit_of(key)
-            call buffer%line(left//repeat(' ', max(1, source_column - len(left)))// &
-               s%of(key)%source)
+            call buffer%line(wrapped(left//repeat(' ', max(1, source_column - len(left)))// &
+               s%of(key)%source, width, value_column))
          end do
          ! a map replaces what the note is about
          if (s%text_of('pair') == '' .or. report%command == command_surface) return
          call find_pair(s%text_of('pair'), pair, error)
-         if (.not. allocated(error)) call buffer%line('  Pair: '//trim(pair%note))
+         if (.not. allocated(error)) &
+            call buffer%line(wrapped('  Pair: '//trim(pair%note), width, 4))
       end associate
    end subroutine add_inputs
 
-   !> Value of a setting, long lists cut.
-   pure function input_text(settings, key) result(text)
+   !> Value of a setting: long lists are cut and numbers have six figures, unless it is wanted whole.
+   pure function input_text(settings, key, whole) result(text)
       !> Settings in effect
       type(settings_type), intent(in) :: settings
       !> Place of the key in the table
       integer, intent(in) :: key
+      !> Every value of a list, and every figure of a number; not when absent
+      logical, intent(in), optional :: whole
       character(len=:), allocatable :: text
+      logical :: cut
       integer :: i
 
+      cut = .true.
+      if (present(whole)) cut = .not. whole
       associate (setting => settings%of(key))
          select case (keys(key)%kind)
          case (kind_real, kind_list)
-            if (size(setting%values) > most_values) then
-               text = short(setting%values(1))//' ... '//short(setting%values(size( &
-                  setting%values)))//' ('//to_text(size(setting%values))//' values)'
+            if (cut .and. size(setting%values) > most_values) then
+               text = short(setting%values(1), cut)//' ... '//short(setting%values(size( &
+                  setting%values)), cut)//' ('//to_text(size(setting%values))//' values)'
                return
             end if
-            text = short(setting%values(1))
+            text = short(setting%values(1), cut)
             do i = 2, size(setting%values)
-               text = text//', '//short(setting%values(i))
+               text = text//', '//short(setting%values(i), cut)
             end do
          case (kind_integer)
             text = to_text(setting%whole)
@@ -241,11 +247,17 @@ contains
       end associate
    end function input_text
 
-   pure function short(value) result(text)
+   !> A number of six figures; all that it has, but for rounding, where it is not cut.
+   pure function short(value, cut) result(text)
       real(wp), intent(in) :: value
+      logical, intent(in) :: cut
       character(len=:), allocatable :: text
+      real(wp) :: rounded
 
       text = to_text(value, 6)
+      if (cut) return
+      read (text, *) rounded
+      if (abs(rounded - value) > rounding*abs(value)) text = to_text(value)
    end function short
 
 end module asperity_program_report_terminal

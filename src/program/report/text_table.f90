@@ -3,16 +3,18 @@ module asperity_program_report_text_table
    use asperity_base_kinds, only: wp
    use asperity_base_no_value, only: is_none
    use asperity_base_number_text, only: to_text
+   use asperity_base_text_builder, only: growing_text
    use asperity_program_report_table, only: column_counts, column_numbers, column_type, &
       column_validity, table_type
    use asperity_program_system_strings, only: string_type
-   use asperity_program_system_text_buffer, only: text_buffer
    implicit none
    private
    public :: add_table, printed_type, printed_columns, validity_mark
 
    !> Significant figures of the largest number of a column
    integer, parameter :: figures = 5
+   !> Part of the largest number of a column below which another is no number
+   real(wp), parameter :: round_off = 1.0e-12_wp
    character(len=*), parameter :: gap = '  '
 
    !> A column as it is printed: heading lines, unit, cells, all of one width.
@@ -29,19 +31,22 @@ module asperity_program_report_text_table
 
 contains
 
-   !> Append a table, or some of its rows and columns.
-   pure subroutine add_table(buffer, table, rows, columns)
+   !> Append a table, or some of its rows and columns, in blocks of columns that fit a width. Every
+   !> block begins with the leading columns.
+   pure subroutine add_table(buffer, table, width, rows, columns)
       !> Where to append
-      type(text_buffer), intent(inout) :: buffer
+      type(growing_text), intent(inout) :: buffer
       !> The table
       type(table_type), intent(in) :: table
+      !> Characters of a line
+      integer, intent(in) :: width
       !> Rows to print; all when absent
       integer, intent(in), optional :: rows(:)
       !> Names of the columns to print; all when absent
       character(len=*), intent(in), optional :: columns(:)
       type(printed_type), allocatable :: printed(:)
       integer, allocatable :: which(:), lines(:)
-      integer :: i, heading
+      integer :: i, first, last, leading, narrow
 
       if (present(rows)) then
          allocate (lines, source=rows)
@@ -58,16 +63,65 @@ contains
          call print_column(table%columns(which(i)), lines, printed(i))
       end do
 
-      heading = maxval([(size(printed(i)%heading), i=1, size(printed))])
-      call align_headings(printed, heading)
-      do i = 1, heading
-         call add_line(buffer, printed, i, 1)
+      leading = min(table%leading, size(printed))
+      ! as few blocks as the width allows, and these of about one width
+      do narrow = width, 2, -1
+         if (blocks(printed, leading, narrow - 1) > blocks(printed, leading, width)) exit
       end do
-      call add_line(buffer, printed, 0, 2)
-      do i = 1, size(lines)
-         call add_line(buffer, printed, i, 3)
+      first = leading + 1
+      do
+         last = last_column(printed, leading, first, narrow)
+         call add_block(buffer, printed([(i, i=1, leading), (i, i=first, last)]))
+         if (last == size(printed)) return
+         call buffer%line()
+         first = last + 1
       end do
    end subroutine add_table
+
+   !> How many blocks of a width columns take.
+   pure integer function blocks(columns, leading, width)
+      type(printed_type), intent(in) :: columns(:)
+      integer, intent(in) :: leading, width
+      integer :: last
+
+      blocks = 0
+      last = leading
+      do
+         blocks = blocks + 1
+         last = last_column(columns, leading, last + 1, width)
+         if (last == size(columns)) return
+      end do
+   end function blocks
+
+   !> The last column that fits a width behind the leading ones and a first one, which it always has.
+   pure integer function last_column(columns, leading, first, width) result(last)
+      type(printed_type), intent(in) :: columns(:)
+      integer, intent(in) :: leading, first, width
+      integer :: taken
+
+      taken = sum(len(gap) + columns(:leading)%width)
+      do last = first, size(columns)
+         taken = taken + len(gap) + columns(last)%width
+         if (taken > width .and. last > first) exit
+      end do
+      last = last - 1
+   end function last_column
+
+   !> Append columns side by side.
+   pure subroutine add_block(buffer, columns)
+      type(growing_text), intent(inout) :: buffer
+      type(printed_type), intent(in) :: columns(:)
+      integer :: heading, i
+
+      heading = maxval([(size(columns(i)%heading), i=1, size(columns))])
+      do i = 1, heading
+         call add_line(buffer, columns, i - heading, 1)
+      end do
+      call add_line(buffer, columns, 0, 2)
+      do i = 1, size(columns(1)%cells)
+         call add_line(buffer, columns, i, 3)
+      end do
+   end subroutine add_block
 
    !> All columns of a table as they are printed.
    pure subroutine printed_columns(table, printed)
@@ -137,27 +191,10 @@ contains
       end do
    end subroutine split_name
 
-   !> Headings of the same number of lines, empty ones at the top.
-   pure subroutine align_headings(printed, lines)
-      type(printed_type), intent(inout) :: printed(:)
-      integer, intent(in) :: lines
-      type(string_type), allocatable :: heading(:)
-      integer :: i, j, missing
-
-      do i = 1, size(printed)
-         missing = lines - size(printed(i)%heading)
-         allocate (heading(lines))
-         do j = 1, lines
-            heading(j)%text = ''
-            if (j > missing) heading(j)%text = printed(i)%heading(j - missing)%text
-         end do
-         call move_alloc(heading, printed(i)%heading)
-      end do
-   end subroutine align_headings
-
-   !> Append one line: heading line `i` (part 1), the units (2) or row `i` (3).
+   !> Append one line: that of the headings which is `-i` lines above their last (part 1), the units
+   !> (2) or row `i` (3).
    pure subroutine add_line(buffer, printed, i, part)
-      type(text_buffer), intent(inout) :: buffer
+      type(growing_text), intent(inout) :: buffer
       type(printed_type), intent(in) :: printed(:)
       integer, intent(in) :: i, part
       character(len=:), allocatable :: line, text
@@ -168,7 +205,8 @@ contains
          associate (p => printed(j))
             select case (part)
             case (1)
-               text = p%heading(i)%text
+               text = ''
+               if (size(p%heading) + i > 0) text = p%heading(size(p%heading) + i)%text
             case (2)
                text = p%unit
             case default
@@ -185,7 +223,8 @@ contains
    end subroutine add_line
 
    !> Format of a column of numbers: fixed point if the smallest keeps two figures, else
-   !> scientific. Shares always have four decimals.
+   !> scientific. What is round-off beside the largest does not count. Shares always have four
+   !> decimals.
    pure function number_format(name, values) result(form)
       character(len=*), intent(in) :: name
       real(wp), intent(in) :: values(:)
@@ -194,7 +233,8 @@ contains
       integer :: decimals
 
       largest = maxval(abs(values), mask=.not. is_none(values))
-      smallest = minval(abs(values), mask=abs(values) > 0.0_wp .and. .not. is_none(values))
+      smallest = minval(abs(values), mask=abs(values) > round_off*largest &
+         .and. .not. is_none(values))
       if (.not. largest > 0.0_wp) then
          form = '(f32.1)'
       else if (index(name, '_share') > 0) then
@@ -237,7 +277,7 @@ contains
       write (buffer, form) value
       text = trim(adjustl(buffer))
       ! what rounds to zero has no sign
-      if (verify(text, '-0.') == 0 .and. text(1:1) == '-') text = text(2:)
+      if (text(1:1) == '-' .and. verify(text(:scan(text//'E', 'E') - 1), '-0.') == 0) text = text(2:)
    end function number_text
 
    !> Letters of the flags that are set, or `valid`.

@@ -6,8 +6,9 @@ module asperity_program_system_posix
    implicit none
    private
    public :: c_access, c_close, c_creat, c_errno_location, c_fchmod, c_fchown, c_ferror, c_fileno, &
-      c_flock, c_fsync, c_ftruncate, c_fwrite, c_getpid, c_isatty, c_pclose, c_popen, c_readlink, &
-      c_realpath, c_rename, c_signal, c_statx, c_strerror, c_system, c_unlink, c_write, statx_type
+      c_flock, c_fsync, c_ftruncate, c_fwrite, c_getpid, c_gmtime_r, c_ioctl, c_isatty, c_pclose, &
+      c_popen, c_readlink, c_realpath, c_rename, c_signal, c_statx, c_strerror, c_strftime, &
+      c_system, c_time, c_unlink, c_write, statx_type
 
    !> What statx tells; unlike that of stat, it is laid out in one way on every machine.
    type, bind(c) :: statx_type
@@ -75,6 +76,28 @@ module asperity_program_system_posix
          import :: c_int
          integer(c_int), value :: file
       end function c_isatty
+      integer(c_int) function c_ioctl(file, request, result) bind(c, name='ioctl')
+         import :: c_int, c_int16_t, c_long
+         integer(c_int), value :: file
+         integer(c_long), value :: request
+         integer(c_int16_t), intent(inout) :: result(*)
+      end function c_ioctl
+      subroutine c_time(seconds) bind(c, name='time')
+         import :: c_long
+         integer(c_long), intent(out) :: seconds
+      end subroutine c_time
+      type(c_ptr) function c_gmtime_r(seconds, calendar) bind(c, name='gmtime_r')
+         import :: c_long, c_ptr
+         integer(c_long), intent(in) :: seconds
+         integer(c_long), intent(out) :: calendar(*)
+      end function c_gmtime_r
+      integer(c_size_t) function c_strftime(text, length, form, calendar) bind(c, name='strftime')
+         import :: c_char, c_long, c_size_t
+         character(kind=c_char), intent(out) :: text(*)
+         integer(c_size_t), value :: length
+         character(kind=c_char), intent(in) :: form(*)
+         integer(c_long), intent(in) :: calendar(*)
+      end function c_strftime
       integer(c_int) function c_access(path, mode) bind(c, name='access')
          import :: c_char, c_int
          character(kind=c_char), intent(in) :: path(*)

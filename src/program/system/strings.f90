@@ -2,7 +2,7 @@
 module asperity_program_system_strings
    implicit none
    private
-   public :: string_type, lower_case, quoted, escaped, nearest_name, starts_with
+   public :: string_type, lower_case, quoted, escaped, nearest_name, shell_word, starts_with, wrapped
 
    character(len=*), parameter, public :: newline = new_line('a')
    !> As `\` in a literal means different things to different compilers
@@ -65,6 +65,47 @@ contains
          end if
       end do
    end function escaped
+
+   !> A text as one word of a shell command, in quotes where it needs them.
+   pure function shell_word(text) result(word)
+      !> Any text
+      character(len=*), intent(in) :: text
+      character(len=:), allocatable :: word
+      character(len=*), parameter :: plain = 'abcdefghijklmnopqrstuvwxyz'// &
+         'ABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./,:=+-%@'
+
+      word = text
+      if (text == '' .or. verify(text, plain) > 0) &
+         word = "'"//escaped(text, "'", "'"//backslash//"''")//"'"
+   end function shell_word
+
+   !> A text as lines of a width, broken at blanks; what has none stays whole.
+   pure function wrapped(text, width, indent) result(lines)
+      !> Any text without line breaks
+      character(len=*), intent(in) :: text
+      !> Characters of a line
+      integer, intent(in) :: width
+      !> Blanks before every line but the first
+      integer, intent(in) :: indent
+      character(len=:), allocatable :: lines
+      integer :: before, cut, first, start
+
+      lines = ''
+      first = 1
+      before = 0
+      do while (len(text) - first + 1 > width - before)
+         start = first - 1 + verify(text(first:), ' ')
+         cut = first - 1 + index(text(first:first + width - before), ' ', back=.true.)
+         ! a word that is too long
+         if (cut <= start) cut = start - 1 + index(text(start:), ' ')
+         if (cut < start) exit
+         lines = lines//repeat(' ', before)//trim(text(first:cut - 1))//newline
+         first = cut - 1 + verify(text(cut:), ' ')
+         if (first < cut) return
+         before = indent
+      end do
+      lines = lines//repeat(' ', before)//text(first:)
+   end function wrapped
 
    !> Whether `text` begins with `start`.
    pure logical function starts_with(text, start)

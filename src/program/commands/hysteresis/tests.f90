@@ -76,6 +76,7 @@ contains
       n = size(tests(1)%conditions)
       table%rows = sum(tables%rows)
       table%set = n + tables(1)%set
+      table%leading = n + tables(1)%leading
       allocate (table%columns(table%set))
       do i = 1, n
          table%columns(i) = condition_column(i, tests, tables%rows)

@@ -46,7 +46,7 @@ contains
       type(surface_analysis_type), intent(in) :: analysis
       type(table_type) :: table
 
-      table = new_table(columns=7, rows=n_parameters)
+      table = new_table(columns=7, rows=n_parameters, leading=2)
       call table%add_texts('parameter', parameters%name)
       call table%add_texts('unit', parameters%unit)
       call table%add_numbers('value', '-', analysis%values(:, 1), figures=value_figures)

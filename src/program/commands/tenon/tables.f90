@@ -208,7 +208,7 @@ contains
          if (any(h(i)%peak > 0)) reach(i) = maxval(abs(h(i)%displacement), mask=h(i)%peak > 0)
          if (any(r(i)%peak > 0)) reach(i) = maxval(abs(r(i)%displacement), mask=r(i)%peak > 0)
       end do
-      table = new_table(columns=14, rows=n)
+      table = new_table(columns=14, rows=n, leading=2)
       call table%add_codes('cycle', column_counts, [(i, i=1, n)])
       call table%add_numbers('rotation', 'rad', reach, 4)
       call table%add_numbers('negative_moment_hard', 'kN m', (h%force(negative_side)), 3)
