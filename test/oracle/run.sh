@@ -13,7 +13,7 @@
 # modules changes; see `sources` below.
 set -euo pipefail
 export LC_ALL=C OMP_NUM_THREADS=1 # cases run two at once
-unset COLUMNS
+export COLUMNS=1000 SOURCE_DATE_EPOCH=0 # lines as wide as any table and remark
 
 fail() { printf 'oracle: error: %s\n' "$*" >&2; exit 2; }
 
