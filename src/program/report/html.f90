@@ -37,7 +37,7 @@ contains
       integer :: i, row
 
       call printed_columns(table, columns)
-      call b%line('<table><caption>'//html_text(caption)//'</caption>')
+      call b%line('<div class="table"><table><caption>'//html_text(caption)//'</caption>')
       call b%add('<thead><tr>')
       do i = 1, size(columns)
          call b%add('<th>'//html_text(escaped(table%columns(i)%name, '_', ' ')))
@@ -54,7 +54,7 @@ contains
          end do
          call b%line('</tr>')
       end do
-      call b%line('</tbody></table>')
+      call b%line('</tbody></table></div>')
    end subroutine add_html_table
 
    !> A page with its pictures. `error` is set if there are not as many as belong there.

@@ -14,6 +14,7 @@ module asperity_program_commands_tenon_page
    use asperity_program_report_html, only: add_html_table, html_text
    use asperity_program_report_report, only: report_type
    use asperity_program_report_terminal, only: input_text
+   use asperity_program_system_environment, only: command_text, time_text
    use asperity_program_system_strings, only: string_type
    implicit none
    private
@@ -22,7 +23,7 @@ module asperity_program_commands_tenon_page
 contains
 
    !> Text of the page before each picture and after the last.
-   pure function joint_page(report) result(parts)
+   function joint_page(report) result(parts)
       !> The report, with its pictures
       type(report_type), intent(in) :: report
       type(string_type), allocatable :: parts(:)
@@ -34,8 +35,9 @@ contains
       beside_paper = is_paper_joint(report%settings)
       call add_head(b)
       call b%line('<h1>Tenon joint: hard contact against the rough law</h1>')
-      call b%line('<p class="sub">Faces: '//html_text(faces_text(report%settings))// &
-         '. asperity '//version//'.</p>')
+      call b%line('<p class="sub">Faces: '//html_text(faces_text(report%settings))//'.<br>'// &
+         'Made on '//time_text()//' by asperity '//version//': <code>'// &
+         html_text(command_text())//'</code></p>')
       call b%line('<h2>Result</h2>')
       call add_html_table(b, report%summary, &
          trim(merge('As Table 5 of the paper: negative', 'Negative                         ', &
@@ -94,6 +96,7 @@ contains
       call b%line('h1 { font-size: 1.6em; margin: 0 } '// &
          'h2 { font-size: 1.2em; margin: 1.6em 0 .5em; border-bottom: 1px solid #bbb }')
       call b%line('.sub { color: #555 } .unit { color: #555; font-weight: normal }')
+      call b%line('code { overflow-wrap: anywhere } .table { overflow-x: auto }')
       call b%line('table { border-collapse: collapse; margin: .8em 0 1.2em; font-size: .9em; '// &
          'font-variant-numeric: tabular-nums }')
       call b%line('caption { text-align: left; color: #555; padding-bottom: .3em }')
@@ -111,8 +114,8 @@ contains
       call b%line('@media (max-width: 700px) { .pictures { display: block } }')
       call b%line('@page { margin: 15mm }')
       call b%line('@media print { body { font-size: 9.5pt; max-width: none; margin: 0; '// &
-         'padding: 0 } h2 { break-after: avoid } tr, li { break-inside: avoid } '// &
-         'thead { display: table-header-group } }')
+         'padding: 0 } .table { overflow: visible } h2 { break-after: avoid } '// &
+         'tr, li { break-inside: avoid } thead { display: table-header-group } }')
       call b%line('</style></head><body>')
    end subroutine add_head
 
@@ -159,7 +162,7 @@ contains
       integer :: key
 
       usual = usual_settings()
-      call b%line('<table class="case"><caption>Input; asperity tenon --print-case writes it '// &
+      call b%line('<div class="table"><table class="case"><caption>Input; asperity tenon --print-case writes it '// &
          'as a case file</caption>')
       call b%line('<thead><tr><th>key</th><th>value</th><th>what it is</th><th>where the value '// &
          'comes from</th></tr></thead><tbody>')
@@ -176,11 +179,11 @@ contains
                origin = origin//origin_of(trim(keys(key)%name))
             end if
             call b%line('<tr>'//cell(trim(keys(key)%name))// &
-               cell(trim(input_text(s, key)//' '//s%unit_of(key)))// &
+               cell(trim(input_text(s, key, whole=.true.)//' '//s%unit_of(key)))// &
                cell(trim(keys(key)%help))//cell(origin)//'</tr>')
          end do
       end associate
-      call b%line('</tbody></table>')
+      call b%line('</tbody></table></div>')
    end subroutine add_case
 
    !> A cell of text.
