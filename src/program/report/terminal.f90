@@ -20,7 +20,7 @@ module asperity_program_report_terminal
 
    !> Evenly spaced rows that are shown: of one run, and of all
    integer, parameter :: fewest_rows = 6, most_rows = 21, all_rows = 33
-   !> Columns before a value, and before its source
+   !> Columns before a value, and before its source unless that is long
    integer, parameter :: value_column = 26, source_column = 50
    !> Part of a value that computing it may have added
    real(wp), parameter :: rounding = 1.0e-12_wp
@@ -192,15 +192,19 @@ contains
       type(pair_preset) :: pair
       type(error_type), allocatable :: error
       character(len=:), allocatable :: left
-      integer :: key
+      logical :: shown(n_keys)
+      integer :: key, column
 
       left = ''
       associate (s => report%settings)
+         shown = [(belongs(key, report%command) .and. keys(key)%kind < kind_file &
+            .and. s%of(key)%has_value .and. .not. s%of(key)%unused, key=1, n_keys)]
+         column = min(source_column, width &
+            - maxval([0, (merge(len(s%of(key)%source), 0, shown(key)), key=1, n_keys)]))
          do key = 1, n_keys
-            if (.not. belongs(key, report%command) .or. keys(key)%kind >= kind_file) cycle
-            if (.not. s%of(key)%has_value .or. s%of(key)%unused) cycle
+            if (.not. shown(key)) cycle
             left = '  '//keys(key)%name//input_text(s, key)//' '//s%unit_of(key)
-            call buffer%line(wrapped(left//repeat(' ', max(1, source_column - len(left)))// &
+            call buffer%line(wrapped(left//repeat(' ', max(1, column - len(left)))// &
                s%of(key)%source, width, value_column))
          end do
          ! a map replaces what the note is about

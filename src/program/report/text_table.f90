@@ -15,7 +15,6 @@ module asperity_program_report_text_table
    integer, parameter :: figures = 5
    !> Part of the largest number of a column below which another is no number
    real(wp), parameter :: round_off = 1.0e-12_wp
-   character(len=*), parameter :: gap = '  '
 
    !> A column as it is printed: heading lines, unit, cells, all of one width.
    type :: printed_type
@@ -23,8 +22,8 @@ module asperity_program_report_text_table
       type(string_type), allocatable :: heading(:), cells(:)
       !> Unit, `-` for none
       character(len=:), allocatable :: unit
-      !> Characters of the widest
-      integer :: width = 0
+      !> Characters of the widest, and of the blanks before it
+      integer :: width = 0, gap = 2
       !> Aligned to the left
       logical :: left = .false.
    end type printed_type
@@ -46,7 +45,7 @@ contains
       character(len=*), intent(in), optional :: columns(:)
       type(printed_type), allocatable :: printed(:)
       integer, allocatable :: which(:), lines(:)
-      integer :: i, first, last, leading, narrow
+      integer :: i, first, last, leading, narrow, wide
 
       if (present(rows)) then
          allocate (lines, source=rows)
@@ -64,7 +63,10 @@ contains
       end do
 
       leading = min(table%leading, size(printed))
-      ! as few blocks as the width allows, and these of about one width
+      ! as few blocks as the width allows, where need be by narrow gaps, and these of about one width
+      wide = blocks(printed, leading, width)
+      printed%gap = 1
+      if (blocks(printed, leading, width) == wide) printed%gap = 2
       do narrow = width, 2, -1
          if (blocks(printed, leading, narrow - 1) > blocks(printed, leading, width)) exit
       end do
@@ -99,9 +101,9 @@ contains
       integer, intent(in) :: leading, first, width
       integer :: taken
 
-      taken = sum(len(gap) + columns(:leading)%width)
+      taken = sum(columns(:leading)%gap + columns(:leading)%width)
       do last = first, size(columns)
-         taken = taken + len(gap) + columns(last)%width
+         taken = taken + columns(last)%gap + columns(last)%width
          if (taken > width .and. last > first) exit
       end do
       last = last - 1
@@ -213,9 +215,9 @@ contains
                text = p%cells(i)%text
             end select
             if (p%left) then
-               line = line//gap//text//repeat(' ', p%width - len(text))
+               line = line//repeat(' ', p%gap)//text//repeat(' ', p%width - len(text))
             else
-               line = line//gap//repeat(' ', p%width - len(text))//text
+               line = line//repeat(' ', p%gap + p%width - len(text))//text
             end if
          end associate
       end do
