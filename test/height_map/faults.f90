@@ -271,6 +271,9 @@ contains
       call check(repeat(row, 4)//'1 2 -Infinity 4 5'//nl, 'file:5:5: ', 'finite')
       call check(repeat(row, 4)//'1 2 1e309 4 5'//nl, 'file:5:5: ', 'above 1e308')
       call check(repeat(row, 4)//'1 2 1.70141e38 4 5'//nl, 'file:5:5: ', 'beyond 1 km')
+      ! the first line and the first column may be axes: what is wrong there comes last
+      call check('1 2 1e20 4 5'//nl//row//'1e20 2 3 4 5'//nl//row//row, 'file:1:5: ', 'beyond 1 km')
+      call check('1 2 1e20 4 5'//nl//row//'1 2 1e20 4 5'//nl//row//row, 'file:3:5: ', 'beyond 1 km')
       call check(repeat('nan nan nan nan nan'//nl, 5), 'file: ', 'every point is missing')
       call check(row, 'file: ', '5 x 1 points are no map: at least 5')
       call check(repeat('1 2 3 4'//nl, 50), 'file: ', '4 x 50 points are no map')
