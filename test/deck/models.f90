@@ -8,6 +8,7 @@ module test_deck_models
    use asperity_deck_shear_deck, only: new_shear_deck, shear_deck
    use asperity_deck_tenon_deck, only: new_tenon_deck, tenon_deck
    use asperity_deck_tenon_parts, only: default_tenon_sizes
+   use asperity_deck_tenon_text, only: write_tenon_deck
    use asperity_replay_shear_settings, only: shear_settings
    use asperity_replay_tenon_settings, only: tenon_settings
    use contact_cases, only: pair_properties
@@ -253,6 +254,7 @@ contains
       call assertEqual(deck%sizes%side_interference, &
          deck%sizes%side_overlap + 52.5_wp*deck%swelling, tolerance=1.0e-14_wp)
       call assertTrue(deck%has_sides .and. deck%swelling > 0.0_wp)
+      call assertEqual([1, 1], [times('*TEMPERATURE'), times('*EXPANSION')], 'swells in one step')
       s%gap = 'first_touch'
       call make(deck, choice, s, error)
       call assertEqual(0.1_wp, deck%sizes%gap_below, tolerance=1.0e-15_wp)
@@ -265,6 +267,24 @@ contains
       call make(deck, choice, s, error)
       call assertFalse(deck%has_sides)
       call assertEqual(0.0_wp, deck%swelling)
+      call assertEqual([0, 0], [times('*TEMPERATURE'), times('*EXPANSION')], 'does not swell')
+   contains
+      !> How often a word is in the deck's text.
+      integer function times(word)
+         character(len=*), intent(in) :: word
+         character(len=:), allocatable :: text
+         integer :: at
+
+         call write_tenon_deck(deck, text, error)
+         call assertFalse(allocated(error), 'written')
+         times = 0
+         at = index(text, word)
+         do while (at > 0)
+            times = times + 1
+            text = text(at + len(word):)
+            at = index(text, word)
+         end do
+      end function times
    end subroutine test_gaps
 
    !> Strokes lie between the turns of the programme, or of a recorded history.

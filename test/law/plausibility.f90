@@ -89,15 +89,20 @@ contains
       end do
       do i = 1, size(pairs)
          associate (q => pairs(i))
-            call strength(q%modulus*1.0e6_wp, q%hardness, 'modulus looks like Pa')
-            call strength(q%modulus*1.0e-3_wp, q%hardness, 'modulus looks like GPa')
-            call strength(q%modulus, q%hardness*1.0e6_wp, 'hardness looks like Pa')
-            call strength(q%modulus, q%hardness*1.0e-3_wp, 'hardness looks like GPa')
-            call strength(q%modulus*1.0e6_wp, q%hardness*1.0e6_wp, 'modulus looks like Pa')
-            call strength(q%modulus*1.0e6_wp, q%hardness*1.0e6_wp, 'hardness looks like Pa')
-            call strength(q%modulus*1.0e-3_wp, q%hardness*1.0e-3_wp, 'modulus looks like GPa')
+            call strength(q%modulus*1.0e6_wp, q%hardness, of_modulus('Pa', '-6'))
+            call strength(q%modulus*1.0e-3_wp, q%hardness, of_modulus('GPa', '3'))
+            call strength(q%modulus, q%hardness*1.0e6_wp, of_hardness('Pa', '-6'))
+            call strength(q%modulus, q%hardness*1.0e-3_wp, of_hardness('GPa', '3'))
+            call strength(q%modulus*1.0e6_wp, q%hardness*1.0e6_wp, &
+               of_modulus('Pa', '-6')//'; '//of_hardness('Pa', '-6'))
+            call strength(q%modulus*1.0e-3_wp, q%hardness*1.0e-3_wp, &
+               of_modulus('GPa', '3')//'; '//of_hardness('GPa', '3'))
          end associate
       end do
+      ! steel, and wood along its grain
+      call strength(1.0e8_wp, 2.0e3_wp, of_modulus('kPa', '-3'))
+      call strength(1.0e5_wp, 2.0e6_wp, of_hardness('kPa', '-3'))
+      call strength(1.2e7_wp, 3.0e4_wp, of_modulus('kPa', '-3')//'; '//of_hardness('kPa', '-3'))
 
    contains
 
@@ -115,8 +120,23 @@ contains
          real(wp), intent(in) :: modulus, hardness
          character(len=*), intent(in) :: text
 
-         call refused(206.0_wp, modulus, 0.1477_wp, hardness, 0.0593_wp, text)
+         call refused(206.0_wp, modulus, 0.1477_wp, hardness, 0.0593_wp, &
+            ' has: '//text//'; if it is right')
       end subroutine strength
+
+      pure function of_modulus(unit, power) result(text)
+         character(len=*), intent(in) :: unit, power
+         character(len=:), allocatable :: text
+
+         text = 'modulus looks like '//unit//', give it in MPa (times 1e'//power//')'
+      end function of_modulus
+
+      pure function of_hardness(unit, power) result(text)
+         character(len=*), intent(in) :: unit, power
+         character(len=:), allocatable :: text
+
+         text = 'hardness looks like '//unit//', give it in MPa (times 1e'//power//')'
+      end function of_hardness
 
    end subroutine test_wood
 

@@ -61,7 +61,6 @@ contains
       integer :: i, j, status
 
       call check_cutoff(map, 'long_cutoff', cutoff, error)
-      if (allocated(error)) return
       allocate (long(size(map%heights, 1), size(map%heights, 2)), stat=status)
       call check_memory(status, map%source, 8_int64*size(map%heights, kind=int64), error)
       call check_room(map%source, bytes_of(map), error)
