@@ -9,6 +9,7 @@ program test_replay
    use test_replay_tenon_energy, only: suite_tenon_energy
    use test_replay_tenon_forms, only: suite_tenon_forms
    use test_replay_tenon_joint, only: suite_tenon_joint
+   use test_replay_tenon_laws, only: suite_tenon_laws
    use test_replay_tenon_limits, only: suite_tenon_limits
    use test_replay_tenon_solver, only: suite_tenon_solver
    implicit none
@@ -20,6 +21,7 @@ program test_replay
    call suite%addTest(suite_shear_box())
    call suite%addTest(suite_sizes())
    call suite%addTest(suite_tenon_forms())
+   call suite%addTest(suite_tenon_laws())
    call suite%addTest(suite_tenon_energy())
    call suite%addTest(suite_tenon_joint())
    call suite%addTest(suite_tenon_limits())
