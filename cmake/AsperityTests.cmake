@@ -71,7 +71,8 @@ add_executable(asperity_single_tests
    # of the face of the law, what that file has no need of
    src/base/version.f90 src/law/single_asperity.f90 src/asperity.f90
    interface/abaqus/uinter.f90 interface/abaqus/uinter_signature.f90
-   interface/abaqus/vuinter_signature.f90 src/replay/abaqus_host.f90)
+   interface/abaqus/vuinter_signature.f90
+   src/replay/abaqus_record.f90 src/replay/abaqus_host.f90)
 # one rule writes the file, not two at once
 add_dependencies(asperity_single_tests uinter_file)
 target_link_libraries(asperity_single_tests PRIVATE ${funit_target})

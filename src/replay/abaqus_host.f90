@@ -2,43 +2,19 @@
 !> the values at its start, with every output poisoned beforehand, accepts or cuts back, and keeps
 !> the history of everything that UINTER returned.
 module asperity_replay_abaqus_host
-   use, intrinsic :: ieee_arithmetic, only: ieee_is_nan, ieee_quiet_nan, ieee_value
    use asperity_abaqus_props_and_statev, only: n_statev, props_from_properties
    use asperity_abaqus_uinter_signature, only: uinter_interface
    use asperity_base_error, only: computation_error, error_type, fatal_error
    use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
    use asperity_contact_properties, only: contact_properties
-   use asperity_contact_state, only: no_opposite_surface, no_rotation, no_surface_limit
+   use asperity_contact_state, only: no_rotation, no_surface_limit
+   use asperity_replay_abaqus_record, only: check_outputs, host_record, new_host_record, &
+      poison_outputs
    implicit none
    private
-   public :: host_point, host_record, new_host_point, try_increment, accept_increment, &
-      refuse_cut, run_increment
-
-   !> Everything that UINTER was given and returned in one call.
-   type :: host_record
-      !> Step and total time at the end of the increment, s; its length, s
-      real(wp) :: time(2) = 0.0_wp, dtime = 0.0_wp
-      !> Relative position at the end and its increment, mm
-      real(wp), allocatable :: rdisp(:), drdisp(:)
-      !> Tractions, MPa, and their derivative by the relative motion, MPa/mm
-      real(wp), allocatable :: stress(:), ddsddr(:, :)
-      !> State variables
-      real(wp), allocatable :: statev(:)
-      !> Damping matrices, heat fluxes and their variations
-      real(wp), allocatable :: dviscous(:, :), dstructural(:, :), ddsddt(:, :), ddfddr(:, :)
-      real(wp) :: flux(2) = 0.0_wp, ddfddt(2, 2) = 0.0_wp
-      !> Stored energy per area, total, N/mm
-      real(wp) :: sed = 0.0_wp
-      !> Frictional, plastic, viscous and creep dissipation per area in the increment, N/mm
-      real(wp) :: sfd = 0.0_wp, spd = 0.0_wp, svd = 0.0_wp, scd = 0.0_wp
-      !> Time step factor asked for; not below 1 unless a cut is wanted
-      real(wp) :: pnewdt = 0.0_wp
-      !> Flags of the interface
-      integer :: lopenclose = -1, lstate = -1, lsdi = 0
-      !> Calls of UINTER in this increment so far
-      integer :: calls = 0
-   end type host_record
+   public :: host_point, new_host_point, try_increment, accept_increment, refuse_cut, &
+      run_increment
 
    !> One contact point of the host.
    type :: host_point
@@ -93,13 +69,7 @@ contains
       if (present(ndir)) point%ndir = ndir
       n = n_statev
       if (present(nstatv)) n = nstatv
-      associate (start => point%start)
-         allocate (start%rdisp(point%ndir), start%drdisp(point%ndir), start%stress(point%ndir), &
-            start%ddsddr(point%ndir, point%ndir), start%dviscous(point%ndir, point%ndir), &
-            start%dstructural(point%ndir, point%ndir), start%ddsddt(point%ndir, 2), &
-            start%ddfddr(2, point%ndir), start%statev(n), source=0.0_wp)
-         start%rdisp(1) = no_opposite_surface
-      end associate
+      call new_host_record(point%start, point%ndir, n)
       point%trial = point%start
       if (present(keep_history)) point%keep_history = keep_history
       allocate (point%history(0))
@@ -233,30 +203,18 @@ contains
       real(wp), parameter :: zero_2(2) = 0.0_wp, zero_field(2, 1) = 0.0_wp, zero_3(3) = 0.0_wp
       real(wp), parameter :: axes(3, 3) = reshape([1.0_wp, 0.0_wp, 0.0_wp, 0.0_wp, 1.0_wp, &
          0.0_wp, 0.0_wp, 0.0_wp, 1.0_wp], [3, 3])
-      real(wp) :: bad
       integer :: calls, lopenclose, lstate
 
       calls = point%trial%calls
       lopenclose = point%trial%lopenclose
       lstate = point%trial%lstate
       point%trial = point%start
-      bad = ieee_value(1.0_wp, ieee_quiet_nan)
+      call poison_outputs(point%trial)
       associate (t => point%trial)
-         t%dviscous = bad
-         t%dstructural = bad
-         t%flux = bad
-         t%ddfddt = bad
-         t%ddsddt = bad
-         t%ddfddr = bad
          t%calls = calls + 1
          t%lopenclose = lopenclose
          t%lstate = lstate
          t%lsdi = 0
-         t%ddsddr = bad
-         t%sfd = bad
-         t%spd = bad
-         t%svd = bad
-         t%scd = bad
          t%pnewdt = large_pnewdt
          t%dtime = dtime
          t%rdisp(1) = overclosure
@@ -280,19 +238,5 @@ contains
             t%lopenclose, t%lstate, t%lsdi, 0)
       end associate
    end subroutine call_routine
-
-   !> `error` is set when an output still holds the poison.
-   subroutine check_outputs(record, error)
-      type(host_record), intent(in) :: record
-      type(error_type), allocatable, intent(out) :: error
-
-      if (any(ieee_is_nan(record%stress)) .or. any(ieee_is_nan(record%ddsddr)) &
-         .or. any(ieee_is_nan(record%dviscous)) .or. any(ieee_is_nan(record%dstructural)) &
-         .or. any(ieee_is_nan(record%flux)) .or. any(ieee_is_nan(record%ddfddt)) &
-         .or. any(ieee_is_nan(record%ddsddt)) .or. any(ieee_is_nan(record%ddfddr)) &
-         .or. any(ieee_is_nan([record%sed, record%sfd, record%spd, record%svd, record%scd]))) &
-         call fatal_error(error, 'UINTER returned a number that is not one, or left an output '// &
-         'unset, at overclosure = '//to_text(record%rdisp(1))//' mm', computation_error)
-   end subroutine check_outputs
 
 end module asperity_replay_abaqus_host

@@ -7,8 +7,9 @@ module test_replay_abaqus_host
    use asperity, only: contact_properties, error_type, evaluate_normal_law, no_opposite_surface, &
       normal_response, wp
    use asperity_abaqus_uinter_signature, only: uinter_interface
-   use asperity_replay_abaqus_host, only: accept_increment, host_point, host_record, &
+   use asperity_replay_abaqus_host, only: accept_increment, host_point, &
       new_host_point, run_increment, try_increment
+   use asperity_replay_abaqus_record, only: host_record
    use contact_cases, only: pair_properties
    use funit, only: anyExceptions, assertEqual, assertFalse, assertTrue, &
       TestMethod, TestSuite
