@@ -1,6 +1,5 @@
 !> VUINTER against UINTER, point by point, on random paths; and VUINTER in two threads.
 module test_abaqus_vuinter_agreement
-   use, intrinsic :: iso_c_binding, only: c_f_pointer, c_int, c_null_ptr, c_ptr
    use, intrinsic :: iso_fortran_env, only: int64
    use asperity, only: contact_properties, error_type, no_opposite_surface, wp
    use asperity_abaqus_props_and_statev, only: n_statev, properties_from_props, state_dissipation, &
@@ -12,10 +11,9 @@ module test_abaqus_vuinter_agreement
       try_increment
    use contact_cases, only: pair_properties, random_contact
    use extremes, only: largest_of, worsen
-   use funit, only: assertEqual, assertFalse, assertGreaterThan, assertLessThan, assertTrue, &
-      TestMethod, TestSuite
+   use funit, only: assertFalse, assertLessThan, assertTrue, TestMethod, TestSuite
    use random_inputs, only: random_stream
-   use threads, only: run_two
+   use threads, only: check_two_threads
    use vuinter_host, only: advance_nodes, guards_hold, new_slave_nodes, outputs_set, slave_nodes, &
       statev_of, stress_of
    implicit none
@@ -26,9 +24,6 @@ module test_abaqus_vuinter_agreement
    integer(int64), parameter :: seed = 14142135_int64
    integer, parameter :: thread_increments = 50, thread_nodes = 40
    real(wp), parameter :: eps = real(epsilon(1.0_vp), wp), dtime = 0.1_wp
-
-   !> What the two threads found, one column each; written by its own thread only
-   real(wp) :: thread_sums(5, 2)
 
    !> Motion of all nodes in an increment
    type :: motion
@@ -229,33 +224,14 @@ contains
 
    !> Each thread has a pair of its own; both at once give the bits that each gives alone.
    subroutine test_threads()
-      real(wp) :: serial(5, 2)
-      logical :: ok
-
-      serial(:, 1) = thread_work(1)
-      serial(:, 2) = thread_work(2)
-      thread_sums = 0.0_wp
-      call run_two(vuinter_thread, ok)
-      call assertTrue(ok, 'threads ran')
-      call assertEqual(reshape(serial, [10]), reshape(thread_sums, [10]), 0.0_wp, 'bits')
-      call assertGreaterThan(abs(serial(1, 1) - serial(1, 2)), 0.0_wp, 'the two differ')
+      call check_two_threads(thread_work, 5)
    end subroutine test_threads
-
-   function vuinter_thread(argument) bind(c) result(answer)
-      type(c_ptr), value :: argument
-      type(c_ptr) :: answer
-      integer(c_int), pointer :: number
-
-      call c_f_pointer(argument, number)
-      thread_sums(:, number) = thread_work(int(number))
-      answer = c_null_ptr
-   end function vuinter_thread
 
    !> Sums of stresses and energies over a path of the pair with that number, which stays within
    !> the law's limits: no stub is called.
-   function thread_work(number) result(sums)
+   subroutine thread_work(number, sums)
       integer, intent(in) :: number
-      real(wp) :: sums(5)
+      real(wp), intent(out) :: sums(:)
       type(random_stream) :: stream
       type(slave_nodes) :: nodes
       real(vp) :: overclosure(thread_nodes), slip(2, thread_nodes)
@@ -279,6 +255,6 @@ contains
             sums = sums + [stress_of(nodes, k), real(nodes%sed(k), wp), real(nodes%sfd(k), wp)]
          end do
       end do
-   end function thread_work
+   end subroutine thread_work
 
 end module test_abaqus_vuinter_agreement

@@ -1,7 +1,6 @@
 !> The contact-point update with the compiled law: against the direct one, its tangent, and one set
 !> of properties in two threads.
 module test_contact_compiled_points
-   use, intrinsic :: iso_c_binding, only: c_f_pointer, c_int, c_null_ptr, c_ptr
    use, intrinsic :: iso_fortran_env, only: int64
    use asperity, only: contact_properties, contact_response, contact_state, contact_states, &
       error_type, evaluate_compiled_law, evaluate_normal_law, new_contact_properties, &
@@ -12,11 +11,11 @@ module test_contact_compiled_points
    use contact_cases, only: pair_properties
    use extremes, only: largest_of, worsen
    use funit, only: anyExceptions, assertEqual, assertFalse, assertGreaterThan, assertLessThan, &
-      assertTrue, TestMethod, TestSuite
+      TestMethod, TestSuite
    use measurements, only: record
    use points_cases, only: compile, random_pair, random_slip
    use random_inputs, only: random_stream
-   use threads, only: run_two
+   use threads, only: check_two_threads
    implicit none
    private
    public :: suite_compiled_points
@@ -26,8 +25,6 @@ module test_contact_compiled_points
 
    !> Shared by the two threads, which only read it
    type(contact_properties) :: shared_properties
-   !> What the two threads found, one column each; written by its own thread only
-   real(wp) :: thread_sums(6, 2)
 
 contains
 
@@ -217,33 +214,14 @@ contains
 
    !> The same properties in both threads at once, and on different paths.
    subroutine test_threads()
-      real(wp) :: serial(6, 2)
-      logical :: ok
-
       call compile(pair_properties(rule_dissipative), shared_properties)
-      serial(:, 1) = thread_work(1)
-      serial(:, 2) = thread_work(2)
-      thread_sums = 0.0_wp
-      call run_two(points_thread, ok)
-      call assertTrue(ok, 'threads ran')
-      call assertEqual(reshape(serial, [12]), reshape(thread_sums, [12]), 0.0_wp, 'bits')
-      call assertGreaterThan(abs(serial(1, 1) - serial(1, 2)), 0.0_wp, 'the two differ')
+      call check_two_threads(thread_work, 6)
    end subroutine test_threads
 
-   function points_thread(argument) bind(c) result(answer)
-      type(c_ptr), value :: argument
-      type(c_ptr) :: answer
-      integer(c_int), pointer :: number
-
-      call c_f_pointer(argument, number)
-      thread_sums(:, number) = thread_work(int(number))
-      answer = c_null_ptr
-   end function points_thread
-
    !> Sums of stresses, energies and tangents over the path with that number.
-   function thread_work(number) result(sums)
+   subroutine thread_work(number, sums)
       integer, intent(in) :: number
-      real(wp) :: sums(6)
+      real(wp), intent(out) :: sums(:)
       integer, parameter :: n = thread_points
       type(random_stream) :: stream
       type(contact_states) :: states
@@ -265,6 +243,6 @@ contains
          sums = sums + [sum(traction, dim=1), sum(tangent), sum(energy + states%normal_energy), &
             sum(loss)]
       end do
-   end function thread_work
+   end subroutine thread_work
 
 end module test_contact_compiled_points

@@ -2,11 +2,10 @@
 !> tractions along the path, never taken from the ledgers.
 module test_law_compiled_energy
    use, intrinsic :: iso_fortran_env, only: int64
-   use asperity, only: contact_properties, contact_response, contact_state, &
-      evaluate_compiled_law, no_rotation, slip_exact, status_open, status_slip, status_unset, &
-      update_contact_point, wp
-   use asperity_law_quadrature_gauss_legendre, only: n_points, nodes, weights
+   use asperity, only: contact_properties, contact_response, contact_state, no_rotation, &
+      slip_exact, status_open, status_slip, update_contact_point, wp
    use contact_cases, only: pair_properties
+   use contact_work, only: normal_work, tangential_work
    use extremes, only: worsen
    use funit, only: assertEqual, assertGreaterThan, assertLessThan, TestMethod, TestSuite
    use measurements, only: record
@@ -17,7 +16,6 @@ module test_law_compiled_energy
    public :: suite_compiled_energy
 
    integer(int64), parameter :: seed = 26457514_int64
-   real(wp), parameter :: none(2) = 0.0_wp
 
 contains
 
@@ -51,7 +49,7 @@ contains
             overclosure = p%initial_separation - stream%uniform(-2.0_wp, 3.0_wp)*p%normal%sigma
             slip = random_slip(stream, p, 1.5_wp)
             call update_contact_point(p, start, overclosure, slip, no_rotation, next)
-            work = normal_work(p, start, overclosure) + slip_work(p, start, overclosure, slip)
+            work = normal_work(p, start, overclosure) + tangential_work(p, start, next, slip)
             change = next%normal_energy + next%tangential_energy &
                - last%normal_energy - last%tangential_energy
             scale = next%normal_energy + last%normal_energy + next%dissipation &
@@ -80,65 +78,12 @@ contains
       call compile(pair_properties(), p)
       wrong = p
       wrong%friction_coefficient = (1.0_wp + 1.0e-8_wp)*p%friction_coefficient
-      work = slip_work(p, contact_state(), 0.1_wp, slip)
       call update_contact_point(p, contact_state(), 0.1_wp, slip, no_rotation, r)
+      work = tangential_work(p, contact_state(), r, slip)
       call assertEqual(work, r%tangential_energy + r%dissipation, 1.0e-13_wp*work, 'right')
       call update_contact_point(wrong, contact_state(), 0.1_wp, slip, no_rotation, r)
       call assertGreaterThan(abs(r%tangential_energy + r%dissipation - work), 0.9e-8_wp*work, &
          'wrong')
    end subroutine test_energy_can_fail
-
-   !> Integral of the compiled pressure over the overclosure, in panels of two sigma, from that of
-   !> the start or from where the pressure vanishes.
-   function normal_work(p, start, overclosure) result(work)
-      type(contact_properties), intent(in) :: p
-      type(contact_state), intent(in) :: start
-      real(wp), intent(in) :: overclosure
-      real(wp) :: work, from, half, middle, pressure, stiffness
-      integer :: i, panel, panels
-
-      from = start%overclosure
-      if (start%status == status_unset) from = p%initial_separation - 12.0_wp*p%normal%sigma
-      panels = max(1, ceiling(0.5_wp*abs(overclosure - from)/p%normal%sigma))
-      half = 0.5_wp*(overclosure - from)/panels
-      work = 0.0_wp
-      do panel = 1, panels
-         middle = from + half*(2*panel - 1)
-         do i = 1, n_points
-            call evaluate_compiled_law(p%compiled, p%initial_separation - middle &
-               - half*nodes(i), pressure, stiffness)
-            work = work + half*weights(i)*pressure
-         end do
-      end do
-   end function normal_work
-
-   !> Integral of the shear stress over a straight motion at the pressure of the end: stresses after
-   !> parts of the motion, before and after the part where the elastic slip reaches gcrit.
-   function slip_work(p, start, overclosure, slip) result(work)
-      type(contact_properties), intent(in) :: p
-      type(contact_state), intent(in) :: start
-      real(wp), intent(in) :: overclosure, slip(2)
-      type(contact_response) :: pressed, at
-      real(wp) :: work, gamma(2), root, ends(3), half
-      integer :: i, leg
-
-      call update_contact_point(p, start, overclosure, none, no_rotation, pressed)
-      gamma = pressed%state%elastic_slip
-      ! |gamma + s slip| = gcrit
-      root = dot_product(gamma, slip)**2 &
-         + dot_product(slip, slip)*(p%critical_slip**2 - dot_product(gamma, gamma))
-      ends = [0.0_wp, (sqrt(max(root, 0.0_wp)) - dot_product(gamma, slip)) &
-         /dot_product(slip, slip), 1.0_wp]
-      ends(2) = min(max(ends(2), 0.0_wp), 1.0_wp)
-      work = 0.0_wp
-      do leg = 1, 2
-         half = 0.5_wp*(ends(leg + 1) - ends(leg))
-         do i = 1, n_points
-            call update_contact_point(p, pressed%state, overclosure, &
-               (0.5_wp*(ends(leg + 1) + ends(leg)) + half*nodes(i))*slip, no_rotation, at)
-            work = work + half*weights(i)*dot_product(at%traction(2:3), slip)
-         end do
-      end do
-   end function slip_work
 
 end module test_law_compiled_energy

@@ -2,19 +2,17 @@
 !> analytic stick-slip paths, threads and a million random calls.
 module test_replay_abaqus_host
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite, ieee_quiet_nan, ieee_value
-   use, intrinsic :: iso_c_binding, only: c_f_pointer, c_int, c_null_ptr, c_ptr
    use, intrinsic :: iso_fortran_env, only: int64
    use asperity, only: contact_properties, error_type, evaluate_normal_law, no_opposite_surface, &
       normal_response, wp
    use asperity_abaqus_uinter_signature, only: uinter_interface
-   use asperity_replay_abaqus_host, only: accept_increment, host_point, &
-      new_host_point, run_increment, try_increment
+   use asperity_replay_abaqus_host, only: accept_increment, host_point, new_host_point, &
+      run_increment, try_increment
    use asperity_replay_abaqus_record, only: host_record
    use contact_cases, only: pair_properties
-   use funit, only: anyExceptions, assertEqual, assertFalse, assertTrue, &
-      TestMethod, TestSuite
+   use funit, only: anyExceptions, assertEqual, assertFalse, assertTrue, TestMethod, TestSuite
    use random_inputs, only: random_stream
-   use threads, only: run_two
+   use threads, only: check_two_threads
    implicit none
    private
    public :: suite_replay_host
@@ -28,9 +26,6 @@ module test_replay_abaqus_host
    integer, parameter :: n_outputs = 11
    integer, parameter :: fault_cuts = -1, fault_flips = -2
    integer :: fault = 0
-
-   !> What the two threads found, one column each; written by its own thread only
-   real(wp) :: thread_sums(3, 2)
 
 contains
 
@@ -220,32 +215,13 @@ contains
 
    !> Each thread has a pair of its own; both at once give the bits that each gives alone.
    subroutine test_threads()
-      real(wp) :: serial(3, 2)
-      logical :: ok
-
-      serial(:, 1) = thread_work(1)
-      serial(:, 2) = thread_work(2)
-      thread_sums = 0.0_wp
-      call run_two(thread_body, ok)
-      call assertTrue(ok, 'threads ran')
-      call assertEqual(reshape(serial, [6]), reshape(thread_sums, [6]), 0.0_wp, 'bits')
-      call assertTrue(abs(serial(1, 1) - serial(1, 2)) > 0.0_wp, 'the two differ')
+      call check_two_threads(thread_work, 3)
    end subroutine test_threads
 
-   function thread_body(argument) bind(c) result(answer)
-      type(c_ptr), value :: argument
-      type(c_ptr) :: answer
-      integer(c_int), pointer :: number
-
-      call c_f_pointer(argument, number)
-      thread_sums(:, number) = thread_work(int(number))
-      answer = c_null_ptr
-   end function thread_body
-
    !> Sums of the stresses over a path of the pair with that number.
-   function thread_work(number) result(sums)
+   subroutine thread_work(number, sums)
       integer, intent(in) :: number
-      real(wp) :: sums(3)
+      real(wp), intent(out) :: sums(:)
       type(random_stream) :: stream
       type(host_point) :: point
       type(error_type), allocatable :: error
@@ -266,7 +242,7 @@ contains
          call accept_increment(point)
          sums = sums + point%start%stress
       end do
-   end function thread_work
+   end subroutine thread_work
 
    !> Random motions over the whole range, eight combinations of pair, rule, integration and NDIR,
    !> with rotations, rejected increments and perturbations: every result finite, no negative

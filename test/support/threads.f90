@@ -1,10 +1,12 @@
 !> POSIX threads, so that the tests need no compiler flag for threads.
 module threads
-   use, intrinsic :: iso_c_binding, only: c_funloc, c_funptr, c_int, c_intptr_t, c_loc, &
-      c_null_ptr, c_ptr
+   use, intrinsic :: iso_c_binding, only: c_f_pointer, c_funloc, c_funptr, c_int, c_intptr_t, &
+      c_loc, c_null_ptr, c_ptr
+   use asperity_base_kinds, only: wp
+   use funit, only: assertEqual, assertTrue
    implicit none
    private
-   public :: run_two
+   public :: check_two_threads
 
    interface
       integer(c_int) function pthread_create(thread, attributes, routine, argument) &
@@ -25,36 +27,64 @@ module threads
    end interface
 
    abstract interface
-      !> What a thread runs; the argument is its number.
-      function thread_routine(argument) bind(c) result(answer)
-         import :: c_ptr
+      !> What a thread computes: sums of the thread with a number, 1 or 2.
+      subroutine thread_work(number, sums)
+         import :: wp
          implicit none
-         type(c_ptr), value :: argument
-         type(c_ptr) :: answer
-      end function thread_routine
+         integer, intent(in) :: number
+         real(wp), intent(out) :: sums(:)
+      end subroutine thread_work
    end interface
+
+   !> The work of one thread.
+   type :: thread_task
+      procedure(thread_work), pointer, nopass :: work => null()
+      integer :: number = 0
+      real(wp), allocatable :: sums(:)
+   end type thread_task
 
 contains
 
-   !> Run the routine in two threads at once, with pointers to 1 and 2; `ok` when both ended.
-   subroutine run_two(routine, ok)
-      procedure(thread_routine) :: routine
-      logical, intent(out) :: ok
-      integer(c_int), target :: numbers(2)
+   !> Do the work of both numbers one after the other, then in two threads at once: the sums, so
+   !> many of each, have the same bits, and those of the two numbers differ.
+   subroutine check_two_threads(work, amount)
+      procedure(thread_work) :: work
+      integer, intent(in) :: amount
+      type(thread_task), target :: tasks(2)
+      real(wp) :: serial(amount, 2)
       integer(c_intptr_t) :: ids(2)
       integer(c_int) :: status(2)
       integer :: i
 
-      numbers = [1_c_int, 2_c_int]
       do i = 1, 2
-         status(i) = pthread_create(ids(i), c_null_ptr, c_funloc(routine), c_loc(numbers(i)))
+         call work(i, serial(:, i))
+         tasks(i)%work => work
+         tasks(i)%number = i
+         allocate (tasks(i)%sums(amount), source=0.0_wp)
       end do
-      ok = all(status == 0)
-      if (.not. ok) return
+      do i = 1, 2
+         status(i) = pthread_create(ids(i), c_null_ptr, c_funloc(run_task), c_loc(tasks(i)))
+      end do
+      call assertTrue(all(status == 0), 'threads started')
+      if (any(status /= 0)) return
       do i = 1, 2
          status(i) = pthread_join(ids(i), c_null_ptr)
       end do
-      ok = all(status == 0)
-   end subroutine run_two
+      call assertTrue(all(status == 0), 'threads ended')
+      do i = 1, 2
+         call assertEqual(serial(:, i), tasks(i)%sums, 0.0_wp, 'bits')
+      end do
+      call assertTrue(abs(serial(1, 1) - serial(1, 2)) > 0.0_wp, 'the two differ')
+   end subroutine check_two_threads
+
+   function run_task(argument) bind(c) result(answer)
+      type(c_ptr), value :: argument
+      type(c_ptr) :: answer
+      type(thread_task), pointer :: task
+
+      call c_f_pointer(argument, task)
+      call task%work(task%number, task%sums)
+      answer = c_null_ptr
+   end function run_task
 
 end module threads
