@@ -6,6 +6,7 @@ module asperity_replay_shear_settings
    use asperity_base_number_text, only: to_text
    use asperity_paper_shear_test, only: disc_diameter, disc_normal_stress, disc_rate
    use asperity_replay_sizes, only: check_between, check_size, slip_text
+   use asperity_replay_steps, only: steps_to_turn
    implicit none
    private
    public :: shear_settings, check_shear_settings, box_path, overlap_area, current_area
@@ -74,7 +75,7 @@ contains
          call check_way(error, turns(maxloc(abs(turns), 1)), settings%diameter, accepted)
       end associate
       if (allocated(error)) return
-      if (sum([(real(steps_between(turns, i, settings%displacement_increment), wp), &
+      if (sum([(real(steps_to_turn(turns, i, settings%displacement_increment), wp), &
             i=1, size(turns))]) > max_steps) then
          call fatal_error(error, 'displacement_increment = '// &
             to_text(settings%displacement_increment)//' mm gives more than '// &
@@ -130,29 +131,17 @@ contains
       real(wp) :: from
       integer :: i, j, n, next
 
-      allocate (path(1 + sum([(steps_between(turns, i, increment), i=1, size(turns))])))
+      allocate (path(1 + sum([(steps_to_turn(turns, i, increment), i=1, size(turns))])))
       path(1) = 0.0_wp
       next = 2
       do i = 1, size(turns)
          from = path(next - 1)
-         n = steps_between(turns, i, increment)
+         n = steps_to_turn(turns, i, increment)
          do j = 1, n
             path(next) = from + (turns(i) - from)*(real(j, wp)/n)
             next = next + 1
          end do
       end do
    end subroutine box_path
-
-   !> Steps from turning point i - 1 (or zero) to i.
-   pure integer function steps_between(turns, i, increment)
-      real(wp), intent(in) :: turns(:), increment
-      integer, intent(in) :: i
-      real(wp) :: from
-
-      from = 0.0_wp
-      if (i > 1) from = turns(i - 1)
-      ! the small part keeps 3/0.02 at 150
-      steps_between = ceiling(min(abs(turns(i) - from)/increment*(1.0_wp - 1.0e-12_wp), 1.0e9_wp))
-   end function steps_between
 
 end module asperity_replay_shear_settings

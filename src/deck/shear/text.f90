@@ -11,6 +11,7 @@ module asperity_deck_shear_text
    use asperity_deck_mesh_hexahedra, only: hex_mesh, nodes_in_box
    use asperity_deck_options, only: element_kind
    use asperity_deck_shear_deck, only: shear_deck
+   use asperity_replay_steps, only: fewest_steps
    implicit none
    private
    public :: write_shear_deck
@@ -187,7 +188,7 @@ contains
             step%name = 'SHEAR_'//to_text(i)
             step%direct = .false.
             step%period = 60.0_wp*way/s%rate
-            step%largest = step%period/ceiling(way/s%displacement_increment*(1.0_wp - 1.0e-12_wp))
+            step%largest = step%period/fewest_steps(way, s%displacement_increment)
             step%first = step%largest
             call open_step(deck, model%choice, step)
             call write_boundary(deck, 'BOTTOM', 1, to)

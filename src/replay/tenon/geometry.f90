@@ -35,6 +35,7 @@ module asperity_replay_tenon_geometry
    use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
    use asperity_contact_properties, only: contact_properties
+   use asperity_replay_steps, only: fewest_steps
    use asperity_replay_tenon_contact_hard, only: hard_law
    use asperity_replay_tenon_contact_interface_law, only: interface_law
    use asperity_replay_tenon_contact_record, only: contact_record
@@ -190,7 +191,7 @@ contains
          x = [(-model%settings%length + (j - 0.5_wp)*size_x, j=1, n)]
          cell = spread(size_x, 1, n)
          if (model%settings%shoulders .or. .not. model%settings%extension > 0.0_wp) return
-         more = ceiling(model%settings%extension/size_x*(1.0_wp - 1.0e-12_wp))
+         more = fewest_steps(model%settings%extension, size_x)
          size_x = model%settings%extension/more
          x = [x, [((j - 0.5_wp)*size_x, j=1, more)]]
          cell = [cell, spread(size_x, 1, more)]

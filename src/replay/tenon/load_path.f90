@@ -1,6 +1,7 @@
 !> Load programme of the tenon joint: displacements of the load point, step by step.
 module asperity_replay_tenon_load_path
    use asperity_base_kinds, only: wp
+   use asperity_replay_steps, only: steps_to_turn
    use asperity_replay_tenon_settings, only: tenon_amplitudes, tenon_settings
    implicit none
    private
@@ -17,7 +18,7 @@ contains
       !> Cycle of each, from 0; 0 at rest
       integer, allocatable, intent(out) :: cycle_of(:)
       real(wp), allocatable :: turns(:), amplitudes(:)
-      integer, allocatable :: cycles(:), cycle_of_turn(:)
+      integer, allocatable :: cycles(:), cycle_of_turn(:), steps(:)
       integer :: i, j, n, next
 
       if (allocated(settings%displacement)) then
@@ -37,15 +38,13 @@ contains
          end do
       end if
 
-      n = 0
-      do i = 1, size(turns)
-         n = n + steps_between(turns, i, settings%displacement_increment)
-      end do
-      allocate (path(0:n), source=0.0_wp)
-      allocate (cycle_of(0:n), source=0)
+      ! a turn of zero length is one step
+      steps = [(max(1, steps_to_turn(turns, i, settings%displacement_increment)), i=1, size(turns))]
+      allocate (path(0:sum(steps)), source=0.0_wp)
+      allocate (cycle_of(0:sum(steps)), source=0)
       next = 0
       do i = 1, size(turns)
-         n = steps_between(turns, i, settings%displacement_increment)
+         n = steps(i)
          do j = 1, n
             path(next + j) = path(next) + (turns(i) - path(next))*(real(j, wp)/n)
             cycle_of(next + j) = cycle_of_turn(i)
@@ -55,18 +54,6 @@ contains
          next = next + n
       end do
    end subroutine tenon_programme
-
-   !> Steps from turn i - 1 (or rest) to i: a turn of zero length is one step.
-   pure integer function steps_between(turns, i, increment)
-      real(wp), intent(in) :: turns(:), increment
-      integer, intent(in) :: i
-      real(wp) :: from
-
-      from = 0.0_wp
-      if (i > 1) from = turns(i - 1)
-      ! the small part keeps 48/0.1 at 480
-      steps_between = max(1, ceiling(abs(turns(i) - from)/increment*(1.0_wp - 1.0e-12_wp)))
-   end function steps_between
 
    !> A cycle of a recorded history begins where the record passes zero upwards.
    pure subroutine count_cycles(turns, cycle_of_turn)
