@@ -78,23 +78,21 @@ contains
          curve%gaussian(i) = law%pressure
          curve%gaussian_density(i) = law%contact_density
          curve%gaussian_area(i) = law%area_fraction
-         call sum_at(properties, heights, ratio, area, separations(i), curve%mean_radius(i), &
-            curve%own_radius(i), curve%mean_radius_error(i), curve%own_radius_error(i), &
-            curve%contact_density(i), curve%area_fraction(i))
+         call sum_at(curve, i, properties, heights, ratio, area)
       end do
    end subroutine sum_over_summits
 
-   !> Sums at one separation.
-   pure subroutine sum_at(properties, z, ratio, area, d, mean_radius, own_radius, mean_error, &
-         own_error, density, area_fraction)
+   !> Sums at the separation with a number.
+   pure subroutine sum_at(curve, number, properties, z, ratio, area)
+      type(summit_curve), intent(inout) :: curve
+      integer, intent(in) :: number
       type(normal_properties), intent(in) :: properties
-      real(wp), intent(in) :: z(:), ratio(:), area, d
-      real(wp), intent(out) :: mean_radius, own_radius, mean_error, own_error, density, &
-         area_fraction
+      real(wp), intent(in) :: z(:), ratio(:), area
       type(asperity_response) :: summit
-      real(wp) :: sums(2), squares(2), areas, force
+      real(wp) :: d, sums(2), squares(2), areas, force
       integer :: i, touching
 
+      d = curve%separation(number)
       touching = 0
       sums = 0.0_wp
       squares = 0.0_wp
@@ -112,12 +110,12 @@ contains
          sums(2) = sums(2) + force
          squares(2) = squares(2) + force**2
       end do
-      density = real(touching, wp)/area
-      mean_radius = sums(1)/area
-      own_radius = sums(2)/area
-      mean_error = sqrt(squares(1))/area
-      own_error = sqrt(squares(2))/area
-      area_fraction = areas/area
+      curve%contact_density(number) = real(touching, wp)/area
+      curve%mean_radius(number) = sums(1)/area
+      curve%own_radius(number) = sums(2)/area
+      curve%mean_radius_error(number) = sqrt(squares(1))/area
+      curve%own_radius_error(number) = sqrt(squares(2))/area
+      curve%area_fraction(number) = areas/area
    end subroutine sum_at
 
 end module asperity_surface_pair_law_on_summits
