@@ -13,8 +13,9 @@ module asperity_deck_law_rows
    use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
    use asperity_contact_properties, only: contact_properties
+   use asperity_deck_row_lines, only: line_errors, place_rows, points_between
    use asperity_law_compile_law, only: new_compiled_law
-   use asperity_law_compiled_law, only: compiled_law, evaluate_compiled_law
+   use asperity_law_compiled_law, only: compiled_law
    use asperity_law_normal_inverse, only: separation_for_pressure
    use asperity_law_normal_law, only: evaluate_normal_law, normal_response
    use asperity_law_normal_properties, only: normal_properties
@@ -31,14 +32,11 @@ module asperity_deck_law_rows
    real(wp), parameter :: smallest_tolerance = 1.0e-6_wp, largest_tolerance = 0.2_wp
    !> Zero, two rows of the law, and the one beyond
    integer, parameter :: fewest_rows = 4
-   !> More rows than any law that is allowed needs
-   integer, parameter :: too_many_rows = 100000
    !> The first row is where the law has the smallest pressure over this: the line from there to the
    !> second row is then about as far above the law as the law is above zero at the first
    real(wp), parameter :: first_row_ratio = 7.0_wp
-   !> Points between two rows at which a line is compared with the law while rows are placed, and
-   !> when the table is done
-   integer, parameter :: few = 16, many = 64
+   !> Points between two rows at which a line is compared with the law when the table is done
+   integer, parameter :: many = 64
    !> Rows closer than this, over the largest overclosure of the law's rows, would be changed by the
    !> twelve figures that a deck has
    real(wp), parameter :: closest_rows = 1.0e-6_wp
@@ -241,64 +239,6 @@ contains
       end associate
    end subroutine fill_rows
 
-   !> Separations of the rows on the law, descending.
-   pure subroutine place_rows(law, far, near, allowed, separation)
-      type(compiled_law), intent(in) :: law
-      !> The first and the last of them
-      real(wp), intent(in) :: far, near
-      real(wp), intent(in) :: allowed
-      real(wp), allocatable, intent(out) :: separation(:)
-      real(wp), parameter :: precision = 1.0e-3_wp
-      real(wp) :: good, bad, length
-
-      separation = [far]
-      length = 0.1_wp*law%properties%sigma
-      do while (separation(size(separation)) > near .and. size(separation) < too_many_rows)
-         associate (from => separation(size(separation)))
-            good = 0.0_wp
-            bad = length
-            do while (good < from - near)
-               if (.not. fits(from, bad)) exit
-               good = min(bad, from - near)
-               bad = 2.0_wp*bad
-            end do
-            do while (bad - good > precision*bad .and. good < from - near)
-               length = 0.5_wp*(good + bad)
-               if (fits(from, length)) then
-                  good = length
-               else
-                  bad = length
-               end if
-            end do
-            length = good
-            separation = [separation, merge(near, from - good, good >= from - near)]
-         end associate
-      end do
-
-   contains
-
-      !> Whether a line of that length, or to the last row, is good enough.
-      pure logical function fits(start, reached)
-         real(wp), intent(in) :: start, reached
-         real(wp), dimension(0:few) :: p, stiffness
-
-         call evaluate_compiled_law(law, points_between(start, max(start - reached, near), few), &
-            p, stiffness)
-         fits = all(abs(line_errors([p(0), p(few)], p)) <= allowed)
-      end function fits
-
-   end subroutine place_rows
-
-   !> So many equal steps from one separation to another.
-   pure function points_between(from, to, steps) result(points)
-      real(wp), intent(in) :: from, to
-      integer, intent(in) :: steps
-      real(wp) :: points(0:steps)
-      integer :: i
-
-      points = [(from + (to - from)*i/steps, i=0, steps)]
-   end function points_between
-
    !> The law's pressures, directly.
    pure function pressures(normal, separation) result(p)
       type(normal_properties), intent(in) :: normal
@@ -312,30 +252,5 @@ contains
          p(i) = response%pressure
       end do
    end function pressures
-
-   !> Smallest and largest relative error of the line between two rows, from the law at equal steps;
-   !> between these, by the parabola through three of them.
-   pure function line_errors(ends, p) result(extremes)
-      real(wp), intent(in) :: ends(2), p(0:)
-      real(wp) :: extremes(2), e(0:size(p) - 1)
-      integer :: i, n
-
-      n = size(p) - 1
-      e = [((ends(1) + (ends(2) - ends(1))*i/n)/p(i) - 1.0_wp, i=0, n)]
-      extremes = [-summit(-e), summit(e)]
-   end function line_errors
-
-   !> Largest of some values of a smooth function.
-   pure real(wp) function summit(e)
-      real(wp), intent(in) :: e(:)
-      real(wp) :: bend
-      integer :: i
-
-      i = maxloc(e, 1)
-      summit = e(i)
-      if (i == 1 .or. i == size(e)) return
-      bend = 2.0_wp*e(i) - e(i - 1) - e(i + 1)
-      if (bend > 0.0_wp) summit = e(i) + (e(i + 1) - e(i - 1))**2/(8.0_wp*bend)
-   end function summit
 
 end module asperity_deck_law_rows
