@@ -39,9 +39,11 @@ module threads
    !> The work of one thread.
    type :: thread_task
       procedure(thread_work), pointer, nopass :: work => null()
-      integer :: number = 0
       real(wp), allocatable :: sums(:)
    end type thread_task
+
+   !> Of the two threads; each writes its own only
+   type(thread_task) :: tasks(2)
 
 contains
 
@@ -50,20 +52,20 @@ contains
    subroutine check_two_threads(work, amount)
       procedure(thread_work) :: work
       integer, intent(in) :: amount
-      type(thread_task), target :: tasks(2)
+      integer(c_int), target :: numbers(2)
       real(wp) :: serial(amount, 2)
       integer(c_intptr_t) :: ids(2)
       integer(c_int) :: status(2)
       integer :: i
 
+      numbers = [1_c_int, 2_c_int]
       do i = 1, 2
          call work(i, serial(:, i))
          tasks(i)%work => work
-         tasks(i)%number = i
-         allocate (tasks(i)%sums(amount), source=0.0_wp)
+         tasks(i)%sums = spread(0.0_wp, 1, amount)
       end do
       do i = 1, 2
-         status(i) = pthread_create(ids(i), c_null_ptr, c_funloc(run_task), c_loc(tasks(i)))
+         status(i) = pthread_create(ids(i), c_null_ptr, c_funloc(run_task), c_loc(numbers(i)))
       end do
       call assertTrue(all(status == 0), 'threads started')
       if (any(status /= 0)) return
@@ -80,10 +82,10 @@ contains
    function run_task(argument) bind(c) result(answer)
       type(c_ptr), value :: argument
       type(c_ptr) :: answer
-      type(thread_task), pointer :: task
+      integer(c_int), pointer :: number
 
-      call c_f_pointer(argument, task)
-      call task%work(task%number, task%sums)
+      call c_f_pointer(argument, number)
+      call tasks(number)%work(int(number), tasks(number)%sums)
       answer = c_null_ptr
    end function run_task
 

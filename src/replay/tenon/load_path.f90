@@ -39,6 +39,7 @@ contains
       end if
 
       ! a turn of zero length is one step
+      allocate (steps(size(turns)))
       steps = [(max(1, steps_to_turn(turns, i, settings%displacement_increment)), i=1, size(turns))]
       allocate (path(0:sum(steps)), source=0.0_wp)
       allocate (cycle_of(0:sum(steps)), source=0)
