@@ -9,8 +9,8 @@ module asperity_c_checks
       code_ok, error_struct, handle_object, message_length
    implicit none
    private
-   public :: answer, check_pointer, check_points, clear_handle, content_of, copy_text, free_handle, &
-      number_of, wrap
+   public :: answer, check_pointer, check_points, clear_handle, content_of, copy_text, &
+      free_handle, number_of, wrap
 
    !> Alignment of every handle and struct, and of arrays of double
    integer, parameter, public :: word = 8

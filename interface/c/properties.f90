@@ -1,7 +1,7 @@
 !> C interface: the struct of properties. See asperity.h for what each function does.
 module asperity_c_properties
-   use, intrinsic :: iso_c_binding, only: c_char, c_f_pointer, c_int, c_null_char, c_ptr, c_size_t, &
-      c_sizeof
+   use, intrinsic :: iso_c_binding, only: c_char, c_f_pointer, c_int, c_null_char, c_ptr, &
+      c_size_t, c_sizeof
    use asperity_base_error, only: error_type, fatal_error
    use asperity_base_number_text, only: to_text
    use asperity_c_checks, only: answer, check_pointer
@@ -67,7 +67,7 @@ contains
       type(error_type), allocatable, intent(inout) :: problem
       character(len=*), intent(in) :: name
       type(c_ptr), intent(in) :: address
-      character(len=*), intent(out) :: text
+      character(len=longest_name), intent(out) :: text
       character(kind=c_char), pointer, contiguous :: letters(:)
       integer :: i
 

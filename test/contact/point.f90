@@ -5,8 +5,8 @@ module test_contact_point
    use asperity, only: contact_properties, contact_response, contact_state, contact_tangent, &
       error_type, evaluate_normal_law, new_contact_properties, no_opposite_surface, &
       no_rotation, normal_response, pairs, rule_abaqus, rule_dissipative, &
-      separation_for_pressure, slip_backward_euler, slip_exact, status_open, status_slip, status_stick, &
-      update_contact_point, wp
+      separation_for_pressure, slip_backward_euler, slip_exact, status_open, status_slip, &
+      status_stick, update_contact_point, wp
    use asperity_law_validity, only: implausible_property
    use contact_cases, only: pair_properties, random_contact
    use extremes, only: largest_of, worsen
