@@ -33,7 +33,7 @@ if(ASPERITY_BUILD_C)
       DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 endif()
 
-install(FILES ${one_files} README.md CHANGELOG.md LICENSE CITATION.cff
+install(FILES ${one_files} README.md ARCHITECTURE.md CONTRIBUTING.md CHANGELOG.md LICENSE CITATION.cff
    DESTINATION ${share_folder})
 install(DIRECTORY docs examples interface DESTINATION ${share_folder} USE_SOURCE_PERMISSIONS
    PATTERN __pycache__ EXCLUDE)
