@@ -7,6 +7,7 @@ program test_contact
    use test_contact_friction, only: suite_friction
    use test_contact_point, only: suite_contact_point
    use test_contact_points, only: suite_contact_points
+   use test_contact_properties, only: suite_contact_properties
    use test_contact_slip_path, only: suite_slip_path
    use test_contact_states, only: suite_contact_states
    use test_contact_tangent, only: suite_contact_tangent
@@ -16,6 +17,7 @@ program test_contact
    suite = TestSuite('contact')
    call suite%addTest(suite_slip_path())
    call suite%addTest(suite_friction())
+   call suite%addTest(suite_contact_properties())
    call suite%addTest(suite_contact_point())
    call suite%addTest(suite_contact_energy())
    call suite%addTest(suite_contact_tangent())

@@ -284,6 +284,9 @@ contains
       call check('largest_pressure = 1.0E-8 MPa is not allowed: it must be above smallest', &
          1.0e-8_wp)
       call check('tolerance = 0.3 ', 4.7_wp, 0.3_wp)
+      call check('tolerance = '//to_text(nearest(0.2_wp, 1.0_wp)), 4.7_wp, nearest(0.2_wp, 1.0_wp))
+      call check('tolerance = '//to_text(nearest(1.0e-6_wp, -1.0_wp)), 4.7_wp, &
+         nearest(1.0e-6_wp, -1.0_wp))
       call check('tolerance = 0.0 ', 4.7_wp, 0.0_wp)
       call check('rows = 3 is not allowed', 4.7_wp, 0.01_wp, 3)
       call check('smallest_pressure = -1.0 ', 4.7_wp, 0.01_wp, 200, -1.0_wp)

@@ -4,12 +4,13 @@ module test_height_map_faults
    use asperity_base_error, only: error_type
    use asperity_base_kinds, only: wp
    use asperity_base_no_value, only: none
+   use asperity_base_number_text, only: to_text
    use asperity_height_map_read, only: map_hints, read_height_map
    use asperity_height_map_text_find_grid, only: find_grid
    use asperity_height_map_type, only: height_map
    use asperity_height_map_write, only: height_map_bytes
    use funit, only: assertEqual, assertTrue, TestMethod, TestSuite
-   use map_file_cases, only: formula_map, has_text, in_mm, nl, refused
+   use map_file_cases, only: formula_map, has_text, in_mm, nl, read_text, refused
    implicit none
    private
    public :: suite_map_faults
@@ -38,6 +39,7 @@ contains
       call suite%addTest(TestMethod('points', test_points))
       call suite%addTest(TestMethod('points on no grid', test_no_grid))
       call suite%addTest(TestMethod('limits of a grid', test_grid))
+      call suite%addTest(TestMethod('limits of steps and heights', test_limits))
       call suite%addTest(TestMethod('units', test_units))
    end function suite_map_faults
 
@@ -439,5 +441,31 @@ contains
       call refused(text, 'file: ', '--step 3.0 mm contradicts', map_hints('mm', 'mm', 3.0_wp, &
          0.0_wp))
    end subroutine test_units
+
+   !> Steps from 1e-9 to 1e6 mm, heights up to 1 km: at the limit, and the next number.
+   subroutine test_limits()
+      character(len=*), parameter :: row = '1 2 3 4 5'//nl, high = '1 2 3 4 1000000'
+      type(height_map) :: map
+
+      call step(1.0e-9_wp, -1.0_wp)
+      call step(1.0e6_wp, 1.0_wp)
+      call read_text(repeat(row, 4)//high//nl, map_hints('mm', 'mm', 1.0_wp, 1.0_wp), map)
+      call assertEqual(1.0e6_wp, map%heights(5, 5), 0.0_wp, '1 km')
+      call refused(repeat(row, 4)//high//'.0000000002'//nl, 'file:5:9: ', 'beyond 1 km', &
+         map_hints('mm', 'mm', 1.0_wp, 1.0_wp))
+   contains
+      subroutine step(limit, side)
+         real(wp), intent(in) :: limit, side
+         real(wp) :: beyond
+
+         call read_text(repeat(row, 5), map_hints('mm', 'mm', limit, limit), map)
+         call assertEqual([limit, limit], [map%step_x, map%step_y], 0.0_wp, 'limit')
+         beyond = nearest(limit, side)
+         call refused(repeat(row, 5), 'step '//to_text(beyond)//' mm', 'from 1e-9 to 1e6', &
+            map_hints('mm', 'mm', beyond, limit))
+         call refused(repeat(row, 5), 'step '//to_text(beyond)//' mm', 'from 1e-9 to 1e6', &
+            map_hints('mm', 'mm', limit, beyond))
+      end subroutine step
+   end subroutine test_limits
 
 end module test_height_map_faults

@@ -251,6 +251,10 @@ contains
       integer :: i, j
 
       call assertEqual('15.8', to_text(roughness_number_max, 3), 'a thousand times the least')
+      call assertEqual([1.0e-7_wp, 1.0e-7_wp, roughness_number_min, 0.0_wp, 0.1_wp, 1.0e-4_wp], &
+         ranges%lowest, 0.0_wp, 'lowest')
+      call assertEqual([5.0_wp, 1.0e4_wp, roughness_number_max, 1.3e6_wp, 1.5e5_wp, 1.0_wp], &
+         ranges%highest, 0.0_wp, 'highest')
       do i = 1, size(ranges)
          do j = 1, 2
             associate (edge => merge(ranges(i)%lowest, ranges(i)%highest, j == 1))

@@ -21,6 +21,7 @@ contains
       call suite%addTest(TestMethod('overclosure ramp', test_overclosure_ramp))
       call suite%addTest(TestMethod('stages of Fig. 17', test_stages))
       call suite%addTest(TestMethod('settings that are refused', test_refused))
+      call suite%addTest(TestMethod('limits of the peak', test_peaks))
    end function suite_press
 
    !> Up and down in equal steps; the law is reversible, so both ways give the same closure.
@@ -100,6 +101,41 @@ contains
       call expect(press_settings('overclosure', 1.4e-4_wp), 'peak = 0.00014 mm is outside')
       call expect(press_settings(peak=4.7e6_wp), 'peak = 4700000.0 MPa is outside')
    end subroutine test_refused
+
+   !> A peak is from 5e-4 to 10 of the hardness, or from 0.013 sigma to 8 sigma past the datum.
+   subroutine test_peaks()
+      type(contact_properties) :: p
+
+      p = pair_properties()
+      associate (h => p%normal%hardness, s => p%normal%sigma, d => p%initial_separation)
+         call check('pressure', 5.0e-4_wp*h, -1.0_wp)
+         call check('pressure', 10.0_wp*h, 1.0_wp)
+         call check('overclosure', 0.013_wp*s, -1.0_wp)
+         call check('overclosure', d + 8.0_wp*s, 1.0_wp)
+      end associate
+   contains
+      !> The limit is not refused as a size, the number next to it is, unless it is accepted.
+      subroutine check(control, limit, side)
+         character(len=*), intent(in) :: control
+         real(wp), intent(in) :: limit, side
+
+         call assertFalse(is_outside(press_settings(control, limit, 1)), control//' at its limit')
+         call assertTrue(is_outside(press_settings(control, nearest(limit, side), 1)), &
+            control//' beyond its limit')
+         call assertFalse(is_outside(press_settings(control, nearest(limit, side), 1, &
+            accept_sizes=.true.)), control//' accepted')
+      end subroutine check
+
+      logical function is_outside(settings)
+         type(press_settings), intent(in) :: settings
+         type(press_step), allocatable :: steps(:)
+         type(error_type), allocatable :: error
+
+         call run_press(settings, p, steps, error)
+         is_outside = allocated(error)
+         if (is_outside) is_outside = index(error%message, ' is outside ') > 0
+      end function is_outside
+   end subroutine test_peaks
 
    subroutine expect(settings, text)
       type(press_settings), intent(in) :: settings

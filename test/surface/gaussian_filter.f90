@@ -277,6 +277,7 @@ contains
       type(height_map) :: map
       type(error_type), allocatable :: error
       real(wp), allocatable :: kept(:, :)
+      real(wp), parameter :: below = nearest(1.0_wp, -1.0_wp), above = nearest(1.5_wp, 1.0_wp)
       character(len=:), allocatable :: positive
 
       stream = random_stream(seed + 3)
@@ -299,6 +300,9 @@ contains
       call assertFalse(allocated(error))
       call filter_long(map, 1.5_wp, error)
       call assertFalse(allocated(error))
+      map%heights = kept
+      call check(below, to_text(below)//' mm is below two steps of the map, 1.0 mm')
+      call check(above, to_text(above)//' mm is longer than the map''s shorter side, 1.5 mm')
 
    contains
 
