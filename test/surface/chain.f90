@@ -67,12 +67,15 @@ contains
    end subroutine analyse
 
    !> The analysis of a map does the same, with 1.1 times the height of pruning for its share of the
-   !> uncertainty.
+   !> uncertainty, and again with every second and every fourth point.
    subroutine test_analysis()
       type(surface_settings) :: s
-      type(height_map) :: map
+      type(height_map) :: map, coarse
       type(surface_analysis_type) :: analysis
+      type(summit_set) :: summits
+      type(surface_sums_type), allocatable :: sums(:)
       type(error_type), allocatable :: error
+      integer :: every, k
       real(wp) :: values(n_parameters), widths(n_parameters)
 
       s%points_x = 128
@@ -87,6 +90,16 @@ contains
       call assertEqual(values, analysis%values(:, 1), 0.0_wp, 'values')
       call assertEqual(widths, analysis%uncertainty, 0.0_wp, 'half widths')
       call assertLessThan(widths(p_spd), 0.5_wp*values(p_spd), 'spd is known')
+      do k = 2, 3
+         every = 2**(k - 1)
+         coarse%heights = map%heights(::every, ::every)
+         coarse%step_x = every*map%step_x
+         coarse%step_y = every*map%step_y
+         call find_summits(coarse, pruning, summits, error)
+         call sum_map(coarse, summits, 1, 1, sums)
+         call parameters_of(sums(1), coarse%step_x*coarse%step_y, values)
+         call assertEqual(values, analysis%values(:, k), 0.0_wp, 'values of fewer points')
+      end do
    end subroutine test_analysis
 
    !> Mean and its standard error.
