@@ -93,6 +93,8 @@ find_package(Python3 COMPONENTS Interpreter)
 if(Python3_FOUND)
    add_test(NAME layers_tests COMMAND ${Python3_EXECUTABLE} test/layers.py
       WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
+   add_test(NAME mutate_tests
+      COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/test/mutate/test_fortran.py)
    add_test(NAME calculix_run_tests
       COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/test/calculix/tools/test_run.py)
    add_test(NAME calculix_source_tests
