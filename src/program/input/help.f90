@@ -1,12 +1,12 @@
 !> Help texts, made from the table of keys.
 module asperity_program_input_help
+   use asperity_base_text_builder, only: growing_text
    use asperity_base_version, only: version
    use asperity_program_input_keys, only: belongs, command_curve, command_deck_shear, &
       command_deck_tenon, command_hysteresis, command_pairs, command_press, command_shear, &
       command_surface, command_table, command_tenon, keys, kind_choice, kind_file, kind_integer, &
       kind_list, kind_logical, kind_real, kind_sweep, kind_text, n_keys, option_name
    use asperity_program_system_strings, only: escaped, newline
-   use asperity_program_system_text_buffer, only: text_buffer
    implicit none
    private
    public :: usage_text, help_text, version_text, citation_text
@@ -125,7 +125,7 @@ contains
       character(len=*), intent(in) :: usage, purpose
       integer, intent(in) :: command
       character(len=:), allocatable :: text
-      type(text_buffer) :: buffer
+      type(growing_text) :: buffer
       integer :: key, group
 
       call buffer%line('usage: '//usage)

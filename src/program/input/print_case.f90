@@ -1,12 +1,12 @@
 !> The effective input as a case file that gives the same run.
 module asperity_program_input_print_case
    use asperity_base_number_text, only: to_text
+   use asperity_base_text_builder, only: growing_text
    use asperity_base_version, only: version
    use asperity_program_input_keys, only: belongs, command_names, keys, kind_choice, kind_file, &
       kind_integer, kind_list, kind_logical, kind_real, kind_text, n_keys
    use asperity_program_input_settings, only: settings_type
    use asperity_program_system_strings, only: escaped, newline, string_type
-   use asperity_program_system_text_buffer, only: text_buffer
    implicit none
    private
    public :: case_text
@@ -27,7 +27,7 @@ contains
       type(string_type), intent(in), optional :: heading(:)
       character(len=:), allocatable :: text
       character(len=:), allocatable :: entry
-      type(text_buffer) :: buffer
+      type(growing_text) :: buffer
       integer :: i, key
 
       entry = ''
@@ -89,7 +89,7 @@ contains
       integer, intent(in) :: key
       character(len=:), allocatable :: text
       character(len=:), allocatable :: value
-      type(text_buffer) :: buffer
+      type(growing_text) :: buffer
       integer :: i, width
 
       width = len_trim(keys(key)%name) + 5

@@ -1,7 +1,7 @@
 !> Text of files and of the user, which may be in an older encoding, as valid UTF-8.
 module asperity_program_system_utf8
    use asperity_base_error, only: error_type
-   use asperity_program_system_text_buffer, only: text_buffer
+   use asperity_base_text_builder, only: growing_text
    implicit none
    private
    public :: make_utf8, utf8_text
@@ -33,7 +33,7 @@ contains
       character(len=:), allocatable, intent(inout) :: text
       !> Set when there is not enough memory for it; the text stays as it is then
       type(error_type), allocatable, intent(out) :: error
-      type(text_buffer) :: buffer
+      type(growing_text) :: buffer
       character(len=:), allocatable :: valid
       integer :: i, first, length
 

@@ -3,6 +3,7 @@
 module asperity_program_commands_tenon_failure
    use asperity_base_error, only: computation_error, error_type
    use asperity_base_kinds, only: wp
+   use asperity_base_text_builder, only: growing_text
    use asperity_program_input_keys, only: command_hysteresis, command_tenon, find_key, keys, n_keys
    use asperity_program_input_print_case, only: case_text
    use asperity_program_input_resolve, only: mark_unused
@@ -10,7 +11,6 @@ module asperity_program_commands_tenon_failure
    use asperity_program_report_table, only: full_figures
    use asperity_program_system_atomic_files, only: open_target, output_file, write_files
    use asperity_program_system_strings, only: newline
-   use asperity_program_system_text_buffer, only: text_buffer
    implicit none
    private
    public :: keep_failed_step
@@ -31,7 +31,7 @@ contains
       type(error_type), allocatable :: late_error
       type(output_file) :: files(2)
       type(settings_type) :: own
-      type(text_buffer) :: b
+      type(growing_text) :: b
       integer :: i
 
       if (error%category /= computation_error) return
