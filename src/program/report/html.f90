@@ -4,7 +4,7 @@ module asperity_program_report_html
    use asperity_base_number_text, only: to_text
    use asperity_base_text_builder, only: growing_text
    use asperity_program_report_table, only: table_type
-   use asperity_program_report_text_table, only: printed_type, printed_columns
+   use asperity_program_report_text_table, only: print_column, printed_type
    use asperity_program_system_strings, only: escaped, string_type
    use asperity_program_system_utf8, only: make_utf8
    implicit none
@@ -36,10 +36,10 @@ contains
       type(printed_type) :: columns(table%set)
       integer :: i, row
 
-      call printed_columns(table, columns)
       call b%line('<div class="table"><table><caption>'//html_text(caption)//'</caption>')
       call b%add('<thead><tr>')
       do i = 1, size(columns)
+         call print_column(table%columns(i), [(row, row=1, table%rows)], columns(i))
          call b%add('<th>'//html_text(escaped(table%columns(i)%name, '_', ' ')))
          if (columns(i)%unit /= '-') &
             call b%add('<br><span class="unit">'//html_text(columns(i)%unit)//'</span>')

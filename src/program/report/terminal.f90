@@ -24,8 +24,6 @@ module asperity_program_report_terminal
    integer, parameter :: value_column = 26, source_column = 50
    !> Part of a value that computing it may have added
    real(wp), parameter :: rounding = 1.0e-12_wp
-   !> Most columns of a further table that are shown
-   integer, parameter :: most_columns = 20
    !> Most values of a list that are shown
    integer, parameter :: most_values = 6
 
@@ -52,7 +50,8 @@ contains
          call buffer%line()
       end if
       if (report%summary%set > 0) then
-         call add_table(buffer, report%summary, width)
+         call add_table(buffer, report%summary, width, all_of(report%summary%rows), &
+            all_of(report%summary%set))
          call buffer%line()
       end if
       if (allocated(report%more)) call add_more(buffer, report, width)
@@ -80,38 +79,42 @@ contains
       type(growing_text), intent(inout) :: buffer
       type(report_type), intent(in) :: report
       integer, intent(in) :: width
-      character(len=32) :: names(most_columns)
-      integer :: i, j
+      integer :: i
 
       do i = 1, size(report%more)
          if (report%more(i)%title == '') cycle
          call buffer%line(wrapped(report%more(i)%title, width, 0))
-         associate (table => report%more(i)%table, &
-               shown => min(report%more(i)%columns_shown, most_columns))
-            if (shown == 0) then
-               call add_table(buffer, table, width)
-            else
-               do j = 1, shown
-                  names(j) = table%columns(j)%name
-               end do
-               call add_table(buffer, table, width, columns=names(:shown))
-            end if
+         associate (table => report%more(i)%table, shown => merge(report%more(i)%columns_shown, &
+               report%more(i)%table%set, report%more(i)%columns_shown > 0))
+            call add_table(buffer, table, width, all_of(table%rows), all_of(shown))
          end associate
          call buffer%line()
       end do
    end subroutine add_more
+
+   !> 1, 2, ...
+   pure function all_of(number) result(places)
+      integer, intent(in) :: number
+      integer :: places(number)
+      integer :: i
+
+      places = [(i, i=1, number)]
+   end function all_of
 
    !> The main table, or its most telling rows.
    pure subroutine add_main_table(buffer, report, width)
       type(growing_text), intent(inout) :: buffer
       type(report_type), intent(in) :: report
       integer, intent(in) :: width
-      integer, allocatable :: rows(:)
-      integer :: runs
+      integer, allocatable :: columns(:), rows(:)
+      integer :: i, runs
 
+      allocate (columns, source=all_of(report%table%set))
+      if (allocated(report%shown_columns)) columns = [(report%table%find(trim( &
+         report%shown_columns(i))), i=1, size(report%shown_columns))]
       runs = size(report%first_rows) - 1
       allocate (rows, source=report%selected_rows(max(fewest_rows, min(most_rows, all_rows/runs))))
-      call add_table(buffer, report%table, width, rows, report%shown_columns)
+      call add_table(buffer, report%table, width, rows, columns)
       if (size(rows) < report%table%rows) call buffer%line(wrapped(to_text(size(rows))// &
          ' of '//to_text(report%table%rows)//' rows: evenly spaced ones and turning points; '// &
          'all of them with --csv FILE', width, 0))

@@ -9,7 +9,7 @@ module asperity_program_report_text_table
    use asperity_program_system_strings, only: string_type
    implicit none
    private
-   public :: add_table, printed_type, printed_columns, validity_mark
+   public :: add_table, print_column, printed_type, validity_mark
 
    !> Significant figures of the largest number of a column
    integer, parameter :: figures = 5
@@ -30,8 +30,8 @@ module asperity_program_report_text_table
 
 contains
 
-   !> Append a table, or some of its rows and columns, in blocks of columns that fit a width. Every
-   !> block begins with the leading columns.
+   !> Append rows and columns of a table, in blocks of columns that fit a width. Every block begins
+   !> with the leading columns.
    pure subroutine add_table(buffer, table, width, rows, columns)
       !> Where to append
       type(growing_text), intent(inout) :: buffer
@@ -39,29 +39,14 @@ contains
       type(table_type), intent(in) :: table
       !> Characters of a line
       integer, intent(in) :: width
-      !> Rows to print; all when absent
-      integer, intent(in), optional :: rows(:)
-      !> Names of the columns to print; all when absent
-      character(len=*), intent(in), optional :: columns(:)
-      type(printed_type), allocatable :: printed(:)
-      integer, allocatable :: which(:), lines(:)
+      !> Rows and columns to print
+      integer, intent(in) :: rows(:), columns(:)
+      type(printed_type) :: printed(size(columns))
       integer :: i, first, last, leading, narrow, wide
 
-      if (present(rows)) then
-         allocate (lines, source=rows)
-      else
-         allocate (lines, source=[(i, i=1, table%rows)])
-      end if
-      if (present(columns)) then
-         allocate (which, source=[(table%find(trim(columns(i))), i=1, size(columns))])
-      else
-         allocate (which, source=[(i, i=1, table%set)])
-      end if
-      allocate (printed(size(which)))
-      do i = 1, size(which)
-         call print_column(table%columns(which(i)), lines, printed(i))
+      do i = 1, size(columns)
+         call print_column(table%columns(columns(i)), rows, printed(i))
       end do
-
       leading = min(table%leading, size(printed))
       ! as few blocks as the width allows, where need be by narrow gaps, and these of about one width
       wide = blocks(printed, leading, width)
@@ -125,19 +110,6 @@ contains
       end do
    end subroutine add_block
 
-   !> All columns of a table as they are printed.
-   pure subroutine printed_columns(table, printed)
-      !> The table
-      type(table_type), intent(in) :: table
-      !> Its columns, as many as are set
-      type(printed_type), intent(out) :: printed(:)
-      integer :: i, row
-
-      do i = 1, table%set
-         call print_column(table%columns(i), [(row, row=1, table%rows)], printed(i))
-      end do
-   end subroutine printed_columns
-
    !> Letter of a validity flag in tables.
    pure character(len=1) function validity_mark(bit)
       !> Its bit, from zero
@@ -146,10 +118,13 @@ contains
       validity_mark = achar(iachar('a') + bit)
    end function validity_mark
 
-   !> Texts of one column.
+   !> A column as it is printed.
    pure subroutine print_column(column, rows, printed)
+      !> The column
       type(column_type), intent(in) :: column
+      !> Its rows to print
       integer, intent(in) :: rows(:)
+      !> Its texts
       type(printed_type), intent(out) :: printed
       character(len=16) :: form
       integer :: i
@@ -161,12 +136,8 @@ contains
       if (column%decimals >= 0) write (form, '(a, i0, a)') '(f32.', column%decimals, ')'
       allocate (printed%cells(size(rows)))
       do i = 1, size(rows)
-         if (column%kind == column_numbers .and. column%figures > 0) then
-            printed%cells(i)%text = '-'
-            if (.not. is_none(column%values(rows(i)))) &
-               printed%cells(i)%text = to_text(column%values(rows(i)), column%figures)
-         else if (column%kind == column_numbers) then
-            printed%cells(i)%text = number_text(column%values(rows(i)), form)
+         if (column%kind == column_numbers) then
+            printed%cells(i)%text = number_text(column%values(rows(i)), form, column%figures)
          else if (column%kind == column_validity) then
             printed%cells(i)%text = marks(column%codes(rows(i)))
          else
@@ -268,14 +239,20 @@ contains
       decimals = min(most, 1)
    end function needed_decimals
 
-   pure function number_text(value, form) result(text)
+   !> A number in a format, or of so many figures unless these are zero.
+   pure function number_text(value, form, number_figures) result(text)
       real(wp), intent(in) :: value
       character(len=*), intent(in) :: form
+      integer, intent(in) :: number_figures
       character(len=:), allocatable :: text
       character(len=32) :: buffer
 
       text = '-'
       if (is_none(value)) return
+      if (number_figures > 0) then
+         text = to_text(value, number_figures)
+         return
+      end if
       write (buffer, form) value
       text = trim(adjustl(buffer))
       ! what rounds to zero has no sign
