@@ -160,7 +160,8 @@ contains
       if (file%option == '--report') then
          call page_script(report%pictures, script, error)
       else
-         call sheet_script(report%pictures, report%picture_title, format_of(file%path), script, error)
+         call sheet_script(report%pictures, report%picture_title, format_of(file%path), script, &
+            error)
       end if
       if (.not. allocated(error)) &
          call check_work(file%option, copies_of_script*len(script, int64), error)

@@ -146,7 +146,7 @@ contains
       type(growing_text), intent(inout) :: b
       type(panel_type), intent(in) :: panel
       integer, intent(in) :: most
-      real(wp) :: low, high, lowest, step
+      real(wp) :: low, high, lowest, largest, step
       logical :: is_map
       integer :: i
 
@@ -154,11 +154,14 @@ contains
       low = none
       high = -none
       lowest = none
+      largest = 0.0_wp
       do i = 1, size(panel%series)
          associate (s => panel%series(i))
             low = min(low, minval(s%x))
             high = max(high, maxval(s%x, mask=.not. is_none(s%x)))
-            if (.not. s%right) lowest = min(lowest, minval(s%y))
+            if (s%right) cycle
+            lowest = min(lowest, minval(s%y))
+            largest = max(largest, maxval(abs(s%y), mask=.not. is_none(s%y)))
          end associate
       end do
       if (.not. is_none(panel%x%low)) low = panel%x%low
@@ -170,10 +173,13 @@ contains
          ! maps have one scale
          if (is_map) call b%line('set ytics '//to_text(step, 4))
       end if
+      ! room for labels with an exponent
+      if (largest < 1.0e-4_wp .or. largest >= 1.0e6_wp) call b%line('set lmargin 12')
       if (is_map) then
          call b%line('set autoscale xfix; set autoscale yfix')
       else if (.not. panel%y%logarithmic .and. is_none(panel%y%high)) then
-         call b%line('set offsets 0,0,graph 0.04,'//trim(merge('graph 0.04', '0         ', &
+         call b%line('set offsets '//merge('0.5,0.5', '0.0,0.0', panel%x%whole)// &
+            ',graph 0.04,'//trim(merge('graph 0.04', '0         ', &
             is_none(panel%y%low) .and. lowest < 0.0_wp)))
       end if
    end subroutine add_ticks
@@ -264,7 +270,7 @@ contains
       end if
    end function style
 
-   !> A text, which the user may have chosen, in single quotes, in which gnuplot substitutes nothing.
+   !> A text, perhaps of the user, in single quotes, in which gnuplot substitutes nothing.
    pure function label(text) result(quoted)
       !> The text
       character(len=*), intent(in) :: text

@@ -77,7 +77,7 @@ contains
             sheet%width = 1340
             sheet%height = 420*sheet%rows
          end if
-         call b%line("set terminal svg size "//to_text(sheet%width)//','//to_text(sheet%height)// &
+         call b%line('set terminal svg size '//to_text(sheet%width)//','//to_text(sheet%height)// &
             " dynamic noenhanced font 'sans-serif,14' name 'p"//to_text(i)//"'")
          call b%line('set multiplot')
          panels = 0

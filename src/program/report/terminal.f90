@@ -218,7 +218,7 @@ contains
       end associate
    end subroutine add_inputs
 
-   !> Value of a setting: long lists are cut and numbers have six figures, unless it is wanted whole.
+   !> Value of a setting: long lists are cut and numbers have six figures, unless wanted whole.
    pure function input_text(settings, key, whole) result(text)
       !> Settings in effect
       type(settings_type), intent(in) :: settings

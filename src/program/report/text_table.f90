@@ -48,7 +48,7 @@ contains
          call print_column(table%columns(columns(i)), rows, printed(i))
       end do
       leading = min(table%leading, size(printed))
-      ! as few blocks as the width allows, where need be by narrow gaps, and these of about one width
+      ! as few blocks as the width allows, if need be by narrow gaps, and these about equally wide
       wide = blocks(printed, leading, width)
       printed%gap = 1
       if (blocks(printed, leading, width) == wide) printed%gap = 2
@@ -80,7 +80,7 @@ contains
       end do
    end function blocks
 
-   !> The last column that fits a width behind the leading ones and a first one, which it always has.
+   !> The last column that fits a width behind the leading ones and a first one, which always does.
    pure integer function last_column(columns, leading, first, width) result(last)
       type(printed_type), intent(in) :: columns(:)
       integer, intent(in) :: leading, first, width
@@ -256,7 +256,8 @@ contains
       write (buffer, form) value
       text = trim(adjustl(buffer))
       ! what rounds to zero has no sign
-      if (text(1:1) == '-' .and. verify(text(:scan(text//'E', 'E') - 1), '-0.') == 0) text = text(2:)
+      if (text(1:1) == '-' .and. verify(text(:scan(text//'E', 'E') - 1), '-0.') == 0) &
+         text = text(2:)
    end function number_text
 
    !> Letters of the flags that are set, or `valid`.

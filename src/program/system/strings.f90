@@ -2,7 +2,8 @@
 module asperity_program_system_strings
    implicit none
    private
-   public :: string_type, lower_case, quoted, escaped, nearest_name, shell_word, starts_with, wrapped
+   public :: string_type, lower_case, quoted, escaped, nearest_name, shell_word, starts_with, &
+      wrapped
 
    character(len=*), parameter, public :: newline = new_line('a')
    !> As `\` in a literal means different things to different compilers

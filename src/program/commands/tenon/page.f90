@@ -162,8 +162,8 @@ contains
       integer :: key
 
       usual = usual_settings()
-      call b%line('<div class="table"><table class="case"><caption>Input; asperity tenon --print-case writes it '// &
-         'as a case file</caption>')
+      call b%line('<div class="table"><table class="case"><caption>Input; asperity tenon '// &
+         '--print-case writes it as a case file</caption>')
       call b%line('<thead><tr><th>key</th><th>value</th><th>what it is</th><th>where the value '// &
          'comes from</th></tr></thead><tbody>')
       associate (s => report%settings)

@@ -81,16 +81,16 @@ contains
       pictures = [ &
          figure_type('Moment of both models over the whole programme (the paper''s Fig. 25).', &
          p(1:1)), &
-         figure_type('The first loop of the largest amplitude (Fig. 26). The joint runs against '// &
-         'the friction of its sides while the gap closes that the indented wood has left: that '// &
-         'pinches the loop.', p(2:2)), &
+         figure_type('The first loop of the largest amplitude (Fig. 26). The joint runs '// &
+         'against the friction of its sides while the gap closes that the indented wood has '// &
+         'left: that pinches the loop.', p(2:2)), &
          figure_type('Peaks of the first cycle of each amplitude; crosses are the yield points '// &
          'of equal energy (Fig. 28).', p(3:3)), &
          figure_type('Secant stiffness of every cycle, mean of both sides (Fig. 29).', p(4:4)), &
          figure_type('Area of all moment-rotation loops up to each cycle (Fig. 30).', p(5:5)), &
          figure_type('Dissipated by friction on all faces up to each cycle (Fig. 35).', p(6:6)), &
-         figure_type('Normal force of the upper face in the first loop of the largest amplitude '// &
-         '(Fig. 34).', p(7:7)), &
+         figure_type('Normal force of the upper face in the first loop of the largest '// &
+         'amplitude (Fig. 34).', p(7:7)), &
          figure_type('Pull-out of the tenon at the column face in the same loop.', p(8:8)), &
          figure_type('Contact along the upper face (pressure drawn upwards) and the lower face '// &
          '(drawn downwards): open, sticking and slipping points (Figs 31 to 33) at two '// &
