@@ -16,7 +16,7 @@ module asperity_program_plot_panel_script
    !> Characters below which labels of ticks are taken to stay; what is beside a panel's axes
    integer, parameter :: label_length = 7, margins = 13
    !> Characters that the sample of a legend takes with the blanks around it
-   integer, parameter :: legend_sample = 6
+   integer, parameter :: legend_sample = 8
    !> gnuplot's numbers of disc, ring, block, box and cross, and their sizes
    integer, parameter :: marks(5) = [7, 6, 5, 4, 2]
    real(wp), parameter :: mark_sizes(5) = [0.5_wp, 1.0_wp, 0.5_wp, 0.9_wp, 1.4_wp]
@@ -100,7 +100,8 @@ contains
       if (entries > 0) then
          longest = maxval([(len(panel%series(i)%legend), i=1, size(there))])
          columns = max(1, min(entries, letters/(longest + legend_sample)))
-         associate (rows => (entries - 1)/columns + 1)
+         ! a legend of very many entries must leave room for axes
+         associate (rows => max(1, min((entries - 1)/columns + 1, int(0.4_wp*place(4)/line))))
             call b%line('set key at screen '//pair([centre, top])// &
                ' center top vertical maxrows '//to_text(rows)//' Left reverse samplen 2')
             top = top - real(rows, wp)*line

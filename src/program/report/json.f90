@@ -11,7 +11,7 @@ module asperity_program_report_json
    use asperity_program_input_settings, only: setting_type
    use asperity_program_report_report, only: report_type
    use asperity_program_report_table, only: column_counts, column_numbers, column_type, &
-      full_figures, table_type
+      full_figures, new_table, table_type
    use asperity_program_system_strings, only: backslash, string_type
    implicit none
    private
@@ -114,34 +114,28 @@ contains
          if (unit == '' .or. report%table%find(trim(keys(i)%name)) > 0) cycle
          call add_unit(text, trim(keys(i)%name), unit)
       end do
-      do i = 1, report%summary%set
-         associate (column => report%summary%columns(i))
-            if (report%table%find(column%name) == 0) call add_unit(text, column%name, column%unit)
-         end associate
-      end do
+      call add_units(text, report%summary, report%table, .true.)
       if (allocated(report%more)) then
          do i = 1, size(report%more)
-            if (report%more(i)%name /= '') call add_units(text, report, report%more(i)%table)
+            if (report%more(i)%name /= '') &
+               call add_units(text, report%more(i)%table, report%table, .false.)
          end do
       end if
-      do i = 1, report%table%set
-         associate (column => report%table%columns(i))
-            if (column%kind == column_numbers) call add_unit(text, column%name, column%unit)
-         end associate
-      end do
+      call add_units(text, report%table, new_table(0, 0), .false.)
    end function units
 
-   !> Append the units of a further table that no other column of that name has given.
-   pure subroutine add_units(text, report, table)
+   !> Append the units of a table's numbers, or of all its columns, but of those that a later table
+   !> or an earlier one has.
+   pure subroutine add_units(text, table, later, all_kinds)
       character(len=:), allocatable, intent(inout) :: text
-      type(report_type), intent(in) :: report
-      type(table_type), intent(in) :: table
+      type(table_type), intent(in) :: table, later
+      logical, intent(in) :: all_kinds
       integer :: i
 
       do i = 1, table%set
          associate (column => table%columns(i))
-            if (column%kind /= column_numbers .or. report%table%find(column%name) > 0 &
-               .or. report%summary%find(column%name) > 0) cycle
+            if (column%kind /= column_numbers .and. .not. all_kinds) cycle
+            if (later%find(column%name) > 0) cycle
             if (index(text, json_string(column%name)//': ') == 0) &
                call add_unit(text, column%name, column%unit)
          end associate

@@ -19,6 +19,8 @@ if command -v gnuplot >/dev/null; then
    check 'picture of one point without pressure' test "$status" -eq 0 -a -s far.svg
    run shear --displacement 0 --plot rest.svg
    check 'picture of a box at rest' test "$status" -eq 0 -a -s rest.svg
+   run shear --normal-stress 0.05:0.2:60 --plot many.svg
+   check 'picture of many runs' test "$status" -eq 0 -a -s many.svg
    run curve --plot "it's.svg"
    check 'any name of a picture' test "$status" -eq 0 -a -s "it's.svg"
    check 'no temporary picture stays' sh -c '! ls *.part 2>/dev/null'

@@ -86,7 +86,7 @@ contains
       integer :: i, n
 
       panel = panel_type('height above the mean plane (mm)', 'density (1/mm)')
-      panel%place = [0.52_wp, 0.46_wp, 0.48_wp, 0.54_wp]
+      panel%place = [0.5_wp, 0.46_wp, 0.5_wp, 0.54_wp]
       panel%y%low = 0.0_wp
       points = 0.0_wp
       do i = 1, size(map%heights, 2)
