@@ -29,12 +29,14 @@ contains
       logical, intent(in) :: is_open
       !> Overclosure from which on a point is closed, mm; used where `may_close(start)`
       real(wp), intent(in) :: closing
-      real(wp) :: gamma(2), gamma_by_pressure(2), energy, kept_energy
+      type(slip_path) :: path
+      real(wp) :: gamma(2), gamma_by_pressure(2), energy, kept_energy, share, share_by_overclosure
 
       gamma = 0.0_wp
       if (is_closed(start)) gamma = start%elastic_slip
       energy = elastic_energy(properties, start%pressure, gamma)
-      associate (p => response%traction(1), r => response)
+      associate (r => response, p => response%traction(1), &
+            scale => properties%friction_coefficient/properties%critical_slip)
          gamma_by_pressure = 0.0_wp
          if (properties%friction_rule == rule_dissipative .and. p > start%pressure) then
             gamma_by_pressure = -gamma*(start%pressure/p)/p
@@ -50,40 +52,22 @@ contains
             r%status = status_open
             r%dissipation = r%dissipation + kept_energy
          else
-            call slip_at_pressure(r, properties, start, overclosure, slip_increment, closing, &
-               gamma, gamma_by_pressure)
+            call share_after_closing(start, overclosure, closing, share, share_by_overclosure)
+            path = integrate_slip(gamma, share*slip_increment, properties%critical_slip, &
+               properties%slip_integration)
+            r%status = merge(status_slip, status_stick, path%slips)
+            r%state%elastic_slip = path%elastic_slip
+            r%tangential_energy = elastic_energy(properties, p, path%elastic_slip)
+            r%dissipation = r%dissipation + properties%friction_coefficient*p*path%slipped
+            r%traction(2:3) = scale*p*path%elastic_slip
+            r%tangent(2:3, 1) = scale*r%tangent(1, 1) &
+               *(path%elastic_slip + p*matmul(path%by_start, gamma_by_pressure)) &
+               + scale*p*share_by_overclosure*matmul(path%by_increment, slip_increment)
+            r%tangent(2:3, 2:3) = scale*p*share*path%by_increment
          end if
       end associate
       call end_increment(response, start, overclosure)
    end subroutine slide
-
-   !> Slip from `gamma`, the elastic slip at the pressure of the end.
-   pure subroutine slip_at_pressure(r, properties, start, overclosure, slip_increment, closing, &
-         gamma, gamma_by_pressure)
-      type(contact_response), intent(inout) :: r
-      type(contact_properties), intent(in) :: properties
-      type(contact_state), intent(in) :: start
-      real(wp), intent(in) :: overclosure, slip_increment(2), closing
-      real(wp), intent(in) :: gamma(2), gamma_by_pressure(2)
-      type(slip_path) :: path
-      real(wp) :: share, share_by_overclosure
-
-      call share_after_closing(start, overclosure, closing, share, share_by_overclosure)
-      path = integrate_slip(gamma, share*slip_increment, properties%critical_slip, &
-         properties%slip_integration)
-      r%status = merge(status_slip, status_stick, path%slips)
-      r%state%elastic_slip = path%elastic_slip
-      associate (p => r%traction(1), scale => properties%friction_coefficient &
-            /properties%critical_slip)
-         r%tangential_energy = elastic_energy(properties, p, path%elastic_slip)
-         r%dissipation = r%dissipation + properties%friction_coefficient*p*path%slipped
-         r%traction(2:3) = scale*p*path%elastic_slip
-         r%tangent(2:3, 1) = scale*r%tangent(1, 1) &
-            *(path%elastic_slip + p*matmul(path%by_start, gamma_by_pressure)) &
-            + scale*p*share_by_overclosure*matmul(path%by_increment, slip_increment)
-         r%tangent(2:3, 2:3) = scale*p*share*path%by_increment
-      end associate
-   end subroutine slip_at_pressure
 
    !> What the point remembers of the increment.
    pure subroutine end_increment(response, start, overclosure)

@@ -14,20 +14,10 @@ module asperity_replay_tenon_contact_hard
    !> A rigid interface with the friction of the rough one.
    type, extends(interface_law) :: hard_law
    contains
-      procedure :: prepare
       procedure :: close
    end type hard_law
 
 contains
-
-   subroutine prepare(law, is_side, error)
-      class(hard_law), intent(inout) :: law
-      logical, intent(in) :: is_side(:)
-      type(error_type), allocatable, intent(out) :: error
-
-      associate (unused => law, unused_too => is_side)
-      end associate
-   end subroutine prepare
 
    !> The point is open while there is no pressure, and closes where the faces touch.
    subroutine close(law, start, closure, slip, trial, error)

@@ -23,7 +23,7 @@ module asperity_replay_tenon_contact_interface_law
       real(wp) :: side_pressure = 0.0_wp
    contains
       !> Made ready, once its components are set, for the points of a joint
-      procedure(prepare), deferred :: prepare
+      procedure :: prepare
       !> A point of a face or shoulder at a closure
       procedure(close), deferred :: close
       !> A point of a side
@@ -35,18 +35,6 @@ module asperity_replay_tenon_contact_interface_law
    end type interface_law
 
    abstract interface
-      !> Make the law ready. `error` is set when it cannot carry what is asked of it.
-      subroutine prepare(law, is_side, error)
-         import :: error_type, interface_law
-         implicit none
-         !> The law
-         class(interface_law), intent(inout) :: law
-         !> Of each point, whether it is one of a side
-         logical, intent(in) :: is_side(:)
-         !> Set on failure
-         type(error_type), allocatable, intent(out) :: error
-      end subroutine prepare
-
       !> Pressure, friction and indentation at a closure. `error` is set when there is none.
       subroutine close(law, start, closure, slip, trial, error)
          import :: contact_record, error_type, interface_law, wp
@@ -65,6 +53,19 @@ module asperity_replay_tenon_contact_interface_law
    end interface
 
 contains
+
+   !> A law that needs no more than its components is ready.
+   subroutine prepare(law, is_side, error)
+      !> The law
+      class(interface_law), intent(inout) :: law
+      !> Of each point, whether it is one of a side
+      logical, intent(in) :: is_side(:)
+      !> Set when the law cannot carry what is asked of it
+      type(error_type), allocatable, intent(out) :: error
+
+      associate (unused => law, unused_too => is_side)
+      end associate
+   end subroutine prepare
 
    !> Slide at the pressure of the sides.
    subroutine slide_at_side_pressure(law, start, slip, trial, error)
