@@ -235,6 +235,11 @@ contains
 
       choice%mesh_size = 76.0_wp
       call refused('mesh_size = 76.0 mm is larger than the part: width is 75.0 mm')
+      choice%mesh_size = 21.0_wp
+      call coarse(tenon_settings(width=20.0_wp), 'width is 20.0 mm')
+      call coarse(tenon_settings(height=20.0_wp), 'height is 20.0 mm')
+      call coarse(tenon_settings(length=20.0_wp), 'length is 20.0 mm')
+      call coarse(tenon_settings(arm=20.0_wp), 'arm is 20.0 mm')
       choice%mesh_size = 30.0_wp
       sizes%column_width = 75.0_wp
       call refused('column_width = 75.0 mm is too small')
@@ -248,6 +253,17 @@ contains
       call refused('tail = -1.0')
 
    contains
+
+      !> A mesh of 21 mm is refused for what is 20 mm.
+      subroutine coarse(settings, part)
+         type(tenon_settings), intent(in) :: settings
+         character(len=*), intent(in) :: part
+
+         call check_tenon_sizes(choice, settings, default_tenon_sizes(settings), error)
+         call assertTrue(allocated(error), part)
+         if (allocated(error)) call assertEqual('mesh_size = 21.0 mm is larger than the part: '// &
+            part, error%message)
+      end subroutine coarse
 
       subroutine refused(start)
          character(len=*), intent(in) :: start

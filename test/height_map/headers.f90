@@ -146,6 +146,8 @@ contains
       call check('h=5 w=6'//nl//'dx = 3 um'//nl//'dy = 2 um', map_hints('', 'mm'), &
          [0.003_wp, 0.002_wp])
       call check('h=5 w=6', with_steps, [0.5_wp, 0.25_wp])
+      call check('dx=3 um dy=2 um', map_hints('', 'mm'), [0.003_wp, 0.002_wp])
+      call check('h=5 dx=3 um w=6 dy=2 um', map_hints('', 'mm'), [0.003_wp, 0.002_wp])
       call check('# Width: 12 um'//nl//'# Height: 15 um', map_hints('', 'mm', 0.002_wp, 0.003_wp), &
          [0.002_wp, 0.003_wp])
       call check('# Width: 12'//nl//'# Height: 15', map_hints('um', 'mm'), [0.002_wp, 0.003_wp])

@@ -49,6 +49,11 @@ contains
          call assertEqual(law%pressure, steps(1 + i)%pressure, 0.0_wp, 'law')
          call assertEqual(law%stiffness, steps(1 + i)%stiffness, 0.0_wp, 'stiffness')
          call assertEqual(law%energy, steps(1 + i)%energy, 0.0_wp, 'energy')
+         call assertEqual([law%area_fraction, law%contact_density, law%elastic_share, &
+            law%elastoplastic_share, law%plastic_share], [steps(1 + i)%area_fraction, &
+            steps(1 + i)%contact_density, steps(1 + i)%elastic_share, &
+            steps(1 + i)%elastoplastic_share, steps(1 + i)%plastic_share], 0.0_wp, 'the rest')
+         call assertEqual(law%validity, steps(1 + i)%validity, 'validity')
          call assertEqual(1.0_wp, steps(1 + i)%elastic_share + steps(1 + i)%elastoplastic_share &
             + steps(1 + i)%plastic_share, 1.0e-14_wp, 'shares')
          if (anyExceptions()) return
