@@ -2,7 +2,7 @@
 module test_deck_models
    use asperity, only: contact_properties, error_type, evaluate_normal_law, normal_response, wp
    use asperity_deck_cards_card_writer, only: writer_type
-   use asperity_deck_cards_wood_cards, only: check_wood, wood_type
+   use asperity_deck_cards_wood_cards, only: check_wood, wood_type, write_wood
    use asperity_deck_mesh_cheek_interference, only: side_interference
    use asperity_deck_options, only: deck_choice
    use asperity_deck_shear_deck, only: new_shear_deck, shear_deck
@@ -25,6 +25,7 @@ contains
 
       suite = TestSuite('models of decks')
       call suite%addTest(TestMethod('wood', test_wood))
+      call suite%addTest(TestMethod('yield of wood', test_yield))
       call suite%addTest(TestMethod('numbers as text', test_numbers))
       call suite%addTest(TestMethod('comments', test_comments))
       call suite%addTest(TestMethod('side fit, rigid cheek', test_rigid_cheek))
@@ -65,6 +66,44 @@ contains
       call check_wood(wood, error)
       call assertTrue(allocated(error))
    end subroutine test_wood
+
+   !> Yield stress over plastic strain: across the grain for Hill's criterion of ABAQUS, which has
+   !> the ratio of strengths besides, along or across it for Mises' of CalculiX; none when elastic.
+   subroutine test_yield()
+      type(wood_type) :: wood
+      real(wp) :: rows(2, 2)
+
+      rows(:, 1) = [wood%strength_across, 0.0_wp]
+      rows(:, 2) = [wood%strength_across + wood%hardening_across*wood%modulus(2), 1.0_wp]
+      call check('abaqus', .false., rows)
+      call check('abaqus', .true., rows)
+      call check('calculix', .false., rows)
+      rows(:, 1) = [wood%strength_along, 0.0_wp]
+      rows(:, 2) = [wood%strength_along + wood%hardening_along*wood%modulus(1), 1.0_wp]
+      call check('calculix', .true., rows)
+   contains
+      subroutine check(solver, along, expected)
+         character(len=*), intent(in) :: solver
+         logical, intent(in) :: along
+         real(wp), intent(in) :: expected(2, 2)
+         type(deck_choice) :: choice
+         type(writer_type) :: deck
+         character(len=:), allocatable :: text
+         real(wp) :: found(4)
+         integer :: at
+
+         choice%solver = solver
+         choice%plasticity = 'plastic'
+         call write_wood(deck, choice, wood, 'WOOD', along)
+         text = deck%text()
+         at = index(text, '*PLASTIC'//new_line('a'))
+         call assertTrue(at > 0, solver//' yields')
+         if (at == 0) return
+         read (text(at + 9:), *) found
+         call assertEqual(reshape(expected, [4]), found, 1.0e-9_wp*maxval(expected), solver)
+         call assertTrue((index(text, '*POTENTIAL') > 0) .eqv. solver == 'abaqus', solver//', Hill')
+      end subroutine check
+   end subroutine test_yield
 
    !> Fields have up to 20 characters, eight numbers a line, and lose as little as that allows.
    subroutine test_numbers()

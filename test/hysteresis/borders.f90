@@ -31,6 +31,7 @@ contains
       call suite%addTest(TestMethod('slip, overshoot, a programme before a push', test_borders))
       call suite%addTest(TestMethod('begins at a peak', test_begins))
       call suite%addTest(TestMethod('short of zero', test_short_of_zero))
+      call suite%addTest(TestMethod('at zero, and once more', test_at_zero))
    end function suite_hysteresis_borders
 
    !> Noise makes no cycles, below the threshold and four times above it. The largest force is off
@@ -187,5 +188,17 @@ contains
          call assertEqual(peaks, loop%peak, 'peaks')
       end subroutine peak_at
    end subroutine test_short_of_zero
+
+   !> Cycles are cut where the record is first at zero, though it may go back a little and pass it
+   !> between two samples later.
+   subroutine test_at_zero()
+      real(wp), parameter :: x(8) = [0.0_wp, 1.0_wp, -1.0_wp, 0.0_wp, -0.005_wp, 1.0_wp, -1.0_wp, &
+         0.0_wp]
+      type(hysteresis_cycle), allocatable :: cycles(:)
+
+      call cut_cycles(x, x, 0.01_wp, [2, 3, 6, 7], cycles)
+      call assertEqual([4, 8], cycles%last, 'last samples')
+      call assertEqual([1, 4], cycles%first, 'first samples')
+   end subroutine test_at_zero
 
 end module test_hysteresis_borders
