@@ -392,8 +392,8 @@ contains
       call refused(text, 'file: ', 'on no regular grid')
    end subroutine test_no_grid
 
-   !> The limits of a grid: two lines for each that has points, points a twentieth of a step off, and
-   !> coordinates that are one as they differ by 1e-4 of the largest gap.
+   !> The limits of a grid: two lines for each that has points, points a twentieth of a step off,
+   !> and coordinates that are one as they differ by 1e-4 of the largest gap.
    subroutine test_grid()
       call check([0.0_wp, 1.0_wp, 5.0_wp], 6)
       call check([0.0_wp, 1.0_wp, 6.0_wp], 0)

@@ -56,7 +56,8 @@ contains
       call check('y x z', '', '', map_hints('um', 'nm'), blanks=.true.)
       call check('# y [um] x [um] z [nm]', '', '', no_hints, blanks=.true.)
       do k = 1, size(words)
-         call check('Y '//trim(words(k))//' (um),X '//trim(words(k))//' (um),Z (nm)', '', '', no_hints)
+         call check('Y '//trim(words(k))//' (um),X '//trim(words(k))//' (um),Z (nm)', '', '', &
+            no_hints)
          call check(trim(words(k))//' y (um),'//trim(words(k))//' x (um),z (nm)', '', '', no_hints)
       end do
       ! among others, and in front of one without a name

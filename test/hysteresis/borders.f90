@@ -147,8 +147,8 @@ contains
       end subroutine expect
    end subroutine test_begins
 
-   !> A loop that ends short of zero by the threshold has the force of its end at zero, one that ends
-   !> further out has no height there; a peak must be further out than the threshold.
+   !> A loop that ends short of zero by the threshold has the force of its end at zero, one that
+   !> ends further out has no height there; a peak must be further out than the threshold.
    subroutine test_short_of_zero()
       real(wp), parameter :: threshold = 0.125_wp
 

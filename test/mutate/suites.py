@@ -1,5 +1,5 @@
-"""Which suites, by their names for ctest, run for a mutant in which folder: those most likely to see
-it first. The longest folder that fits a file counts; files of no folder here are not mutated."""
+"""Which suites, by their names for ctest, run for a mutant in which folder, those most likely to
+see it first. The longest folder that fits a file counts; files of no folder here are not mutated."""
 
 FOLDERS = {
     'src/base': ['base', 'law', 'contact', 'height_map', 'deck', 'replay', 'abaqus', 'surface'],
