@@ -102,9 +102,13 @@ if(Python3_FOUND)
 endif()
 
 if(ASPERITY_BUILD_PROGRAM)
-   add_test(NAME program_tests
-      COMMAND bash ${PROJECT_SOURCE_DIR}/test/program/run_tests.sh $<TARGET_FILE:asperity_program>
-      WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
+   # A ctest each, to run side by side
+   file(GLOB parts CONFIGURE_DEPENDS test/program/*/*.sh)
+   foreach(part IN LISTS parts)
+      get_filename_component(name ${part} NAME_WE)
+      add_test(NAME program_${name}_tests COMMAND bash test/program/run_tests.sh
+         $<TARGET_FILE:asperity_program> ${name} WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
+   endforeach()
 endif()
 
 if(ASPERITY_BUILD_C)

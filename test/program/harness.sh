@@ -116,6 +116,24 @@ same_csv_and_json() {
    done
 }
 
+# value FILE NAME: one parameter of a CSV file of asperity surface, in full
+value() { awk -F, -v name="$2" '$1 == name { print $3 }' "$1"; }
+# of_json FILE TABLE COLUMN: a column of one of the tables of a JSON file, one value a line
+of_json() {
+   sed -n "/^\"$2\": {/,/^}/p" "$1" | sed -n "s/^\"$3\": \[\(.*\)\].*/\1/p" | tr ',' '\n' \
+      | tr -d ' "'
+}
+# near A B TOLERANCE: within a share of the larger
+near() { awk -v a="$1" -v b="$2" -v t="$3" 'BEGIN { d = a - b; m = a*a > b*b ? a : b
+   print a, b; exit !(a != "" && b != "" && d*d <= t*t*m*m) }'; }
+
+# map_with_holes: a map of 50 by 40 points, of which 40 were not measured
+map_with_holes() {
+   printf '# height unit: um\n# step: 10 um\n'
+   awk 'BEGIN { srand(3); for (j = 0; j < 40; j++) { for (i = 0; i < 50; i++)
+      printf "%s%s", i ? ";" : "", i + j == 40 ? "NaN" : i + 2*j + rand(); print "" } }'
+}
+
 has() { grep -Fq -- "$2" "$1"; }
 lacks() { ! grep -Eq -- "$2" "$1"; }
 absent() { [ ! -e "$1" ]; }

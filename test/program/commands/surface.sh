@@ -1,16 +1,5 @@
 # asperity surface: from a height map to the law's parameters
 
-# value FILE NAME: one parameter of a CSV file of asperity surface, in full
-value() { awk -F, -v name="$2" '$1 == name { print $3 }' "$1"; }
-# of_json FILE TABLE COLUMN: a column of one of the tables of a JSON file, one value a line
-of_json() {
-   sed -n "/^\"$2\": {/,/^}/p" "$1" | sed -n "s/^\"$3\": \[\(.*\)\].*/\1/p" | tr ',' '\n' \
-      | tr -d ' "'
-}
-# near A B TOLERANCE: within a share of the larger
-near() { awk -v a="$1" -v b="$2" -v t="$3" 'BEGIN { d = a - b; m = a*a > b*b ? a : b
-   print a, b; exit !(a != "" && b != "" && d*d <= t*t*m*m) }'; }
-
 run surface --generate --map-points 256,192 --correlation-length 0.08 --csv s.csv --json s.json \
    --map s.sdf --case s.nml
 check 'surface: generated' test "$status" -eq 0
@@ -193,9 +182,7 @@ check 'surface: a form of degree 4 lowers sq' awk -v a="$(value form.csv sq)" \
 run surface s.sdf --pruning 0 --csv all.csv
 check 'surface: without pruning every summit is a peak' test "$(value all.csv spd)" = \
    "$(value all.csv summit_density)"
-{ echo '# height unit: um'; echo '# step: 10 um'
-  awk 'BEGIN { srand(3); for (j = 0; j < 40; j++) { for (i = 0; i < 50; i++)
-     printf "%s%s", i ? ";" : "", i + j == 40 ? "NaN" : i + 2*j + rand(); print "" } }'; } >holes.csv
+map_with_holes >holes.csv
 run surface holes.csv --step 0.01 --csv holes_out.csv --json holes.json
 check 'surface: holes are left out' test "$(of_json holes.json map missing)" = 40
 run surface holes.csv --step 0.01 --missing fill --csv filled.csv --json filled.json

@@ -50,10 +50,12 @@ check 'surface files: a line that was not understood' has out "not used: 'Object
 check 'surface files: and in JSON' has header.json "not used: 'Objective: 50x'"
 refuses 'surface files: a marker of a made map' 2 '--missing-value: is for files' \
    surface --generate --missing-value 0
+run surface --generate --map-points 64 --map s.sdf
 run surface s.sdf --missing-value 0
 check 'surface files: a marker of a format that has its own' has out '--missing-value is for text'
 
 # Holes in SDF: 32-bit integers, heights to 1/(2^31 - 1) of the largest
+map_with_holes >holes.csv
 run surface holes.csv --step 0.01 --map holes.sdf --csv holes_out.csv
 run surface holes.sdf --csv holes_again.csv --json holes_again.json
 check 'surface files: holes in SDF come back' test "$(of_json holes_again.json map missing)" = 40

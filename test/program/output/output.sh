@@ -12,6 +12,7 @@ check '--json - is the file' cmp out json
 run curve --csv /dev/stdout --json -
 check '--csv /dev/stdout beside --json -' test "$status" -eq 0
 if command -v python3 >/dev/null; then
+   run press --json p.json
    run shear --json - --displacement 0.1
    check 'JSON is JSON' python3 -c '
 import json, sys
