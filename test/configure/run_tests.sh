@@ -139,6 +139,36 @@ check 'safe flags are taken, whatever their names resemble' configure "$root" "$
    -DCMAKE_Fortran_FLAGS="-O3 -ffp-contract=fast -fno-fast-math -I$work/-Ofast" \
    -DASPERITY_BUILD_C=OFF
 
+# ./run and a build folder of another place or compiler, with a cmake that only says what it is asked
+run_on_old_build() { # home compiler FC
+   local cmake=$work/fake/cmake
+   rm -rf "$work/run" "$work/fake" "$work/asked"
+   mkdir -p "$work/run/build/CMakeFiles" "$work/fake" && cp "$root/run" "$work/run" || return
+   printf 'CMAKE_HOME_DIRECTORY:INTERNAL=%s\nCMAKE_Fortran_COMPILER:FILEPATH=%s\n' "$1" "$2" \
+      >"$work/run/build/CMakeCache.txt"
+   printf '#!/bin/sh\necho "$@" >>"%s"\n' "$work/asked" >"$cmake"
+   printf '#!/bin/sh\nexec gfortran "$@"\n' >"$work/fake/other-fortran"
+   chmod +x "$work/fake/"*
+   PATH=$work/fake:$PATH FC=$3 ASPERITY_NO_INSTALL=1 "$work/run/run" build
+}
+configures_anew() { # text home compiler FC
+   run_on_old_build "${@:2}" >"$work/said" && cat "$work/said" && grep -F "$1: configuring anew" "$work/said" \
+      && grep -F -- "-DCMAKE_Fortran_COMPILER=${4:-gfortran}" "$work/asked" \
+      && [[ ! -d $work/run/build/CMakeFiles ]]
+}
+goes_on() { # home compiler FC
+   run_on_old_build "$@" >"$work/said" && cat "$work/said" && ! grep 'anew' "$work/said" \
+      && ! grep -e -DCMAKE_Fortran_COMPILER "$work/asked"
+}
+gfortran=$(command -v gfortran)
+check './run on a moved build' configures_anew 'build/ was made for /elsewhere' /elsewhere "$gfortran" gfortran
+check './run on a build of another compiler' configures_anew \
+   "build/ was made with $gfortran, not with other-fortran" "$work/run" "$gfortran" other-fortran
+check './run on a moved build of a compiler that is gone' configures_anew \
+   'build/ was made for /elsewhere' /elsewhere /elsewhere/fortran ''
+check './run on a build of its own' goes_on "$work/run" "$gfortran" gfortran
+check './run without FC keeps the compiler of the build' goes_on "$work/run" "$work/fake/other-fortran" ''
+
 # Without 32-bit libraries nothing can be linked, which CMake tries first
 check '32 bits, configuration' refused 'needs a 64-bit system.* compiles for 32 bits' \
    -DCMAKE_Fortran_FLAGS=-m32 -DCMAKE_TRY_COMPILE_TARGET_TYPE=STATIC_LIBRARY
