@@ -11,7 +11,7 @@ install(EXPORT asperity-fortran-targets NAMESPACE asperity:: DESTINATION ${packa
 if(ASPERITY_BUILD_C)
    install(EXPORT asperity-c-targets NAMESPACE asperity:: DESTINATION ${package_folder})
 endif()
-configure_package_config_file(cmake/asperity-config.cmake.in asperity-config.cmake
+configure_package_config_file(cmake/package/asperity-config.cmake.in asperity-config.cmake
    INSTALL_DESTINATION ${package_folder})
 write_basic_package_version_file(asperity-config-version.cmake COMPATIBILITY SameMinorVersion)
 install(FILES
@@ -25,10 +25,10 @@ file(RELATIVE_PATH pc_prefix ${pc_folder} ${CMAKE_INSTALL_PREFIX})
 file(RELATIVE_PATH pc_modules ${pc_folder}
    ${CMAKE_INSTALL_FULL_INCLUDEDIR}/asperity/${compiler_name})
 file(RELATIVE_PATH pc_include ${pc_folder} ${CMAKE_INSTALL_FULL_INCLUDEDIR})
-configure_file(cmake/asperity.pc.in asperity.pc @ONLY)
+configure_file(cmake/package/asperity.pc.in asperity.pc @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/asperity.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 if(ASPERITY_BUILD_C)
-   configure_file(cmake/asperity-c.pc.in asperity-c.pc @ONLY)
+   configure_file(cmake/package/asperity-c.pc.in asperity-c.pc @ONLY)
    install(FILES ${PROJECT_BINARY_DIR}/asperity-c.pc
       DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 endif()
@@ -42,6 +42,7 @@ install(FILES src/base/kinds.f90 DESTINATION ${share_folder}/src/base)
 
 if(is_top_level)
    add_custom_target(uninstall
-      COMMAND ${CMAKE_COMMAND} -D build=${PROJECT_BINARY_DIR} -P ${PROJECT_SOURCE_DIR}/cmake/uninstall.cmake
+      COMMAND ${CMAKE_COMMAND} -D build=${PROJECT_BINARY_DIR} 
+         -P ${PROJECT_SOURCE_DIR}/cmake/package/uninstall.cmake
       VERBATIM)
 endif()

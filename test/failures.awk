@@ -12,9 +12,11 @@ file == 2 && /Test +#[0-9]+: .*\*\*\*/ {
    sub(/.*Test +#[0-9]+: /, "")
    if (!counted[$1]) {
       failed++
-      text = text "\n  " $1 ": " $0
-      for (i = ended[$1] - 12; i < ended[$1]; i++)
-         if (($1, i) in kept) text = text "\n       | " kept[$1, i]
+      name = $1
+      sub(/[^*]*/, "")
+      text = text "\n  " name ": " $0
+      for (i = ended[name] - 12; i < ended[name]; i++)
+         if ((name, i) in kept) text = text "\n       | " kept[name, i]
    }
 }
 END { print passed + 0, failed + 0 text }
