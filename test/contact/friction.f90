@@ -131,8 +131,8 @@ contains
       end do
    end subroutine test_rules
 
-   !> A point that opens at pressure zero loses its elastic slip: the dissipative rule has its energy
-   !> as heat, ABAQUS' takes it out as the pressure falls. Beyond gcrit it slips at mu p.
+   !> A point that opens at pressure zero loses its elastic slip: its energy is heat by the
+   !> dissipative rule, ABAQUS' takes it out as the pressure falls. Beyond gcrit it slips at mu p.
    subroutine test_opening()
       type(contact_properties) :: p
       type(contact_response) :: first, opened

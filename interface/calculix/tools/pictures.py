@@ -83,7 +83,7 @@ def faces_picture(path, mesh, points, title, quantity):
     keys = list(points)
     columns = min(len(keys), 4)
     # one scale for all surfaces
-    left, right, head, gap_x, gap_y = 10, 135, 52, 76, 70
+    left, right, head, gap_x, gap_y = 10, 135, 52, 96, 70
     wide = max(w for w, _ in shapes)
     scale = min(max(170.0, min(340.0, 1150.0/columns))/wide, 380.0/max(h for _, h in shapes))
     heights = [max(h*scale, 24.0) for _, h in shapes]
