@@ -1,8 +1,8 @@
 !> The program `asperity`. It alone prints errors and sets the exit status.
 program asperity_main
    use asperity, only: error_type
+   use asperity_program_command_line, only: command_line_type, parse_command_line
    use asperity_program_driver, only: drive
-   use asperity_program_input_command_line, only: command_line_type, parse_command_line
    use asperity_program_system_files, only: standard_error, write_text
    use asperity_program_system_process, only: set_signals
    use asperity_program_system_strings, only: newline

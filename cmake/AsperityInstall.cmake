@@ -1,6 +1,6 @@
 # What goes where on installation besides libraries and program: the CMake package, the pkg-config
 # file, and in one folder, whose links lead from one file to another, documents, examples, the
-# sources that ABAQUS compiles, and what puts a UINTER into CalculiX. `cmake --build . --target
+# sources that ABAQUS compiles, and what puts a UINTER into CalculiX; man page and completion. `cmake --build . --target
 # uninstall` removes what was installed last.
 include(CMakePackageConfigHelpers)
 
@@ -39,6 +39,19 @@ install(DIRECTORY docs examples interface DESTINATION ${share_folder} USE_SOURCE
    PATTERN __pycache__ EXCLUDE)
 # What the glue of interface/calculix is compiled with
 install(FILES src/base/kinds.f90 DESTINATION ${share_folder}/src/base)
+
+# The program writes its own man page and completion, where it can run here
+if(ASPERITY_BUILD_PROGRAM AND NOT CMAKE_CROSSCOMPILING)
+   set(help_files ${PROJECT_BINARY_DIR}/asperity.1 ${PROJECT_BINARY_DIR}/asperity.bash)
+   add_custom_command(OUTPUT ${help_files}
+      COMMAND asperity_program help --man > ${PROJECT_BINARY_DIR}/asperity.1
+      COMMAND asperity_program help --completion bash > ${PROJECT_BINARY_DIR}/asperity.bash
+      DEPENDS asperity_program VERBATIM)
+   add_custom_target(asperity_help_files ALL DEPENDS ${help_files})
+   install(FILES ${PROJECT_BINARY_DIR}/asperity.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+   install(FILES ${PROJECT_BINARY_DIR}/asperity.bash
+      DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME asperity)
+endif()
 
 if(is_top_level)
    add_custom_target(uninstall

@@ -55,6 +55,9 @@ asperity_test_suite(hysteresis asperity_hysteresis)
 asperity_test_suite(height_map asperity_surface)
 asperity_test_suite(surface asperity_surface)
 asperity_test_suite(deck asperity_deck)
+if(ASPERITY_BUILD_PROGRAM)
+   asperity_test_suite(program_input asperity_commands)
+endif()
 
 # The same tests of VUINTER against the file for single precision, all from sources, as its modules
 # are not those of the library

@@ -3,7 +3,8 @@ module asperity_program_outputs
    use, intrinsic :: iso_fortran_env, only: int64
    use asperity_base_error, only: error_type, fatal_error, file_error
    use asperity_base_memory, only: check_work
-   use asperity_program_input_command_line, only: command_line_type
+   use asperity_program_input_key, only: given_nowhere, kind_file, kind_picture, option_name
+   use asperity_program_input_key_list, only: key_list
    use asperity_program_plot_gnuplot, only: check_picture, draw, format_of
    use asperity_program_plot_script, only: page_script, sheet_script
    use asperity_program_report_csv, only: write_csv
@@ -26,13 +27,12 @@ module asperity_program_outputs
       private
       !> Files to write
       type(output_file), allocatable :: files(:)
+      !> How many of them, the first ones, are pictures
+      integer :: pictures = 0
       !> Option whose text goes to standard output; empty for the table
       character(len=:), allocatable :: standard
    end type delivery_type
 
-   !> Options that name a file; pictures first since they are most likely to fail
-   character(len=*), parameter :: options(10) = [character(len=8) :: 'plot', 'report', 'csv', &
-      'json', 'points', 'abaqus', 'calculix', 'inp', 'case', 'map']
    !> Bytes that choosing the rows shown takes for each row of the table
    integer(int64), parameter :: bytes_of_row = 16
    !> How often the script of pictures is in memory on its way to gnuplot: it grows, becomes UTF-8,
@@ -44,45 +44,51 @@ module asperity_program_outputs
 contains
 
    !> Check the outputs before the work whose results they take.
-   subroutine prepare_delivery(delivery, line, error)
+   subroutine prepare_delivery(delivery, keys, error)
       !> Outputs asked for
       type(delivery_type), intent(out) :: delivery
-      !> Command line
-      type(command_line_type), intent(in) :: line
+      !> Keys of the command
+      type(key_list), intent(in) :: keys
       !> Set when an output cannot be written
       type(error_type), allocatable, intent(out) :: error
-      type(output_file) :: files(size(options))
-      character(len=:), allocatable :: option, path
-      integer :: i, n
+      type(output_file) :: files(keys%n)
+      character(len=:), allocatable :: option
+      integer :: i, n, pass
 
       delivery%standard = ''
       n = 0
-      do i = 1, size(options)
-         option = '--'//trim(options(i))
-         path = line%options%text_of(trim(options(i)))
-         if (path == '') cycle
-         if (path == dash .and. .not. is_drawn(option)) then
-            if (delivery%standard /= '') then
-               call fatal_error(error, option//': standard output already takes '// &
-                  delivery%standard)
-               return
-            end if
-            delivery%standard = option
-            cycle
-         end if
-         n = n + 1
-         call open_target(files(n), option, path, error)
-         if (.not. allocated(error) .and. is_drawn(option)) call check_picture(files(n), error)
-         if (.not. allocated(error)) call check_collision(files(:n), line, error)
-         if (allocated(error)) return
+      ! pictures first since they are most likely to fail
+      do pass = 1, 2
+         do i = 1, keys%n
+            associate (key => keys%rows(i))
+               if (key%kind /= merge(kind_picture, kind_file, pass == 1)) cycle
+               if (key%given == given_nowhere) cycle
+               option = option_name(key%name)
+               if (key%text == dash .and. key%kind == kind_file) then
+                  if (delivery%standard /= '') then
+                     call fatal_error(error, option//': standard output already takes '// &
+                        delivery%standard)
+                     return
+                  end if
+                  delivery%standard = option
+                  cycle
+               end if
+               n = n + 1
+               call open_target(files(n), option, key%text, error)
+               if (.not. allocated(error) .and. pass == 1) call check_picture(files(n), error)
+               if (.not. allocated(error)) call check_collision(files(:n), keys, error)
+               if (allocated(error)) return
+            end associate
+         end do
+         if (pass == 1) delivery%pictures = n
       end do
       allocate (delivery%files, source=files(:n))
    end subroutine prepare_delivery
 
    !> Set `error` if the last file is another output or one that is read.
-   subroutine check_collision(files, line, error)
+   subroutine check_collision(files, keys, error)
       type(output_file), intent(in) :: files(:)
-      type(command_line_type), intent(in) :: line
+      type(key_list), intent(in) :: keys
       type(error_type), allocatable, intent(out) :: error
       integer :: i
 
@@ -93,15 +99,13 @@ contains
                last%path//' is already written by '//files(i)%option)
          end do
          if (allocated(error)) return
-         call check_input(last, line%case_path, 'the case file', error)
-         if (.not. allocated(error)) &
-            call check_input(last, line%options%text_of('record_file'), 'the record', error)
-         if (.not. allocated(error)) &
-            call check_input(last, line%options%text_of('history'), 'the history', error)
-         if (.not. allocated(error)) &
-            call check_input(last, line%options%text_of('map_file'), 'the map', error)
-         if (.not. allocated(error)) &
-            call check_input(last, line%options%text_of('second_map'), 'the second map', error)
+         call check_input(last, keys%case_path, 'case file', error)
+         do i = 1, keys%n
+            associate (key => keys%rows(i))
+               if (key%reads /= '' .and. .not. allocated(error)) &
+                  call check_input(last, key%text, trim(key%reads), error)
+            end associate
+         end do
       end associate
    end subroutine check_collision
 
@@ -113,7 +117,7 @@ contains
 
       if (path == '') return
       if (resolved_path(path) == file%target) call fatal_error(error, file%option//': '// &
-         file%path//' is '//what//', it would be lost')
+         file%path//' is the '//what//', it would be lost')
    end subroutine check_input
 
    !> Write all outputs. Files are written completely or not at all, then standard output.
@@ -131,7 +135,7 @@ contains
       if (allocated(error)) return
       do i = 1, size(delivery%files)
          associate (file => delivery%files(i))
-            if (is_drawn(file%option)) then
+            if (i <= delivery%pictures) then
                call draw_pictures(file, report, error)
             else
                call take_text(file%option, report, file%text, error)
@@ -175,13 +179,6 @@ contains
          call move_alloc(pictures, file%text)
       end if
    end subroutine draw_pictures
-
-   !> Whether an option's file is drawn by gnuplot.
-   pure logical function is_drawn(option)
-      character(len=*), intent(in) :: option
-
-      is_drawn = option == '--plot' .or. option == '--report'
-   end function is_drawn
 
    !> The report in the form of an option.
    pure subroutine take_text(option, report, text, error)

@@ -1,19 +1,40 @@
 !> `asperity curve`: the normal law at a list of separations.
 module asperity_program_commands_curve
    use, intrinsic :: iso_fortran_env, only: int64
-   use asperity_base_error, only: error_type
+   use asperity_base_error, only: error_type, fatal_error
+   use asperity_base_kinds, only: wp
    use asperity_base_memory, only: check_work
    use asperity_base_number_text, only: to_text
+   use asperity_contact_properties, only: contact_properties
    use asperity_law_normal_law, only: evaluate_normal_law, normal_response
-   use asperity_program_commands_config, only: config_type
+   use asperity_program_commands_command, only: command_type
+   use asperity_program_commands_faces, only: faces_type, sigma
    use asperity_program_commands_plots, only: draw_curve
+   use asperity_program_input_key_list, only: key_list
+   use asperity_program_input_ranges, only: linear_range
    use asperity_program_report_report, only: report_type, turning_points
    use asperity_program_report_table, only: column_validity, new_table
    use asperity_program_system_progress, only: progress_type
    implicit none
    private
-   public :: report_curve
+   public :: curve_command
 
+   !> Evaluates the law.
+   type, extends(command_type) :: curve_command
+      private
+      type(faces_type) :: faces
+      !> Separations, mm
+      real(wp), allocatable :: separation(:)
+      !> Checked properties of the faces
+      type(contact_properties) :: properties
+   contains
+      procedure :: describe, declare, check, run
+   end type curve_command
+
+   !> Separations unless given: so many from that at zero overclosure down to 0
+   integer, parameter :: default_points = 41
+   !> Largest separation over sigma
+   real(wp), parameter :: farthest = 1.0e100_wp
    !> Points between two looks at the clock
    integer, parameter :: chunk = 1000
    !> Bytes of a separation in results and table
@@ -21,10 +42,55 @@ module asperity_program_commands_curve
 
 contains
 
+   !> What the command is.
+   pure subroutine describe(self)
+      !> The command
+      class(curve_command), intent(inout) :: self
+
+      self%name = 'curve'
+      self%summary = 'pressure and real area against separation'
+      self%usage = '[CASE.nml] [options]'
+      self%purpose = 'Pressure, stiffness, real area and energy of rough faces against separation.'
+   end subroutine describe
+
+   !> Faces and separations.
+   pure subroutine declare(self, keys)
+      !> The command
+      class(curve_command), intent(inout) :: self
+      !> Its keys
+      type(key_list), intent(inout) :: keys
+
+      call self%faces%declare(keys, has_friction=.false.)
+      call self%faces%declare_separation(keys)
+      call self%faces%declare_accept(keys)
+      self%separation = linear_range(self%faces%usual_separation(), 0.0_wp, default_points)
+      call keys%list('separation', self%separation, 'mm', &
+         'separations, also from:to:count as an option; 4 sigma to 0 unless given')
+      call keys%follows(self%faces%keys(sigma), '4 sigma to 0')
+      call self%declare_outputs(keys, has_picture=.true.)
+      call self%declare_requests(keys)
+   end subroutine declare
+
+   !> Check faces and separations, at which the energy must not overflow.
+   subroutine check(self, error)
+      !> The command
+      class(curve_command), intent(inout) :: self
+      !> Set when one is refused
+      type(error_type), allocatable, intent(out) :: error
+      integer :: i
+
+      call self%faces%contact(self%properties, error)
+      if (allocated(error)) return
+      i = findloc(abs(self%separation)/self%properties%normal%sigma > farthest, .true., 1)
+      if (i > 0) call fatal_error(error, 'separation = '//to_text(self%separation(i))// &
+         ' mm is not allowed: it must be below '//to_text(farthest)//' sigma in size', &
+         subject='separation')
+   end subroutine check
+
    !> Evaluate the law. `error` is set when a result is out of the range of numbers.
-   subroutine report_curve(config, report, error)
-      !> Properties and separations
-      type(config_type), intent(in) :: config
+   subroutine run(self, report, error)
+      !> The command
+      class(curve_command), intent(inout) :: self
       !> Its table is set
       type(report_type), intent(inout) :: report
       !> Set on failure
@@ -33,7 +99,7 @@ contains
       type(progress_type) :: progress
       integer :: i, last, n
 
-      n = size(config%separation)
+      n = size(self%separation)
       call check_work(to_text(n)//' separations', bytes_of_row*n, error)
       if (allocated(error)) return
       allocate (r(n))
@@ -41,16 +107,16 @@ contains
       do i = 1, n, chunk
          call progress%show(i - 1, n, 'separations')
          last = min(i + chunk - 1, n)
-         r(i:last) = evaluate_normal_law(config%properties%normal, config%separation(i:last))
+         r(i:last) = evaluate_normal_law(self%properties%normal, self%separation(i:last))
       end do
       call progress%finish()
 
       report%table = new_table(columns=11, rows=n)
       ! Parentheses make the copies that gfortran makes anyway, and would warn of when checking
       associate (table => report%table)
-         call table%add_numbers('separation', 'mm', config%separation)
+         call table%add_numbers('separation', 'mm', self%separation)
          call table%add_numbers('closure', 'mm', &
-            config%properties%initial_separation - config%separation)
+            self%properties%initial_separation - self%separation)
          call table%add_numbers('pressure', 'MPa', (r%pressure))
          call table%add_numbers('stiffness', 'MPa/mm', (r%stiffness))
          call table%add_numbers('area_fraction', '-', (r%area_fraction))
@@ -62,9 +128,10 @@ contains
          call table%add_codes('validity', column_validity, (r%validity))
          call table%check_finite(error)
       end associate
+      report%faces = self%faces%words()
       report%first_rows = [1, n + 1]
-      report%important = turning_points(config%separation)
+      report%important = turning_points(self%separation)
       if (.not. allocated(error) .and. report%is_drawn()) call draw_curve(report)
-   end subroutine report_curve
+   end subroutine run
 
 end module asperity_program_commands_curve

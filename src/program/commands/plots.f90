@@ -2,7 +2,7 @@
 module asperity_program_commands_plots
    use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
-   use asperity_program_input_presets, only: faces_text
+   use asperity_contact_properties, only: contact_properties
    use asperity_program_plot_figure, only: as_band, as_points, dashed, figure_type, panel_type, ring
    use asperity_program_plot_palette, only: black, blue, green, red, sky
    use asperity_program_report_report, only: report_type
@@ -69,9 +69,11 @@ contains
    end subroutine draw_press
 
    !> Shear stress, and closure, against displacement for all normal stresses (Fig. 18).
-   pure subroutine draw_shear(report)
+   pure subroutine draw_shear(report, properties)
       !> Its picture is set
       type(report_type), intent(inout) :: report
+      !> Properties of the faces
+      type(contact_properties), intent(in) :: properties
       type(panel_type) :: stress, closure
       character(len=:), allocatable :: name
       integer, allocatable :: rows(:)
@@ -93,18 +95,19 @@ contains
             call closure%add(displacement, column(report, 'overclosure', rows), name, run)
          end associate
       end do
-      call add_separation_axis(closure, report)
+      call add_separation_axis(closure, report, properties)
       call set_picture(report, 'Direct shear', [stress, closure])
    end subroutine draw_shear
 
    !> Axes of overclosure on the left and of the same separation, over sigma, on the right.
-   pure subroutine add_separation_axis(panel, report)
+   pure subroutine add_separation_axis(panel, report, properties)
       type(panel_type), intent(inout) :: panel
       type(report_type), intent(in) :: report
+      type(contact_properties), intent(in) :: properties
       real(wp) :: d0, room, sigma
 
-      d0 = report%settings%real_of('initial_separation')
-      sigma = report%settings%real_of('sigma')
+      d0 = properties%initial_separation
+      sigma = properties%normal%sigma
       associate (overclosure => report%table%columns(report%table%find('overclosure'))%values)
          room = margin*max(maxval(overclosure) - minval(overclosure), sigma)
          panel%y%low = minval(overclosure) - room
@@ -134,7 +137,7 @@ contains
       character(len=*), intent(in) :: what
       character(len=:), allocatable :: text
 
-      text = what//': '//faces_text(report%settings)
+      text = what//': '//report%faces
       if (report%validity() /= 0) text = text//' (partly past the limits of the law)'
    end function picture_title
 

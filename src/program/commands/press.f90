@@ -1,28 +1,95 @@
 !> `asperity press`: press and release, replayed through UINTER.
 module asperity_program_commands_press
    use, intrinsic :: iso_fortran_env, only: int64
-   use asperity_base_error, only: error_type
+   use asperity_base_error, only: error_type, fatal_error
    use asperity_base_memory, only: check_work
    use asperity_base_number_text, only: to_text
-   use asperity_program_commands_config, only: config_type
+   use asperity_contact_properties, only: contact_properties
+   use asperity_program_commands_command, only: command_type
+   use asperity_program_commands_faces, only: faces_type
    use asperity_program_commands_plots, only: draw_press
+   use asperity_program_input_key_list, only: key_list
    use asperity_program_report_report, only: report_type, turning_points
    use asperity_program_report_table, only: column_status, column_validity, new_table
    use asperity_program_system_progress, only: progress_type
-   use asperity_replay_press, only: press_step, run_press
+   use asperity_replay_press, only: press_settings, press_step, run_press
    implicit none
    private
-   public :: report_press
+   public :: press_command
+
+   !> Presses and releases.
+   type, extends(command_type) :: press_command
+      private
+      type(faces_type) :: faces
+      type(press_settings) :: press
+      !> Whether the peak is given
+      logical :: has_peak = .false.
+      !> Checked properties of the faces
+      type(contact_properties) :: properties
+   contains
+      procedure :: describe, declare, check, run
+   end type press_command
 
    !> Bytes of an increment in results and table
    integer(int64), parameter :: bytes_of_row = 300
 
 contains
 
+   !> What the command is.
+   pure subroutine describe(self)
+      !> The command
+      class(press_command), intent(inout) :: self
+
+      self%name = 'press'
+      self%summary = 'press and release, as ABAQUS calls UINTER'
+      self%usage = '[CASE.nml] [options]'
+      self%purpose = 'Press two faces together and release them, through UINTER. Fig. 17 of '// &
+         'the paper is the ramp of overclosure. A ramp of pressure starts and ends where the '// &
+         'faces just part.'
+   end subroutine describe
+
+   !> Faces and load path.
+   pure subroutine declare(self, keys)
+      !> The command
+      class(press_command), intent(inout) :: self
+      !> Its keys
+      type(key_list), intent(inout) :: keys
+
+      call self%faces%declare(keys, has_friction=.false.)
+      call self%faces%declare_separation(keys)
+      call self%faces%declare_accept(keys)
+      call keys%switch('accept_sizes', self%press%accept_sizes, &
+         'let sizes and pressures pass that look like another unit')
+      call keys%choice('control', self%press%control, 'pressure overclosure', &
+         'what is ramped up and down')
+      call keys%real('peak', self%press%peak, trim(merge('mm ', 'MPa', &
+         self%press%control == 'overclosure')), &
+         'value at the top of the ramp; needed, in mm, when control is overclosure')
+      self%has_peak = keys%given()
+      call keys%whole('increments', self%press%increments, 'increments of each ramp')
+      call keys%real('step_time', self%press%step_time, 's', 'time of each ramp')
+      call self%declare_outputs(keys, has_picture=.true.)
+      call self%declare_requests(keys)
+   end subroutine declare
+
+   !> Check the faces, and that a peak goes with its control.
+   subroutine check(self, error)
+      !> The command
+      class(press_command), intent(inout) :: self
+      !> Set when one is refused
+      type(error_type), allocatable, intent(out) :: error
+
+      if (self%press%control == 'overclosure' .and. .not. self%has_peak) then
+         call fatal_error(error, 'control = overclosure needs a peak, in mm', subject='control')
+      else
+         call self%faces%contact(self%properties, error)
+      end if
+   end subroutine check
+
    !> Run the replay. `error` is set when a setting is refused or the replay fails.
-   subroutine report_press(config, report, error)
-      !> Properties and load path
-      type(config_type), intent(in) :: config
+   subroutine run(self, report, error)
+      !> The command
+      class(press_command), intent(inout) :: self
       !> Its table is set
       type(report_type), intent(inout) :: report
       !> Set on failure
@@ -30,12 +97,12 @@ contains
       type(press_step), allocatable :: s(:)
       type(progress_type) :: progress
 
-      call check_work('twice '//to_text(config%press%increments)//' increments', &
-         bytes_of_row*(2*config%press%increments + 1), error)
+      call check_work('twice '//to_text(self%press%increments)//' increments', &
+         bytes_of_row*(2*self%press%increments + 1), error)
       if (allocated(error)) return
       call progress%start('press')
-      call progress%announce(config%press%increments, 'increments up and down')
-      call run_press(config%press, config%properties, s, error)
+      call progress%announce(self%press%increments, 'increments up and down')
+      call run_press(self%press, self%properties, s, error)
       call progress%finish()
       if (allocated(error)) return
 
@@ -60,9 +127,10 @@ contains
       report%shown_columns = [character(len=24) :: 'time', 'overclosure', 'separation', &
          'pressure', 'stiffness', 'area_fraction', 'energy', 'elastic_share', &
          'elastoplastic_share', 'plastic_share', 'status', 'validity']
+      report%faces = self%faces%words()
       report%first_rows = [1, size(s) + 1]
       report%important = turning_points((s%overclosure))
       if (.not. allocated(error) .and. report%is_drawn()) call draw_press(report)
-   end subroutine report_press
+   end subroutine run
 
 end module asperity_program_commands_press

@@ -6,9 +6,13 @@ module asperity_program_commands_shear
    use asperity_base_memory, only: check_work
    use asperity_base_no_value, only: none
    use asperity_base_number_text, only: to_text
+   use asperity_contact_properties, only: contact_properties
    use asperity_contact_state, only: status_slip
-   use asperity_program_commands_config, only: config_type
+   use asperity_program_commands_command, only: command_type
+   use asperity_program_commands_faces, only: faces_type
    use asperity_program_commands_plots, only: draw_shear
+   use asperity_program_commands_shear_keys, only: declare_shear
+   use asperity_program_input_key_list, only: key_list
    use asperity_program_report_report, only: report_type, turning_points
    use asperity_program_report_table, only: column_status, column_validity, new_table, table_type
    use asperity_program_report_units, only: joule
@@ -16,7 +20,21 @@ module asperity_program_commands_shear
    use asperity_replay_shear_box, only: run_shear_box, shear_settings, shear_step
    implicit none
    private
-   public :: report_shear
+   public :: shear_command
+
+   !> Shears discs.
+   type, extends(command_type) :: shear_command
+      private
+      type(faces_type) :: faces
+      !> Specimen and path; the normal stress is set for each run
+      type(shear_settings) :: box
+      !> Normal stresses, MPa
+      real(wp), allocatable :: normal_stress(:)
+      !> Checked properties of the faces
+      type(contact_properties) :: properties
+   contains
+      procedure :: describe, declare, check, run
+   end type shear_command
 
    !> History of one run.
    type :: history_type
@@ -28,25 +46,66 @@ module asperity_program_commands_shear
 
 contains
 
+   !> What the command is.
+   pure subroutine describe(self)
+      !> The command
+      class(shear_command), intent(inout) :: self
+
+      self%name = 'shear'
+      self%summary = 'direct shear box, as ABAQUS calls UINTER'
+      self%usage = '[CASE.nml] [options]'
+      self%purpose = 'Direct shear of two discs under dead weight, through UINTER (Figs 13-18).'
+   end subroutine describe
+
+   !> Faces, specimen and path.
+   pure subroutine declare(self, keys)
+      !> The command
+      class(shear_command), intent(inout) :: self
+      !> Its keys
+      type(key_list), intent(inout) :: keys
+
+      call self%faces%declare(keys, has_friction=.true.)
+      call self%faces%declare_separation(keys)
+      call self%faces%declare_rules(keys)
+      call self%faces%declare_accept(keys)
+      call declare_shear(self%box, self%normal_stress, keys)
+      call keys%switch('shrinking_overlap', self%box%shrinking_overlap, &
+         'the overlap of the discs shrinks with displacement')
+      call keys%real('shear_compliance', self%box%shear_compliance, 'mm/N', &
+         'shear compliance of the two specimens together')
+      call self%declare_outputs(keys, has_picture=.true.)
+      call self%declare_requests(keys)
+   end subroutine declare
+
+   !> Check the faces.
+   subroutine check(self, error)
+      !> The command
+      class(shear_command), intent(inout) :: self
+      !> Set when one is refused
+      type(error_type), allocatable, intent(out) :: error
+
+      call self%faces%contact(self%properties, error)
+   end subroutine check
+
    !> Run the replays. `error` is set when a setting is refused or a replay fails.
-   subroutine report_shear(config, report, error)
-      !> Properties, specimen, path and normal stresses
-      type(config_type), intent(in) :: config
+   subroutine run(self, report, error)
+      !> The command
+      class(shear_command), intent(inout) :: self
       !> Its table and summary are set
       type(report_type), intent(inout) :: report
       !> Set on failure
       type(error_type), allocatable, intent(out) :: error
-      type(history_type) :: runs(size(config%normal_stress))
+      type(history_type) :: runs(size(self%normal_stress))
       type(shear_settings) :: settings
       type(progress_type) :: progress
       integer :: i, rows
 
       call progress%start('shear')
-      settings = config%shear
+      settings = self%box
       do i = 1, size(runs)
          call progress%show(i - 1, size(runs), 'normal stresses')
-         settings%normal_stress = config%normal_stress(i)
-         call run_shear_box(settings, config%properties, runs(i)%steps, error)
+         settings%normal_stress = self%normal_stress(i)
+         call run_shear_box(settings, self%properties, runs(i)%steps, error)
          if (allocated(error)) exit
       end do
       call progress%finish()
@@ -55,20 +114,21 @@ contains
       rows = sum([(size(runs(i)%steps), i=1, size(runs))])
       call check_work(to_text(rows)//' increments', bytes_of_row*rows, error)
       if (allocated(error)) return
-      call join_runs(config, runs, report)
+      call join_runs(self%normal_stress, runs, report)
       call report%table%check_finite(error)
       if (allocated(error)) return
-      report%summary = summary_of(config, runs)
+      report%summary = summary_of(self, runs)
+      report%faces = self%faces%words()
       report%shown_columns = [character(len=24) :: 'normal_stress_nominal', 'displacement', &
          'overclosure', 'separation_over_sigma', 'normal_stress', 'shear_force', &
          'shear_stress_nominal', 'shear_stress', 'area_fraction', 'dissipation', 'status', &
          'validity']
-      if (report%is_drawn()) call draw_shear(report)
-   end subroutine report_shear
+      if (report%is_drawn()) call draw_shear(report, self%properties)
+   end subroutine run
 
    !> One table of all runs, each row led by the normal stress of its run.
-   pure subroutine join_runs(config, runs, report)
-      type(config_type), intent(in) :: config
+   pure subroutine join_runs(normal_stress, runs, report)
+      real(wp), intent(in) :: normal_stress(:)
       type(history_type), intent(in) :: runs(:)
       type(report_type), intent(inout) :: report
       type(shear_step), allocatable :: s(:)
@@ -85,7 +145,7 @@ contains
       do i = 1, size(runs)
          associate (first => report%first_rows(i), last => report%first_rows(i + 1) - 1)
             s(first:last) = runs(i)%steps
-            nominal(first:last) = config%normal_stress(i)
+            nominal(first:last) = normal_stress(i)
             report%important(first:last) = turning_points((s(first:last)%displacement))
          end associate
       end do
@@ -119,8 +179,8 @@ contains
    end subroutine join_runs
 
    !> One row per normal stress: closure under load, initial slope, plateau, dissipation.
-   pure function summary_of(config, runs) result(table)
-      type(config_type), intent(in) :: config
+   pure function summary_of(self, runs) result(table)
+      type(shear_command), intent(in) :: self
       type(history_type), intent(in) :: runs(:)
       type(table_type) :: table
       type(shear_step) :: seated(size(runs)), turned(size(runs)), last(size(runs))
@@ -142,13 +202,13 @@ contains
       plateau = merge(abs(turned%shear_stress), none, turned%status == status_slip)
 
       table = new_table(columns=8, rows=size(runs))
-      call table%add_numbers('normal_stress_nominal', 'MPa', config%normal_stress)
+      call table%add_numbers('normal_stress_nominal', 'MPa', self%normal_stress)
       call table%add_numbers('overclosure', 'mm', (seated%overclosure))
       call table%add_numbers('separation_over_sigma', '-', (seated%separation_over_sigma))
       call table%add_numbers('initial_slope', 'MPa/mm', slope)
       call table%add_numbers('plateau_nominal', 'MPa', plateau_nominal)
       call table%add_numbers('mu_p_nominal', 'MPa', &
-         config%properties%friction_coefficient*config%normal_stress)
+         self%properties%friction_coefficient*self%normal_stress)
       call table%add_numbers('plateau', 'MPa', plateau)
       call table%add_numbers('dissipation', 'J', joule*last%dissipation)
    end function summary_of

@@ -3,10 +3,11 @@
 module asperity_program_input_case_file
    use asperity_base_error, only: error_type, fatal_error, file_error
    use asperity_base_number_text, only: to_text
-   use asperity_program_input_keys, only: find_key, keys, kind_file, n_keys, option_name
+   use asperity_program_input_key, only: assign_words, given_as_option, given_in_case, &
+      given_nowhere, kind_file, option_name
+   use asperity_program_input_key_list, only: key_list
    use asperity_program_input_scanner, only: new_scanner, scanner_type, token_comma, token_group, &
       token_none, token_quoted, token_slash, token_type, token_word
-   use asperity_program_input_settings, only: assign_words, settings_type
    use asperity_program_input_values, only: word_type
    use asperity_program_system_files, only: read_file
    use asperity_program_system_strings, only: lower_case, nearest_name, newline, quoted
@@ -17,21 +18,24 @@ module asperity_program_input_case_file
    character(len=*), parameter :: group = 'asperity'
    character(len=*), parameter :: byte_order_mark = char(239)//char(187)//char(191)
    !> Largest case file, characters: room for several of the longest lists
-   integer, parameter :: largest = 16*1024*1024
+   integer, parameter :: mebibyte = 1024*1024, largest = 16*mebibyte
 
 contains
 
-   !> Read a case file into settings that hold defaults. `error` names file and line.
-   subroutine read_case(path, settings, error)
-      !> Path of the file
-      character(len=*), intent(in) :: path
-      !> Settings; keys of the file are overwritten
-      type(settings_type), intent(inout) :: settings
+   !> Read the case file of a command. It may have keys of other commands. `error` names file and
+   !> line.
+   subroutine read_case(keys, known, error)
+      !> Keys of the command and the path; those that no option gives take the values of the file
+      type(key_list), intent(inout) :: keys
+      !> Keys of all commands, none of them given; their values are of no matter on return
+      type(key_list), intent(inout) :: known
       !> Set when the file cannot be read or is faulty
       type(error_type), allocatable, intent(out) :: error
-      character(len=:), allocatable :: text, reason
+      character(len=:), allocatable :: path, text, reason
       type(scanner_type) :: scanner
+      integer :: i, place
 
+      path = keys%case_path
       ! One character more than allowed tells that the file is too large
       call read_file(path, largest + 1, text, reason)
       if (allocated(reason)) then
@@ -46,22 +50,37 @@ contains
       call new_scanner(scanner, text, path, error)
       if (allocated(error)) return
       if (len(text) > largest) then
-         call fatal_error(error, path//': is larger than 16 MiB, this is not a case file')
+         call fatal_error(error, path//': is larger than '//to_text(largest/mebibyte)// &
+            ' MiB, this is not a case file')
          return
       end if
-      call read_group(scanner, settings, error)
+      call read_group(scanner, known, error)
       if (allocated(error)) return
       if (text(len(text):) /= newline) call fatal_error(error, path// &
          ': the last line needs a line break (Fortran''s namelist READ fails without it)')
+      if (allocated(error)) return
+      do i = 1, keys%n
+         place = known%find(keys%rows(i)%name)
+         associate (key => keys%rows(i), read => known%rows(place))
+            if (read%given == given_nowhere .or. key%given == given_as_option) cycle
+            key%given = given_in_case
+            key%has_value = .true.
+            key%source = read%source
+            key%text = read%text
+            key%whole = read%whole
+            key%switch = read%switch
+            if (allocated(read%values)) key%values = read%values
+         end associate
+      end do
    end subroutine read_case
 
    !> Read `&asperity`, the keys, `/`, and nothing after it.
-   pure subroutine read_group(scanner, settings, error)
+   pure subroutine read_group(scanner, known, error)
       type(scanner_type), intent(inout) :: scanner
-      type(settings_type), intent(inout) :: settings
+      type(key_list), intent(inout) :: known
       type(error_type), allocatable, intent(out) :: error
       type(token_type) :: token
-      integer :: first_lines(n_keys)
+      integer :: first_lines(known%n)
 
       call scanner%next(token, error)
       if (allocated(error)) return
@@ -75,7 +94,7 @@ contains
          call scanner%next(token, error)
          if (allocated(error)) return
          if (token%kind == token_slash) exit
-         call read_key(scanner, token, first_lines, settings, error)
+         call read_key(scanner, token, first_lines, known, error)
          if (allocated(error)) return
       end do
       call scanner%next(token, error)
@@ -85,11 +104,11 @@ contains
    end subroutine read_group
 
    !> Read one `key = values`, whose first token is given.
-   pure subroutine read_key(scanner, name, first_lines, settings, error)
+   pure subroutine read_key(scanner, name, first_lines, known, error)
       type(scanner_type), intent(inout) :: scanner
       type(token_type), intent(in) :: name
       integer, intent(inout) :: first_lines(:)
-      type(settings_type), intent(inout) :: settings
+      type(key_list), intent(inout) :: known
       type(error_type), allocatable, intent(out) :: error
       type(token_type) :: equals
       type(word_type), allocatable :: words(:)
@@ -104,25 +123,25 @@ contains
             shown(name))
          return
       end if
-      call find_known_key(scanner%place(name%line), lower_case(name%text), key, error)
+      call find_known_key(known, scanner%place(name%line), lower_case(name%text), key, error)
       if (allocated(error)) return
       if (first_lines(key) > 0) then
-         call fatal_error(error, scanner%place(name%line)//': '//trim(keys(key)%name)// &
+         call fatal_error(error, scanner%place(name%line)//': '//trim(known%rows(key)%name)// &
             ' is given twice, first in line '//to_text(first_lines(key)))
          return
       end if
       first_lines(key) = name%line
 
       if (.not. name%names_key) then
-         call fatal_error(error, scanner%place(name%line)//': '//trim(keys(key)%name)// &
+         call fatal_error(error, scanner%place(name%line)//': '//trim(known%rows(key)%name)// &
             ' must be followed by = and its value')
          return
       end if
       call scanner%next(equals, error)
       if (allocated(error)) return
-      call read_values(scanner, name%line, trim(keys(key)%name), words, error)
+      call read_values(scanner, name%line, trim(known%rows(key)%name), words, error)
       if (allocated(error)) return
-      call assign_words(settings%of(key), keys(key), words, error)
+      call assign_words(known%rows(key), words, given_in_case, error)
    end subroutine read_key
 
    !> The values after `key =`: all words up to the next `key =` or the end of the group,
@@ -194,25 +213,27 @@ contains
    end subroutine grow
 
    !> Place of a key in the table; `error` suggests the nearest.
-   pure subroutine find_known_key(place, name, key, error)
+   pure subroutine find_known_key(known, place, name, key, error)
+      type(key_list), intent(in) :: known
       character(len=*), intent(in) :: place, name
       integer, intent(out) :: key
       type(error_type), allocatable, intent(out) :: error
       character(len=:), allocatable :: nearest
 
-      key = find_key(name)
+      key = known%find(name)
       if (key == 0) then
          if (scan(name, '(%)') > 0) then
             call fatal_error(error, place//': '//quoted(name)// &
                ' is not a key; subscripts are not supported, write the whole list')
             return
          end if
-         nearest = nearest_name(name, pack(keys%name, keys%kind < kind_file))
+         nearest = nearest_name(name, pack(known%rows(:known%n)%name, &
+            known%rows(:known%n)%kind < kind_file))
          if (nearest /= '') nearest = '; did you mean '//nearest//'?'
          call fatal_error(error, place//': unknown key '//quoted(name)//nearest)
-      else if (keys(key)%kind >= kind_file) then
+      else if (known%rows(key)%kind >= kind_file) then
          call fatal_error(error, place//': '//name//' is not a key of a case file, '// &
-            'use the option '//option_name(key))
+            'use the option '//option_name(name))
       end if
    end subroutine find_known_key
 

@@ -24,9 +24,9 @@ module asperity_program_record_file
    type :: record_format
       !> `comma`, `semicolon`, `tab`, `blank`, or `auto`: the first of tab, semicolon, comma and
       !> blank that the first line has
-      character(len=:), allocatable :: separator
+      character(len=12) :: separator = 'auto'
       !> Decimal sign: `point`, `comma`, or `auto`: comma if numbers have one that is no separator
-      character(len=:), allocatable :: decimal
+      character(len=12) :: decimal = 'auto'
       !> Lines passed over at the beginning
       integer :: skip_lines = 0
       !> Conditions `name=value,...` of the rows that are read, empty for all

@@ -6,9 +6,8 @@ module asperity_program_report_json
    use asperity_base_text_builder, only: growing_text
    use asperity_base_version, only: version
    use asperity_law_validity, only: validity_remark
-   use asperity_program_input_keys, only: belongs, command_names, keys, kind_file, kind_integer, &
-      kind_list, kind_logical, kind_real, n_keys
-   use asperity_program_input_settings, only: setting_type
+   use asperity_program_input_key, only: key_type, kind_counts, kind_integer, kind_list, &
+      kind_logical, kind_real
    use asperity_program_report_report, only: report_type
    use asperity_program_report_table, only: column_counts, column_numbers, column_type, &
       full_figures, new_table, table_type
@@ -32,7 +31,7 @@ contains
 
       call buffer%line('{')
       call buffer%line('"asperity": '//json_string(version)//',')
-      call buffer%line('"command": '//json_string(command_names(report%command))//',')
+      call buffer%line('"command": '//json_string(trim(report%name))//',')
       call buffer%line('"properties": {'//inputs(report, .true.)//'},')
       call buffer%line('"settings": {'//inputs(report, .false.)//'},')
       if (allocated(report%record_kind)) &
@@ -79,40 +78,31 @@ contains
       type(report_type), intent(in) :: report
       logical, intent(in) :: properties
       character(len=:), allocatable :: text
-      integer :: key
+      integer :: i
 
       text = ''
-      do key = 1, n_keys
-         if (.not. is_input(report, key)) cycle
-         if (keys(key)%is_property .neqv. properties) cycle
-         if (text /= '') text = text//', '
-         text = text//json_string(trim(keys(key)%name))//': '// &
-            json_value(report%settings%of(key), keys(key)%kind)
+      do i = 1, report%keys%n
+         associate (key => report%keys%rows(i))
+            if (.not. key%is_input() .or. (key%is_property .neqv. properties)) cycle
+            if (text /= '') text = text//', '
+            text = text//json_string(trim(key%name))//': '//json_value(key)
+         end associate
       end do
    end function inputs
-
-   !> Whether a key is part of the input of a run.
-   pure logical function is_input(report, key)
-      type(report_type), intent(in) :: report
-      integer, intent(in) :: key
-
-      is_input = belongs(key, report%command) .and. keys(key)%kind < kind_file &
-         .and. report%settings%of(key)%has_value .and. .not. report%settings%of(key)%unused
-   end function is_input
 
    !> Units of columns and of input; one of the same name has the same unit.
    pure function units(report) result(text)
       type(report_type), intent(in) :: report
       character(len=:), allocatable :: text
-      character(len=:), allocatable :: unit
       integer :: i
 
       text = ''
-      do i = 1, n_keys
-         if (.not. is_input(report, i)) cycle
-         unit = report%settings%unit_of(i)
-         if (unit == '' .or. report%table%find(trim(keys(i)%name)) > 0) cycle
-         call add_unit(text, trim(keys(i)%name), unit)
+      do i = 1, report%keys%n
+         associate (key => report%keys%rows(i))
+            if (.not. key%is_input() .or. key%unit == '') cycle
+            if (report%table%find(trim(key%name)) == 0) &
+               call add_unit(text, trim(key%name), trim(key%unit))
+         end associate
       end do
       call add_units(text, report%summary, report%table, .true.)
       if (allocated(report%more)) then
@@ -200,29 +190,28 @@ contains
       if (text == '') text = 'null'
    end function json_cell
 
-   !> Value of a setting.
-   pure function json_value(setting, kind) result(text)
-      type(setting_type), intent(in) :: setting
-      integer, intent(in) :: kind
+   !> Value of a key.
+   pure function json_value(key) result(text)
+      type(key_type), intent(in) :: key
       character(len=:), allocatable :: text
       type(growing_text) :: buffer
       integer :: i
 
-      select case (kind)
+      select case (key%kind)
       case (kind_real)
-         text = full_figures(setting%values(1))
-      case (kind_list)
-         do i = 1, size(setting%values)
+         text = full_figures(key%values(1))
+      case (kind_list, kind_counts)
+         do i = 1, size(key%values)
             if (i > 1) call buffer%add(', ')
-            call buffer%add(full_figures(setting%values(i)))
+            call buffer%add(full_figures(key%values(i)))
          end do
          text = '['//buffer%text()//']'
       case (kind_integer)
-         text = to_text(setting%whole)
+         text = to_text(key%whole)
       case (kind_logical)
-         text = trim(merge('true ', 'false', setting%switch))
+         text = trim(merge('true ', 'false', key%switch))
       case default
-         text = json_string(setting%text)
+         text = json_string(key%text)
       end select
    end function json_value
 

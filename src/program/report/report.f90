@@ -1,7 +1,8 @@
 !> What a run has to say: its input, its results, which rows deserve to be shown.
 module asperity_program_report_report
    use asperity_base_kinds, only: wp
-   use asperity_program_input_settings, only: settings_type
+   use asperity_program_input_key, only: given_nowhere, kind_picture
+   use asperity_program_input_key_list, only: key_list
    use asperity_program_plot_figure, only: figure_type
    use asperity_program_report_table, only: table_type
    use asperity_program_system_strings, only: string_type
@@ -31,10 +32,12 @@ module asperity_program_report_report
 
    !> Result of one command.
    type :: report_type
-      !> One of the commands of `asperity_program_input_keys`
-      integer :: command = 0
-      !> Settings in effect
-      type(settings_type) :: settings
+      !> Words of the command
+      character(len=12) :: name = ''
+      !> Its keys, and what their values are
+      type(key_list) :: keys
+      !> What the faces are, in a few words
+      character(len=:), allocatable :: faces
       !> What a record is, as `hysteresis` finds it; not allocated elsewhere
       character(len=:), allocatable :: record_kind
       !> All results
@@ -86,7 +89,9 @@ contains
       !> The report
       class(report_type), intent(in) :: self
 
-      is_drawn = self%settings%given('plot') .or. self%settings%given('report')
+      associate (rows => self%keys%rows(:self%keys%n))
+         is_drawn = any(rows%kind == kind_picture .and. rows%given /= given_nowhere)
+      end associate
    end function is_drawn
 
    !> A further table, which must be there, by its name.

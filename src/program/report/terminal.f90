@@ -1,15 +1,12 @@
 !> A report as text for a terminal: header, table with units, remarks.
 module asperity_program_report_terminal
-   use asperity_base_error, only: error_type
    use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
    use asperity_base_text_builder, only: growing_text
    use asperity_base_version, only: version
    use asperity_law_validity, only: validity_remark
-   use asperity_paper_pairs, only: find_pair, pair_preset
-   use asperity_program_input_keys, only: belongs, command_names, command_pairs, command_surface, &
-      keys, kind_file, kind_integer, kind_list, kind_logical, kind_real, n_keys
-   use asperity_program_input_settings, only: settings_type
+   use asperity_program_input_key, only: key_type, kind_counts, kind_integer, kind_list, &
+      kind_logical, kind_real
    use asperity_program_report_report, only: report_type
    use asperity_program_report_table, only: table_type
    use asperity_program_report_text_table, only: add_table, validity_mark
@@ -39,12 +36,9 @@ contains
       type(growing_text) :: buffer
       integer :: i
 
-      call buffer%line('asperity '//version//' '//command_names(report%command))
+      call buffer%line('asperity '//version//' '//trim(report%name))
       call buffer%line()
-      if (report%command /= command_pairs) then
-         call add_inputs(buffer, report, width)
-         call buffer%line()
-      end if
+      call add_inputs(buffer, report, width)
       if (allocated(report%record_kind)) then
          call buffer%line(wrapped('Record: '//report%record_kind, width, 8))
          call buffer%line()
@@ -192,66 +186,60 @@ contains
       type(growing_text), intent(inout) :: buffer
       type(report_type), intent(in) :: report
       integer, intent(in) :: width
-      type(pair_preset) :: pair
-      type(error_type), allocatable :: error
       character(len=:), allocatable :: left
-      logical :: shown(n_keys)
-      integer :: key, column
+      integer :: i, column
 
       left = ''
-      associate (s => report%settings)
-         shown = [(belongs(key, report%command) .and. keys(key)%kind < kind_file &
-            .and. s%of(key)%has_value .and. .not. s%of(key)%unused, key=1, n_keys)]
-         column = min(source_column, width &
-            - maxval([0, (merge(len(s%of(key)%source), 0, shown(key)), key=1, n_keys)]))
-         do key = 1, n_keys
-            if (.not. shown(key)) cycle
-            left = '  '//keys(key)%name//input_text(s, key)//' '//s%unit_of(key)
+      column = source_column
+      do i = 1, report%keys%n
+         associate (key => report%keys%rows(i))
+            if (key%is_input()) column = min(column, width - len(key%source))
+         end associate
+      end do
+      do i = 1, report%keys%n
+         associate (key => report%keys%rows(i))
+            if (.not. key%is_input()) cycle
+            left = '  '//key%name//input_text(key)//' '//trim(key%unit)
             call buffer%line(wrapped(left//repeat(' ', max(1, column - len(left)))// &
-               s%of(key)%source, width, value_column))
-         end do
-         ! a map replaces what the note is about
-         if (s%text_of('pair') == '' .or. report%command == command_surface) return
-         call find_pair(s%text_of('pair'), pair, error)
-         if (.not. allocated(error)) &
-            call buffer%line(wrapped('  Pair: '//trim(pair%note), width, 4))
-      end associate
+               key%source, width, value_column))
+         end associate
+      end do
+      if (allocated(report%keys%note)) &
+         call buffer%line(wrapped('  '//report%keys%note, width, 4))
+      if (left /= '') call buffer%line()
    end subroutine add_inputs
 
-   !> Value of a setting: long lists are cut and numbers have six figures, unless wanted whole.
-   pure function input_text(settings, key, whole) result(text)
-      !> Settings in effect
-      type(settings_type), intent(in) :: settings
-      !> Place of the key in the table
-      integer, intent(in) :: key
+   !> Value of a key: long lists are cut and numbers have six figures, unless wanted whole.
+   pure function input_text(key, whole) result(text)
+      !> The key
+      type(key_type), intent(in) :: key
       !> Every value of a list, and every figure of a number; not when absent
       logical, intent(in), optional :: whole
       character(len=:), allocatable :: text
       logical :: cut
-      integer :: i
+      integer :: i, n
 
       cut = .true.
       if (present(whole)) cut = .not. whole
-      associate (setting => settings%of(key))
-         select case (keys(key)%kind)
-         case (kind_real, kind_list)
-            if (cut .and. size(setting%values) > most_values) then
-               text = short(setting%values(1), cut)//' ... '//short(setting%values(size( &
-                  setting%values)), cut)//' ('//to_text(size(setting%values))//' values)'
-               return
-            end if
-            text = short(setting%values(1), cut)
-            do i = 2, size(setting%values)
-               text = text//', '//short(setting%values(i), cut)
-            end do
-         case (kind_integer)
-            text = to_text(setting%whole)
-         case (kind_logical)
-            text = trim(merge('true ', 'false', setting%switch))
-         case default
-            text = setting%text
-         end select
-      end associate
+      select case (key%kind)
+      case (kind_real, kind_list, kind_counts)
+         n = size(key%values)
+         if (cut .and. n > most_values) then
+            text = short(key%values(1), cut)//' ... '//short(key%values(n), cut)//' ('// &
+               to_text(n)//' values)'
+            return
+         end if
+         text = short(key%values(1), cut)
+         do i = 2, n
+            text = text//', '//short(key%values(i), cut)
+         end do
+      case (kind_integer)
+         text = to_text(key%whole)
+      case (kind_logical)
+         text = trim(merge('true ', 'false', key%switch))
+      case default
+         text = key%text
+      end select
    end function input_text
 
    !> A number of six figures; all that it has, but for rounding, where it is not cut.

@@ -98,7 +98,7 @@ refuses 'sigma in um' 2 '--sigma: sigma = 59.3 mm is above 5.0 mm.*sigma looks l
    shear --sigma 59.3
 refuses 'radius in um' 2 '--radius: eta.radius.sigma = .*radius looks like um, give it in mm' press --radius 147.7
 refuses 'modulus in Pa' 2 '--modulus: modulus = 2.97E8 MPa is above .*modulus looks like Pa' shear --modulus 2.97e8
-refuses 'modulus in GPa' 2 'hardness/modulus = 24.53/0.297 = 82.6 is above 1.0.*modulus looks like GPa' \
+refuses 'modulus in GPa' 2 '--modulus: hardness/modulus = 24.53/0.297 = 82.6 is above 1.0.*modulus looks like GPa' \
    curve --modulus 0.297
 refuses 'hardness in Pa' 2 '--hardness: hardness = 2.45E7 MPa is above .*hardness looks like Pa' \
    tenon --hardness 2.453e7

@@ -118,7 +118,8 @@ read_alike() {
 
 if [ -z "$compiler" ]; then
    skip 'namelist READ' 'no Fortran compiler'
-elif ! "$compiler" "$here/input/read_case.f90" -o read_case >check.log 2>&1; then
+elif ! { for command in curve press shear tenon table 'deck shear' 'deck tenon'; do "$program" help $command; done \
+      | awk -f "$here/input/read_case.awk" >read_case.f90 && "$compiler" read_case.f90 -o read_case; } >check.log 2>&1; then
    check "compile read_case.f90 with $compiler" false
 else
    accepted=0

@@ -15,13 +15,59 @@ check 'help names every command' \
 cp out first
 run --help
 check '--help is help' cmp first out
-for command in curve press shear tenon table hysteresis pairs; do
+run -V
+check '-V is version' test "$(cat out)" = "asperity $version"
+for command in curve press shear tenon table hysteresis surface pairs; do
    run help $command
    cp out first
    run $command --help
    check "$command --help is help $command" cmp first out
    check "$command --help describes its options" has out '--csv FILE'
+   run $command help
+   check "$command help is help $command" cmp first out
+   check "help $command fits 80 columns" sh -c '! grep -E ".{81}" out'
 done
+check 'help fits 80 columns' sh -c '! grep -E ".{81}" out'
+COLUMNS=120 run help shear
+check 'help takes the width of the terminal' grep -q -E '.{100}' out
+run help deck
+check 'help deck names both models' sh -c 'grep -q "deck shear" out && grep -q "deck tenon" out'
+cp out first
+run deck --help
+check 'deck --help is help deck' cmp first out
+
+# Man page and completion, made of the same keys
+run help --man
+check 'man page' is_quiet
+cp out asperity.1
+if command -v groff >/dev/null; then
+   check 'man page: groff has nothing to say' \
+      sh -c 'groff -man -ww -Tutf8 asperity.1 2>&1 >/dev/null | cmp - /dev/null'
+else
+   skip 'man page in groff' 'no groff'
+fi
+run help --completion bash
+check 'completion' is_quiet
+cp out asperity.bash
+check 'completion: bash takes it' bash -n asperity.bash
+run help tenon
+sed -n 's/^  --\(\[no-\]\)\{0,1\}\([a-z-]*\).*/  --\2/p' out | sort >options
+bash -c '. ./asperity.bash; COMP_WORDS=(asperity tenon --); COMP_CWORD=2; _asperity
+   printf "  %s\n" "${COMPREPLY[@]}"' | sort >offered
+check 'completion offers every option of a command' \
+   sh -c 'test -s options && test "$(comm -23 options offered)" = ""'
+check 'completion of the first word' test "$(bash -c '. ./asperity.bash; COMP_WORDS=(asperity hy)
+   COMP_CWORD=1; _asperity; echo "${COMPREPLY[@]}"')" = hysteresis
+check 'completion of a choice' test "$(bash -c '. ./asperity.bash
+   COMP_WORDS=(asperity tenon --gap fi); COMP_CWORD=3; _asperity; echo "${COMPREPLY[@]}"')" = first_touch
+check 'completion of the second word of deck' test "$(bash -c '. ./asperity.bash
+   COMP_WORDS=(asperity deck s); COMP_CWORD=2; _asperity; echo "${COMPREPLY[@]}"')" = shear
+
+# A case on standard input
+printf '&asperity\n sigma = 0.01\n/\n' >case.nml
+run curve case.nml --csv -
+cp out first
+check 'case on standard input' sh -c 'cat case.nml | "$1" curve - --csv - | cmp first -' - "$program"
 run shear --displacement 3 --help
 check '--help among options' has out 'usage: asperity shear'
 
@@ -62,6 +108,7 @@ refuses 'logical with a wrong value' 2 '--shrinking-overlap: .*neither true nor 
    shear --shrinking-overlap=maybe
 refuses 'two case files' 2 "'b.nml': there is already" curve a.nml b.nml
 refuses 'pairs takes no case file' 2 "'a.nml': pairs takes no case file" pairs a.nml
+refuses 'help on no shell' 2 "--completion: 'fish' is unknown; known: bash" help --completion fish
 refuses 'version takes nothing' 2 '--csv: is an option of' --version --csv x
 
 # A BLAS with threads takes memory and time at every start

@@ -15,19 +15,20 @@ module asperity_program_commands_hysteresis_tests
 contains
 
    !> Make one report of those of several tests, two at least. The picture has the loops of each.
-   pure subroutine join_reports(reports, tests, report)
+   pure subroutine join_reports(reports, tests, title, report)
       !> One report a test, of the same tables
       type(report_type), intent(inout) :: reports(:)
       !> The tests
       type(test_type), intent(in) :: tests(:)
-      !> The joint report; its command stays
+      !> Title of the picture
+      character(len=*), intent(in) :: title
+      !> The joint report; its name and keys stay
       type(report_type), intent(inout) :: report
       type(string_type) :: line
-      integer :: i, j, command
+      integer :: i, j
 
-      command = report%command
+      reports(1)%name = report%name
       report = reports(1)
-      report%command = command
       report%table = stacked([(reports(i)%table, i=1, size(tests))], tests)
       report%summary = stacked([(reports(i)%summary, i=1, size(tests))], tests)
       do j = 1, size(report%more)
@@ -48,7 +49,7 @@ contains
          end do
       end if
       if (report%is_drawn()) then
-         report%picture_title = report%settings%text_of('record_file')
+         report%picture_title = title
          deallocate (report%pictures)
          allocate (report%pictures(size(tests)))
          do i = 1, size(tests)

@@ -6,39 +6,89 @@ module asperity_program_commands_surface_command
    use asperity_height_map_type, only: height_map, note_end
    use asperity_height_map_write, only: height_map_bytes
    use asperity_law_normal_properties, only: normal_properties
-   use asperity_program_commands_surface_law, only: has_law, set_law, surface_case
+   use asperity_program_commands_command, only: command_type
+   use asperity_program_commands_faces, only: faces_type
+   use asperity_program_commands_surface_law, only: has_law, law_faces, set_law, surface_case
    use asperity_program_commands_surface_maps, only: check_map_options, get_map, prepare_map
+   use asperity_program_commands_surface_options, only: surface_options
    use asperity_program_commands_surface_pair, only: analyse_pair
    use asperity_program_commands_surface_plot, only: surface_picture
    use asperity_program_commands_surface_tables, only: law_parameters_table, map_table, &
       parameter_table
    use asperity_program_commands_surface_verdict, only: surface_verdict
    use asperity_program_commands_surface_verify, only: add_summit_curve, law_curves
-   use asperity_program_input_keys, only: command_surface, find_key
-   use asperity_program_input_settings, only: settings_type
+   use asperity_program_input_key_list, only: key_list
    use asperity_program_report_report, only: named_table, report_type
    use asperity_program_report_table, only: new_table
    use asperity_program_system_progress, only: clear_steps, show_stage
-   use asperity_program_system_strings, only: lower_case, quoted, string_type
-   use asperity_surface_analysis, only: analyse_surface, analysis_settings, most_tiles, &
-      surface_analysis_type
+   use asperity_program_system_strings, only: lower_case, newline, quoted, string_type
+   use asperity_surface_analysis, only: analyse_surface, most_tiles, surface_analysis_type
    use asperity_surface_prepare_fill_holes, only: missing_share
    use asperity_surface_remarks_on_analysis, only: find_remarks, map_facts, remark_type
    implicit none
    private
-   public :: report_surface
+   public :: surface_command
+
+   !> Analyses a map.
+   type, extends(command_type) :: surface_command
+      private
+      type(surface_options) :: options
+   contains
+      procedure :: describe, declare, check, run
+   end type surface_command
 
 contains
 
+   !> What the command is.
+   pure subroutine describe(self)
+      !> The command
+      class(surface_command), intent(inout) :: self
+
+      self%name = 'surface'
+      self%summary = 'parameters of the law from a scanned height map'
+      self%usage = 'FILE [FILE --pair] [options]'//newline//'--generate [options]'
+      self%purpose = 'From a scanned surface to the parameters of the law: roughness of a '// &
+         'height map (ISO 25178-2), spectral moments, summits, asperity density, radius and '// &
+         'sigma (Eqs 28-30), how sure they are, and whether the law holds on the map. Reads '// &
+         'SDF, X3P, SUR, xyz, asc, csv.'
+      self%headings = [character(len=52) :: 'Properties that a map does not give', 'The map']
+      self%takes_case = .false.
+   end subroutine describe
+
+   !> Maps, how they are analysed, and the law made of them.
+   pure subroutine declare(self, keys)
+      !> The command
+      class(surface_command), intent(inout) :: self
+      !> Its keys
+      type(key_list), intent(inout) :: keys
+
+      call self%options%declare_maps(keys)
+      call self%options%declare_generated(keys)
+      call self%options%declare_law(keys)
+      call self%declare_outputs(keys, has_picture=.true.)
+      call self%declare_requests(keys)
+   end subroutine declare
+
+   !> Check that files and options fit together.
+   subroutine check(self, error)
+      !> The command
+      class(surface_command), intent(inout) :: self
+      !> Set when they do not
+      type(error_type), allocatable, intent(out) :: error
+
+      call check_map_options(self%options, error)
+   end subroutine check
+
    !> Read or make the map, analyse it, and report. `error` names the option or the file.
-   subroutine report_surface(report, error)
-      !> Its settings on entry, its tables on return
+   subroutine run(self, report, error)
+      !> The command
+      class(surface_command), intent(inout) :: self
+      !> Its tables are set
       type(report_type), intent(inout) :: report
       !> Set on failure
       type(error_type), allocatable, intent(out) :: error
       type(height_map) :: map
       type(surface_analysis_type) :: analysis
-      type(analysis_settings) :: how
       type(named_table), allocatable :: more(:)
       type(string_type), allocatable :: notes(:)
       real(wp) :: filled
@@ -46,30 +96,27 @@ contains
 
       has_map = .true.
       filled = 0.0_wp
-      call check_map_options(report%settings, error)
-      if (.not. allocated(error)) call get_map(report%settings, 'map_file', map, error)
-      if (.not. allocated(error)) then
-         if (report%settings%text_of('missing') == 'fill') filled = missing_share(map)
-         call prepare_map(report%settings, map, error)
-      end if
-      if (.not. allocated(error)) then
-         how%pruning = report%settings%real_of('pruning')
-         call fit_tiles(report%settings, map)
-         how%tiles = report%settings%whole_of('tiles')
-         if (report%settings%of(find_key('pair', command_surface))%switch) then
-            call analyse_pair(report%settings, how, map, analysis, has_map, more, &
-               report%remarks, error)
-         else
-            allocate (more(0), report%remarks(0))
-            call analyse_surface(map, how, analysis, error, show_stage)
+      associate (options => self%options)
+         call get_map(options, options%map_file, map, error)
+         if (.not. allocated(error)) then
+            if (options%preparation%fills) filled = missing_share(map)
+            call prepare_map(options, map, error)
          end if
-      end if
-      if (.not. allocated(error) .and. .not. has_map) &
-         call refuse_without_map(report%settings, error)
+         if (.not. allocated(error)) then
+            call fit_tiles(options, map)
+            if (options%pair) then
+               call analyse_pair(options, map, analysis, has_map, more, report%remarks, error)
+            else
+               allocate (more(0), report%remarks(0))
+               call analyse_surface(map, options%analysis, analysis, error, show_stage)
+            end if
+         end if
+         if (.not. allocated(error) .and. .not. has_map) call refuse_without_map(self, error)
+      end associate
       call clear_steps()
       if (allocated(error)) return
 
-      if (has_map) call add_remarks(report, map, analysis, filled, how%tiles)
+      if (has_map) call add_remarks(self%options, report, map, analysis, filled)
       call map_notes(map, notes)
       report%remarks = [notes, report%remarks]
       report%summary = law_parameters_table(analysis)
@@ -84,52 +131,55 @@ contains
          map_table(map, title(map), analysis%summits))
       report%more(2) = named_table('', 'Parameters; half widths of 95 % intervals; values of '// &
          'every second and every fourth point', report%table, columns_shown=6)
-      call add_law(report, map, analysis, error)
-   end subroutine report_surface
+      call add_law(self, report, map, analysis, error)
+      call self%declare(report%keys)
+   end subroutine run
 
    !> The law with the parameters of the map, and what is made of it: curve, case, picture, map.
-   subroutine add_law(report, map, analysis, error)
+   subroutine add_law(self, report, map, analysis, error)
+      class(surface_command), intent(inout) :: self
       type(report_type), intent(inout) :: report
       type(height_map), intent(in) :: map
       type(surface_analysis_type), intent(in) :: analysis
       type(error_type), allocatable, intent(out) :: error
+      type(faces_type) :: law
       type(normal_properties) :: properties
       type(string_type), allocatable :: remarks(:)
-      character(len=:), allocatable :: route
-      logical :: verifies
 
-      route = report%settings%text_of('route')
-      verifies = report%settings%switch_of('verify')
       allocate (report%decks(2))
       report%decks%option = [character(len=8) :: 'case', 'map']
-      if (report%settings%given('map')) then
+      if (self%options%map /= '') then
          call show_stage('writing the map')
-         call height_map_bytes(map, ending(report%settings%text_of('map')), &
-            report%decks(2)%text, error)
+         call height_map_bytes(map, ending(self%options%map), report%decks(2)%text, error)
          if (allocated(error)) error%message = '--map: '//error%message
          if (allocated(error)) return
       end if
-      associate (values => analysis%values(:, 1), s => report%settings)
+      associate (values => analysis%values(:, 1), options => self%options, &
+            route => self%options%route)
          if (has_law(values, route)) then
-            call set_law(s, values, route, properties, error)
+            call set_law(options, values, error)
             if (allocated(error)) return
-            report%decks(1)%text = surface_case(s, values, analysis%uncertainty, route)
+            call self%declare(report%keys)
+            law = law_faces(options, values, route)
+            call law%normal(properties, error)
+            if (allocated(error)) return
+            report%decks(1)%text = surface_case(options, report%keys, values, analysis%uncertainty)
             report%more(3)%name = 'law'
-            call law_curves(s, values, report%more(3)%table)
-         else if (verifies .or. s%given('case')) then
+            call law_curves(options, values, report%more(3)%table)
+         else if (options%verify .or. options%case /= '') then
             call refuse_law(title(map), route, error)
             return
          end if
-         if (verifies) then
+         if (options%verify) then
             call show_stage('summing the law over summits')
             call add_summit_curve(report%more(3)%table, analysis, properties, route, remarks, error)
             if (allocated(error)) return
             report%more(3)%columns_shown = 9
             report%more(3)%title = 'The law on this map: Gaussian integral by either route, '// &
-               'and sums over its summits (route '//route//')'
+               'and sums over its summits (route '//trim(route)//')'
             report%remarks = [report%remarks, remarks]
          end if
-         report%verdict = surface_verdict(s, analysis, route)
+         report%verdict = surface_verdict(options, analysis)
          if (.not. report%is_drawn()) return
          report%picture_title = title(map)
          report%pictures = [surface_picture(map, values, &
@@ -139,24 +189,22 @@ contains
    end subroutine add_law
 
    !> Fewer tiles than the default on a map too small for it.
-   pure subroutine fit_tiles(settings, map)
-      type(settings_type), intent(inout) :: settings
+   pure subroutine fit_tiles(options, map)
+      type(surface_options), intent(inout) :: options
       type(height_map), intent(in) :: map
 
-      associate (tiles => settings%of(find_key('tiles')))
-         if (tiles%given .or. most_tiles(map) >= tiles%whole) return
-         tiles%whole = most_tiles(map)
-         tiles%source = 'as many as the map allows'
-      end associate
+      if (options%tiles_given .or. most_tiles(map) >= options%analysis%tiles) return
+      options%analysis%tiles = most_tiles(map)
+      options%tiles_source = 'as many as the map allows'
    end subroutine fit_tiles
 
    !> What is to be said of the map and its parameters.
-   pure subroutine add_remarks(report, map, analysis, filled, tiles)
+   pure subroutine add_remarks(options, report, map, analysis, filled)
+      type(surface_options), intent(in) :: options
       type(report_type), intent(inout) :: report
       type(height_map), intent(in) :: map
       type(surface_analysis_type), intent(in) :: analysis
       real(wp), intent(in) :: filled
-      integer, intent(in) :: tiles
       type(map_facts) :: facts
       type(remark_type), allocatable :: found(:)
       type(string_type), allocatable :: lines(:)
@@ -168,15 +216,17 @@ contains
       facts%bottom = map_place(map, minloc(map%heights))
       facts%step_x = map%step_x
       facts%step_y = map%step_y
-      if (tiles > 1) then
-         facts%tile_x = map%step_x*real(size(map%heights, 1)/tiles, wp)
-         facts%tile_y = map%step_y*real(size(map%heights, 2)/tiles, wp)
-      end if
+      associate (tiles => options%analysis%tiles)
+         if (tiles > 1) then
+            facts%tile_x = map%step_x*real(size(map%heights, 1)/tiles, wp)
+            facts%tile_y = map%step_y*real(size(map%heights, 2)/tiles, wp)
+         end if
+      end associate
       facts%peaks = real(count(analysis%summits%is_peak), wp)
       ! gfortran warns otherwise of what is intent(out) anyway
       allocate (found(0))
       call find_remarks(analysis%values(:, 1), analysis%uncertainty, facts, &
-         report%settings%text_of('route'), found, analysis%values(:, 2))
+         options%route, found, analysis%values(:, 2))
       allocate (lines(size(found)))
       do i = 1, size(found)
          lines(i)%text = found(i)%text
@@ -230,21 +280,22 @@ contains
    end function ending
 
    !> Refuse what needs the maps of a pair to be aligned.
-   pure subroutine refuse_without_map(settings, error)
-      type(settings_type), intent(in) :: settings
+   pure subroutine refuse_without_map(self, error)
+      class(surface_command), intent(in) :: self
       type(error_type), allocatable, intent(out) :: error
-      character(len=*), parameter :: names(3) = [character(len=6) :: 'verify', 'plot', 'map']
-      integer :: i
+      character(len=:), allocatable :: option
 
-      do i = 1, size(names)
-         if (.not. settings%given(trim(names(i)))) cycle
-         call fatal_error(error, '--'//trim(names(i))//': needs maps of the same points and '// &
-            'steps, which these are not')
-         return
-      end do
-      if (settings%given('case') .and. settings%text_of('route') == 'paper') &
+      option = ''
+      if (self%options%map /= '') option = '--map'
+      if (self%plot /= '') option = '--plot'
+      if (self%options%verify) option = '--verify'
+      if (option /= '') then
+         call fatal_error(error, option//': needs maps of the same points and steps, which '// &
+            'these are not')
+      else if (self%options%case /= '' .and. self%options%route == 'paper') then
          call fatal_error(error, '--case: route paper needs maps of the same points and steps, '// &
-         'which these are not; --route nayak adds their moments')
+            'which these are not; --route nayak adds their moments')
+      end if
    end subroutine refuse_without_map
 
    !> Refuse a law without parameters.

@@ -5,20 +5,20 @@ module asperity_program_commands_surface_law
    use asperity_base_no_value, only: is_none
    use asperity_base_number_text, only: to_text
    use asperity_base_version, only: version
-   use asperity_contact_properties, only: default_initial_separation
-   use asperity_law_normal_properties, only: new_normal_properties, normal_properties
-   use asperity_program_input_keys, only: belongs, command_surface, command_table, find_key, keys, &
-      kind_real, n_keys
-   use asperity_program_input_presets, only: apply_presets, fill
+   use asperity_base_no_value, only: is_none, none
+   use asperity_law_normal_properties, only: normal_properties
+   use asperity_paper_pairs, only: find_pair, pair_preset
+   use asperity_program_commands_faces, only: default_pair, faces_type, n_properties, of_surface, &
+      pair_values
+   use asperity_program_commands_surface_options, only: of_pair, surface_options
+   use asperity_program_input_key_list, only: key_list
    use asperity_program_input_print_case, only: case_text
-   use asperity_program_input_ranges, only: linear_range
-   use asperity_program_input_settings, only: assign_values, settings_type
    use asperity_program_system_strings, only: quoted, string_type
    use asperity_surface_parameters_parameters, only: p_eta_nayak, p_eta_paper, p_radius_nayak, &
       p_radius_paper, p_sigma_nayak, p_sigma_paper, p_sp, p_summit_plane, parameters
    implicit none
    private
-   public :: route_places, has_law, set_law, refusal, surface_case
+   public :: route_places, has_law, set_law, law_faces, refusal, surface_case
 
    !> Names of the routes, and where they put asperity density, radius and sigma
    character(len=*), parameter, public :: routes(2) = [character(len=5) :: 'paper', 'nayak']
@@ -28,9 +28,6 @@ module asperity_program_commands_surface_law
    character(len=*), parameter :: meanings(2) = [character(len=64) :: &
       'the paper''s route (spd, 1/spc, sq; Eqs 28-30)', &
       'the route of Nayak and McCool (spectral moments)']
-
-   !> Separations of the law that are drawn and verified, unless given
-   integer, parameter :: default_points = 17
 
 contains
 
@@ -53,97 +50,97 @@ contains
       has_law = .not. any(is_none(values(route_places(route))))
    end function has_law
 
-   !> Complete settings by the parameters of a map and what a pair of the paper gives beside, and
-   !> check them all. What no face has is allowed here, and said in the case and the verdict.
-   pure subroutine set_law(settings, values, route, properties, error)
-      !> Settings
-      type(settings_type), intent(inout) :: settings
+   !> Complete the law of the options by the parameters of a map and what a pair of the paper gives
+   !> beside.
+   pure subroutine set_law(options, values, error)
+      !> The options, whose law is to be declared anew
+      type(surface_options), intent(inout) :: options
+      !> Parameters of the map, which has those of the route
+      real(wp), intent(in) :: values(:)
+      !> Set when there is no such pair
+      type(error_type), allocatable, intent(out) :: error
+      type(pair_preset) :: pair
+
+      options%has_law = .true.
+      options%faces%usual(of_surface) = values(route_places(options%route))
+      if (options%material == '' .and. any(is_none(options%faces%values(of_pair)))) &
+         options%material = default_pair
+      if (options%material == '') return
+      call find_pair(options%material, pair, error)
+      if (allocated(error)) return
+      associate (given => pair_values(pair))
+         options%faces%usual(of_pair) = given(of_pair)
+      end associate
+   end subroutine set_law
+
+   !> The faces with the parameters of a map by a route. What no face has is allowed here, and said
+   !> in the case and the verdict.
+   pure function law_faces(options, values, route) result(faces)
+      !> The options after `set_law`
+      type(surface_options), intent(in) :: options
       !> Parameters of the map, which has those of the route
       real(wp), intent(in) :: values(:)
       !> One of `routes`
       character(len=*), intent(in) :: route
-      !> Checked properties
-      type(normal_properties), intent(out) :: properties
-      !> Set when one is refused
-      type(error_type), allocatable, intent(out) :: error
-      integer :: i, three(3)
+      type(faces_type) :: faces
 
-      three = route_places(route)
-      do i = 1, size(names)
-         call assign_values(settings%of(find_key(trim(names(i)))), [values(three(i))], &
-            trim(parameters(three(i))%name))
-      end do
-      associate (pair => settings%of(find_key('pair')), &
-            material => settings%of(find_key('material')))
-         if (material%has_value) then
-            pair%text = material%text
-            pair%has_value = .true.
-         end if
-         call apply_presets(settings, command_surface, error)
-         if (allocated(error)) return
-         if (.not. material%has_value .and. pair%has_value) then
-            material%text = pair%text
-            material%has_value = .true.
-         end if
-      end associate
-      associate (sigma => settings%real_of('sigma'))
-         call fill(settings, 'initial_separation', [default_initial_separation*sigma], '4 sigma', &
-            follows=.true.)
-         call fill(settings, 'separation', linear_range(default_initial_separation*sigma, 0.0_wp, &
-            default_points), '4 sigma to 0', follows=.true.)
-      end associate
-      call new_normal_properties(properties, settings%real_of('eta'), &
-         settings%real_of('modulus'), settings%real_of('radius'), settings%real_of('hardness'), &
-         settings%real_of('yield_factor'), settings%real_of('sigma'), error, &
-         accept_unphysical=.true.)
-   end subroutine set_law
+      faces = options%faces
+      faces%values(of_surface) = values(route_places(route))
+      faces%accept_unphysical = .true.
+   end function law_faces
 
    !> Why the law refuses the properties, empty where it does not.
-   pure function refusal(settings) result(text)
-      !> Settings after `set_law`
-      type(settings_type), intent(in) :: settings
+   pure function refusal(faces) result(text)
+      !> From `law_faces`
+      type(faces_type), intent(in) :: faces
       character(len=:), allocatable :: text
+      type(faces_type) :: strict
       type(normal_properties) :: properties
       type(error_type), allocatable :: error
       character(len=*), parameter :: reason = ' has'
 
       text = ''
-      call new_normal_properties(properties, settings%real_of('eta'), &
-         settings%real_of('modulus'), settings%real_of('radius'), settings%real_of('hardness'), &
-         settings%real_of('yield_factor'), settings%real_of('sigma'), error)
+      strict = faces
+      strict%accept_unphysical = .false.
+      call strict%normal(properties, error)
       ! what the likely slip of units would be is said of numbers that were typed
       if (allocated(error)) &
          text = error%message(:index(error%message, reason//': ') + len(reason) - 1)
    end function refusal
 
    !> The case file, for every command that takes properties.
-   pure function surface_case(settings, values, uncertainty, route) result(text)
-      !> Settings after `set_law`
-      type(settings_type), intent(in) :: settings
+   pure function surface_case(options, keys, values, uncertainty) result(text)
+      !> The options after `set_law`
+      type(surface_options), intent(in) :: options
+      !> Their keys
+      type(key_list), intent(in) :: keys
       !> Parameters of the map, and half widths of their 95 % intervals
       real(wp), intent(in) :: values(:), uncertainty(:)
-      !> One of `routes`
-      character(len=*), intent(in) :: route
       character(len=:), allocatable :: text
-      type(settings_type) :: law
+      type(faces_type) :: law
+      type(key_list) :: own
       type(string_type) :: heading(8)
-      integer :: i, key, n
+      integer :: i, n
+      logical, parameter :: all_properties(n_properties) = .true.
 
-      do key = 1, n_keys
-         if (.not. (keys(key)%is_property .and. keys(key)%kind == kind_real)) cycle
-         if (belongs(key, command_table) .and. settings%of(key)%has_value) &
-            law%of(key) = settings%of(key)
-      end do
-      associate (three => route_places(route))
+      law = law_faces(options, values, options%route)
+      law%usual = law%values
+      call law%declare_values(own, all_properties)
+      call law%declare_separation(own)
+      if (keys%given(keys%find('initial_separation'))) then
+         law%initial_separation = options%faces%initial_separation
+         call own%real('initial_separation', law%initial_separation, 'mm', '')
+      end if
+      associate (three => route_places(options%route))
          heading(1)%text = 'Written by asperity surface, version '//version// &
             ', for asperity curve, press, shear, tenon and table'
-         heading(2)%text = 'Map: '//quoted(settings%text_of('map_file'))
-         if (settings%switch_of('generate')) heading(2)%text = 'Map: random surface of seed '// &
-            to_text(settings%whole_of('seed'))
-         if (settings%text_of('second_map') /= '') heading(2)%text = heading(2)%text//' and '// &
-            quoted(settings%text_of('second_map'))
+         heading(2)%text = 'Map: '//quoted(options%map_file)
+         if (options%generate) heading(2)%text = 'Map: random surface of seed '// &
+            to_text(options%made%seed)
+         if (options%second_map /= '') heading(2)%text = heading(2)%text//' and '// &
+            quoted(options%second_map)
          heading(3)%text = 'eta, radius, sigma by '// &
-            trim(meanings(findloc(routes == route, .true., 1)))//', 95 % intervals:'
+            trim(meanings(findloc(routes == options%route, .true., 1)))//', 95 % intervals:'
          heading(4)%text = ' '
          do i = 1, size(names)
             heading(4)%text = heading(4)%text//' '//trim(names(i))//' '// &
@@ -161,19 +158,16 @@ contains
          '  the highest point of the map touches at separation '// &
          to_text(values(p_sp) - values(p_summit_plane), 4)//' mm'
       heading(7)%text = 'Other properties: as given'
-      if (settings%text_of('material') /= '') heading(7)%text = &
-         'Other properties, unless given: pair '//settings%text_of('material')
+      if (options%material /= '') heading(7)%text = &
+         'Other properties, unless given: pair '//options%material
       n = 7
-      if (refusal(settings) /= '') then
+      if (refusal(law) /= '') then
          n = 8
          heading(2:n) = heading(:n - 1)
-         heading(1)%text = 'The law refuses this case, hence accept_unphysical: '//refusal(settings)
-         associate (accept => law%of(find_key('accept_unphysical')))
-            accept%has_value = .true.
-            accept%switch = .true.
-         end associate
+         heading(1)%text = 'The law refuses this case, hence accept_unphysical: '//refusal(law)
+         call law%declare_accept(own)
       end if
-      text = case_text(law, command_table, heading(:n))
+      text = case_text(own, heading(:n))
    end function surface_case
 
 end module asperity_program_commands_surface_law

@@ -5,12 +5,12 @@ module asperity_program_commands_surface_pair
    use asperity_base_number_text, only: to_text
    use asperity_height_map_type, only: height_map
    use asperity_program_commands_surface_maps, only: get_map, prepare_map
-   use asperity_program_input_settings, only: settings_type
+   use asperity_program_commands_surface_options, only: surface_options
    use asperity_program_report_report, only: named_table
    use asperity_program_report_table, only: new_table
    use asperity_program_system_progress, only: show_stage
    use asperity_program_system_strings, only: string_type
-   use asperity_surface_analysis, only: analyse_surface, analysis_settings, surface_analysis_type
+   use asperity_surface_analysis, only: analyse_surface, surface_analysis_type
    use asperity_surface_pair_equivalent_surface, only: combine_values, map_correlation, &
       pair_uncertainties, sum_of_maps
    use asperity_surface_pair_first_touch_gap, only: find_gap, gap_distribution
@@ -35,11 +35,9 @@ contains
 
    !> Read the second map, analyse both, add them. The first map becomes the sum of both where they
    !> are aligned; where they are not, only squares add.
-   subroutine analyse_pair(settings, how, map, analysis, aligned, tables, remarks, error)
-      !> Settings in effect
-      type(settings_type), intent(inout) :: settings
-      !> How to analyse
-      type(analysis_settings), intent(in) :: how
+   subroutine analyse_pair(options, map, analysis, aligned, tables, remarks, error)
+      !> The options
+      type(surface_options), intent(inout) :: options
       !> The first map, prepared; their sum on return, where they are aligned
       type(height_map), intent(inout) :: map
       !> What was found of the pair
@@ -58,22 +56,24 @@ contains
       real(wp) :: added(n_parameters), correlation
 
       aligned = .false.
-      call get_map(settings, 'second_map', second, error)
-      if (.not. allocated(error)) call prepare_map(settings, second, error)
+      call get_map(options, options%second_map, second, error)
+      if (.not. allocated(error)) call prepare_map(options, second, error)
       if (allocated(second%notes)) then
          if (allocated(map%notes)) second%notes = map%notes//second%notes
          call move_alloc(second%notes, map%notes)
       end if
-      if (.not. allocated(error)) call analyse_surface(map, how, faces(1), error, show_stage)
-      if (.not. allocated(error)) call analyse_surface(second, how, faces(2), error, show_stage)
+      if (.not. allocated(error)) &
+         call analyse_surface(map, options%analysis, faces(1), error, show_stage)
+      if (.not. allocated(error)) &
+         call analyse_surface(second, options%analysis, faces(2), error, show_stage)
       if (allocated(error)) return
       call combine_values(summed(faces(1)%sums), summed(faces(2)%sums), &
-         settings%text_of('mirror'), added)
+         options%mirror, added)
 
-      call map_correlation(map, second, settings%text_of('mirror'), correlation, why_not)
+      call map_correlation(map, second, options%mirror, correlation, why_not)
       if (allocated(why_not)) then
          analysis%values(:, 1) = added
-         call pair_uncertainties(faces(1)%sums, faces(2)%sums, settings%text_of('mirror'), &
+         call pair_uncertainties(faces(1)%sums, faces(2)%sums, options%mirror, &
             analysis%uncertainty)
          allocate (tables(1), remarks(1))
          tables(1) = face_table(faces, added)
@@ -82,13 +82,13 @@ contains
          return
       end if
       aligned = .true.
-      call sum_of_maps(map, second, settings%text_of('mirror'), together, error)
+      call sum_of_maps(map, second, options%mirror, together, error)
       if (allocated(error)) return
       deallocate (second%heights)
       call move_alloc(together%heights, map%heights)
       map%source = together%source
       call level_plane(map)
-      call analyse_surface(map, how, analysis, error, show_stage)
+      call analyse_surface(map, options%analysis, analysis, error, show_stage)
       if (allocated(error)) return
       allocate (tables(2), remarks(1))
       tables(1) = face_table(faces, added, analysis%values(:, 1))

@@ -7,8 +7,10 @@ module asperity_program_commands_surface_verdict
    use asperity_law_normal_properties, only: normal_properties
    use asperity_law_plausibility, only: roughness_number_max, roughness_number_min, &
       roughness_number_min_sq
-   use asperity_program_commands_surface_law, only: has_law, refusal, route_places, set_law
-   use asperity_program_input_settings, only: settings_type
+   use asperity_program_commands_surface_law, only: has_law, law_faces, refusal, &
+      route_places
+   use asperity_program_commands_surface_options, only: surface_options
+   use asperity_program_commands_faces, only: faces_type
    use asperity_program_system_strings, only: string_type
    use asperity_surface_analysis, only: surface_analysis_type
    use asperity_surface_pair_law_on_summits, only: sum_over_summits, summit_curve
@@ -26,28 +28,26 @@ module asperity_program_commands_surface_verdict
 contains
 
    !> Two lines: the route, and the sum over the summits; one where there is no sum.
-   pure function surface_verdict(settings, analysis, route) result(lines)
-      !> Settings, with those of the law's other properties
-      type(settings_type), intent(in) :: settings
+   pure function surface_verdict(options, analysis) result(lines)
+      !> The options, after `set_law` where the map has the law of the route
+      type(surface_options), intent(in) :: options
       !> What was found; without summits where maps of a pair do not fit
       type(surface_analysis_type), intent(in) :: analysis
-      !> The one of `routes` whose parameters are taken
-      character(len=*), intent(in) :: route
       type(string_type), allocatable :: lines(:)
       type(string_type) :: verdict, sums
-      type(settings_type) :: law
+      type(faces_type) :: law
       type(normal_properties) :: properties
       type(error_type), allocatable :: error
 
-      verdict%text = choice(analysis%values(:, 1), route)//'.'
+      verdict%text = choice(analysis%values(:, 1), options%route)//'.'
       sums%text = ''
-      if (has_law(analysis%values(:, 1), route)) then
-         law = settings
-         call set_law(law, analysis%values(:, 1), route, properties, error)
+      if (has_law(analysis%values(:, 1), options%route)) then
+         law = law_faces(options, analysis%values(:, 1), options%route)
+         call law%normal(properties, error)
          if (.not. allocated(error)) then
             if (refusal(law) /= '') verdict%text = verdict%text//' The law takes it only with '// &
                'accept_unphysical: '//refusal(law)//'.'
-            call judge(properties, analysis, route, sums%text)
+            call judge(properties, analysis, options%route, sums%text)
          end if
       end if
       if (sums%text == '') then

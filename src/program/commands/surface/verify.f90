@@ -9,9 +9,9 @@ module asperity_program_commands_surface_verify
    use asperity_law_normal_law, only: evaluate_normal_law, normal_response
    use asperity_law_normal_properties, only: normal_properties
    use asperity_paper_wood, only: wood_strength_across
-   use asperity_program_commands_surface_law, only: has_law, routes, set_law
-   use asperity_program_input_keys, only: find_key
-   use asperity_program_input_settings, only: settings_type
+   use asperity_program_commands_faces, only: faces_type
+   use asperity_program_commands_surface_law, only: has_law, law_faces, routes
+   use asperity_program_commands_surface_options, only: surface_options
    use asperity_program_report_table, only: new_table, table_type
    use asperity_program_system_strings, only: string_type
    use asperity_surface_analysis, only: surface_analysis_type
@@ -27,32 +27,32 @@ module asperity_program_commands_surface_verify
 contains
 
    !> Pressure of the Gaussian law by both routes, at the separations of the settings.
-   pure subroutine law_curves(settings, values, table)
-      !> Settings after `set_law`
-      type(settings_type), intent(in) :: settings
+   pure subroutine law_curves(options, values, table)
+      !> The options after `set_law`
+      type(surface_options), intent(in) :: options
       !> Parameters of the map
       real(wp), intent(in) :: values(:)
       !> One row a separation
       type(table_type), intent(out) :: table
-      type(settings_type) :: law
+      type(faces_type) :: law
       type(normal_properties) :: properties
       type(normal_response), allocatable :: response(:)
       type(error_type), allocatable :: error
       real(wp), allocatable :: pressure(:)
       integer :: i
 
-      associate (separation => settings%of(find_key('separation'))%values)
+      associate (separation => options%separation)
          table = new_table(columns=11, rows=size(separation))
          call table%add_numbers('separation', 'mm', separation)
          call table%add_numbers('separation_surface', 'mm', separation + values(p_summit_plane))
-         call table%add_numbers('overclosure', 'mm', settings%real_of('initial_separation') &
+         call table%add_numbers('overclosure', 'mm', options%faces%initial_separation &
             - separation)
          allocate (pressure(size(separation)), response(size(separation)))
          do i = 1, size(routes)
             pressure = none
             if (has_law(values, routes(i))) then
-               law = settings
-               call set_law(law, values, routes(i), properties, error)
+               law = law_faces(options, values, routes(i))
+               call law%normal(properties, error)
                if (.not. allocated(error)) then
                   response = evaluate_normal_law(properties, separation)
                   pressure = response%pressure

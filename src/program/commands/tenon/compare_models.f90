@@ -7,7 +7,7 @@ module asperity_program_commands_tenon_compare_models
    use asperity_base_number_text, only: to_text
    use asperity_hysteresis_analysis, only: analyse_hysteresis, hysteresis_result, &
       hysteresis_settings
-   use asperity_program_commands_config, only: config_type
+   use asperity_program_commands_tenon_case, only: tenon_case
    use asperity_program_report_units, only: joule, kilonewton_metre
    use asperity_replay_tenon_geometry, only: bearing_faces
    use asperity_replay_tenon_points, only: tenon_point
@@ -55,9 +55,9 @@ module asperity_program_commands_tenon_compare_models
 contains
 
    !> Replay one model and analyse it. `error` is set when a step cannot be solved.
-   subroutine run_joint(config, model, joint, error, record, shown)
+   subroutine run_joint(case, model, joint, error, record, shown)
       !> Joint, programme and faces
-      type(config_type), intent(in) :: config
+      type(tenon_case), intent(in) :: case
       !> `hard` or `rough`
       integer, intent(in) :: model
       !> The replay
@@ -76,15 +76,15 @@ contains
 
       call system_clock(began, rate)
       joint%model = model
-      settings = config%tenon
+      settings = case%joint
       settings%contact = model_names(model)
       ! UINTER has no hard contact
       settings%through_uinter = settings%through_uinter .and. model == rough
       if (present(record)) then
-         call run_tenon(settings, config%properties, config%sides, joint%steps, error, record, &
+         call run_tenon(settings, case%properties, case%sides, joint%steps, error, record, &
             joint%points, shown)
       else
-         call run_tenon(settings, config%properties, config%sides, joint%steps, error, &
+         call run_tenon(settings, case%properties, case%sides, joint%steps, error, &
             progress=shown)
       end if
       if (allocated(error)) return
@@ -144,7 +144,8 @@ contains
       if (any(joints%has_moment)) return
       call fatal_error(error, 'amplitudes up to '// &
          to_text(maxval(abs(joints(1)%steps%displacement)))//' mm move the joint within its '// &
-         'clearance: neither hard nor rough contact carries a moment in any step')
+         'clearance: neither hard nor rough contact carries a moment in any step', &
+         subject='amplitudes')
    end subroutine check_moment
 
    !> The first cycle that goes furthest, zero when there is none.

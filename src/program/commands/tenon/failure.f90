@@ -4,48 +4,50 @@ module asperity_program_commands_tenon_failure
    use asperity_base_error, only: computation_error, error_type
    use asperity_base_kinds, only: wp
    use asperity_base_text_builder, only: growing_text
-   use asperity_program_input_keys, only: command_hysteresis, command_tenon, find_key, keys, n_keys
-   use asperity_program_input_print_case, only: case_text
-   use asperity_program_input_resolve, only: mark_unused
-   use asperity_program_input_settings, only: forget, settings_type
+   use asperity_program_input_key, only: forget
+   use asperity_program_input_key_list, only: key_list
+   use asperity_program_input_print_case, only: case_heading, case_text
    use asperity_program_report_table, only: full_figures
    use asperity_program_system_atomic_files, only: open_target, output_file, write_files
-   use asperity_program_system_strings, only: newline
+   use asperity_program_system_strings, only: string_type
    implicit none
    private
    public :: keep_failed_step
 
    character(len=*), parameter :: case_name = 'failed_step.nml', path_name = 'failed_step.csv'
 
+   !> Keys of the programme, in whose place that record is
+   character(len=*), parameter :: of_programme(*) = [character(len=20) :: 'amplitudes', 'cycles', &
+      'record', 'history_quantity', 'displacement_column', 'where', 'separator', 'decimal', &
+      'skip_lines', 'displacement_unit']
+
 contains
 
    !> Write the files into the current folder and say so in the message, if the error is one of
    !> computation. When they cannot be written, the message stays as it is.
-   subroutine keep_failed_step(error, settings, path)
+   subroutine keep_failed_step(error, keys, path)
       !> Why the step failed
       type(error_type), intent(inout) :: error
-      !> Settings in effect
-      type(settings_type), intent(in) :: settings
+      !> The keys
+      type(key_list), intent(in) :: keys
       !> Displacements up to the step that failed, mm
       real(wp), intent(in) :: path(:)
       type(error_type), allocatable :: late_error
       type(output_file) :: files(2)
-      type(settings_type) :: own
+      type(key_list) :: own
+      type(string_type) :: heading(2)
       type(growing_text) :: b
       integer :: i
 
       if (error%category /= computation_error) return
-      own = settings
-      call forget(own%of(find_key('record')))
-      do i = 1, n_keys
-         if (iand(keys(i)%commands, command_hysteresis) /= 0) call forget(own%of(i))
+      own = keys
+      do i = 1, size(of_programme)
+         call forget(own%rows(own%find(trim(of_programme(i)))))
       end do
-      call forget(own%of(find_key('history_quantity')))
-      associate (history => own%of(find_key('history')))
+      associate (history => own%rows(own%find('history')))
          history%has_value = .true.
          history%text = path_name
       end associate
-      call mark_unused(own, command_tenon)
       call b%line('displacement (mm)')
       do i = 1, size(path)
          call b%line(full_figures(path(i)))
@@ -55,7 +57,9 @@ contains
          late_error)
       if (allocated(late_error)) return
       files(1)%text = b%text()
-      files(2)%text = '! '//error%message//newline//case_text(own, command_tenon)
+      heading(1)%text = error%message
+      heading(2:) = case_heading('tenon')
+      files(2)%text = case_text(own, heading)
       call write_files(files, late_error)
       if (.not. allocated(late_error)) error%message = error%message//'; asperity tenon '// &
          case_name//' replays it'

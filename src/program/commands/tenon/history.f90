@@ -3,13 +3,10 @@ module asperity_program_commands_tenon_history
    use asperity_base_error, only: error_type, fatal_error
    use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
-   use asperity_program_input_keys, only: belongs, command_hysteresis, command_tenon, find_key, &
-      n_keys
-   use asperity_program_input_settings, only: forget, settings_type
+   use asperity_program_commands_tenon_case, only: tenon_case
    use asperity_program_record_columns, only: record_column
-   use asperity_program_record_file, only: read_record, record_format
+   use asperity_program_record_file, only: read_record
    use asperity_program_record_names, only: holds_displacement, holds_rotation
-   use asperity_program_record_settings, only: ask_for_column, get_format, tell_column, tell_decimal
    use asperity_program_record_table, only: columns_table
    use asperity_program_record_tests, only: test_text, test_type
    use asperity_program_record_units, only: find_unit, unit_angle, unit_length, unit_share, &
@@ -19,7 +16,7 @@ module asperity_program_commands_tenon_history
    use asperity_replay_tenon_settings, only: tenon_settings
    implicit none
    private
-   public :: history_type, read_history, follow_history, forget_reading
+   public :: history_type, read_history, follow_history
 
    !> Way of the load point.
    type :: history_type
@@ -40,62 +37,44 @@ module asperity_program_commands_tenon_history
 
 contains
 
-   !> Read the history that the settings name, if they do. `error` names file and line.
-   subroutine read_history(history, settings, error)
+   !> Read the history that a case names, if it does. `error` names file and line.
+   subroutine read_history(history, case, error)
       !> The history, empty if none is named
       type(history_type), intent(out) :: history
-      !> Settings in effect; what was found is said there
-      type(settings_type), intent(inout) :: settings
+      !> The case; what was found is said there
+      type(tenon_case), intent(inout) :: case
       !> Set when the file cannot be read or is faulty
       type(error_type), allocatable, intent(out) :: error
       type(record_column) :: columns(1)
-      type(record_format) :: format
       type(test_type), allocatable :: tests(:)
+      character(len=12) :: decimal
       logical :: is_told
 
-      history%path = settings%text_of('history')
+      history%path = case%history
       allocate (history%columns(0))
       if (history%path == '') return
-      call get_format(settings, format, error)
+      call case%format%check(error)
       if (allocated(error)) return
-      call ask_for_column(settings, 'displacement', columns(1))
-      call read_record(history%path, format, &
-         quantities_of(settings%text_of('history_quantity')), columns, tests, error)
+      call case%column%ask(columns(1))
+      decimal = case%format%decimal
+      call read_record(history%path, case%format%record_format, &
+         quantities_of(case%history_quantity), columns, tests, error)
       if (.not. allocated(error)) call check_tests(history%path, columns(1)%values, tests, error)
       if (allocated(error)) return
       is_told = columns(1)%unit /= '' .and. columns(1)%unit_given == ''
       call convert(history, columns(1), error)
       if (allocated(error)) return
       history%values = history%values(:tests(1)%last)
-      call tell_decimal(settings, format)
-      call tell_column(settings, 'displacement', columns(1))
-      associate (unit => settings%of(find_key('displacement_unit')))
-         if (is_told) unit%source = 'column '//to_text(columns(1)%place)
-         unit%has_value = .true.
-         unit%text = columns(1)%unit
-      end associate
-      associate (quantity => settings%of(find_key('history_quantity')))
-         if (.not. quantity%given) then
-            quantity%has_value = .true.
-            quantity%text = columns(1)%name
-            quantity%source = settings%of(find_key('displacement_column'))%source
-         end if
-      end associate
+      if (case%format%decimal /= decimal) case%format%decimal_source = 'the numbers of the file'
+      call case%column%tell(columns(1))
+      call case%column%tell_unit(columns(1), '')
+      if (.not. is_told) case%column%unit_source = 'default'
+      if (.not. case%has_quantity) then
+         case%history_quantity = columns(1)%name
+         case%quantity_source = case%column%column_source
+      end if
       history%columns = [named_table('columns', '', columns_table(columns))]
    end subroutine read_history
-
-   !> How a history is read is no setting of a run that has none.
-   pure subroutine forget_reading(settings)
-      !> Settings in effect
-      type(settings_type), intent(inout) :: settings
-      integer :: key
-
-      if (settings%text_of('history') /= '') return
-      do key = 1, n_keys
-         if (belongs(key, command_hysteresis) .and. .not. settings%of(key)%given &
-            .and. belongs(key, command_tenon)) call forget(settings%of(key))
-      end do
-   end subroutine forget_reading
 
    !> What the column may hold.
    pure function quantities_of(quantity) result(quantities)

@@ -4,13 +4,12 @@ module asperity_program_commands_tenon_page
    use asperity_base_text_builder, only: growing_text
    use asperity_base_version, only: version
    use asperity_law_validity, only: validity_remark
+   use asperity_program_commands_tenon_case, only: declare_replay_case, tenon_case
    use asperity_program_commands_tenon_page_texts, only: assumptions, cautions, origin_of, &
       paper_cautions
-   use asperity_program_commands_tenon_paper_joint, only: is_paper_joint, usual_settings
+   use asperity_program_commands_tenon_paper_joint, only: is_paper_joint
    use asperity_program_commands_tenon_sketch, only: add_sketch
-   use asperity_program_input_keys, only: belongs, keys, kind_file, n_keys
-   use asperity_program_input_presets, only: faces_text
-   use asperity_program_input_settings, only: settings_type
+   use asperity_program_input_key_list, only: key_list
    use asperity_program_report_html, only: add_html_table, html_text
    use asperity_program_report_report, only: report_type
    use asperity_program_report_terminal, only: input_text
@@ -23,19 +22,21 @@ module asperity_program_commands_tenon_page
 contains
 
    !> Text of the page before each picture and after the last.
-   function joint_page(report) result(parts)
+   function joint_page(report, case) result(parts)
       !> The report, with its pictures
       type(report_type), intent(in) :: report
+      !> The case
+      type(tenon_case), intent(in) :: case
       type(string_type), allocatable :: parts(:)
       type(growing_text) :: b
       integer :: i
       logical :: beside_paper
 
       allocate (parts(size(report%pictures) + 1))
-      beside_paper = is_paper_joint(report%settings)
+      beside_paper = is_paper_joint(case)
       call add_head(b)
       call b%line('<h1>Tenon joint: hard contact against the rough law</h1>')
-      call b%line('<p class="sub">Faces: '//html_text(faces_text(report%settings))//'.<br>'// &
+      call b%line('<p class="sub">Faces: '//html_text(report%faces)//'.<br>'// &
          'Made on '//time_text()//' by asperity '//version//': <code>'// &
          html_text(command_text())//'</code></p>')
       call b%line('<h2>Result</h2>')
@@ -68,7 +69,7 @@ contains
          'Every cycle; rotation of its peak, moment on the negative side')
       call b%line('<h2>Case</h2>')
       call b%line('<figure class="sketch">')
-      call add_sketch(b, report%settings)
+      call add_sketch(b, case%joint)
       call b%line('<figcaption>Sizes to scale but for the clearances and the beam. Force, '// &
          'displacement and rotation are positive upwards, pull-out u out of the mortise.'// &
          '</figcaption></figure>')
@@ -158,31 +159,32 @@ contains
       type(growing_text), intent(inout) :: b
       type(report_type), intent(in) :: report
       character(len=:), allocatable :: origin
-      type(settings_type) :: usual
-      integer :: key
+      type(tenon_case) :: usual_case
+      type(key_list) :: usual
+      integer :: i, place
 
-      usual = usual_settings()
+      call declare_replay_case(usual_case, usual)
       call b%line('<div class="table"><table class="case"><caption>Input; asperity tenon '// &
          '--print-case writes it as a case file</caption>')
       call b%line('<thead><tr><th>key</th><th>value</th><th>what it is</th><th>where the value '// &
          'comes from</th></tr></thead><tbody>')
-      associate (s => report%settings)
-         do key = 1, n_keys
-            if (.not. belongs(key, report%command) .or. keys(key)%kind >= kind_file) cycle
-            if (.not. s%of(key)%has_value .or. s%of(key)%unused) cycle
-            origin = s%of(key)%source
+      do i = 1, report%keys%n
+         associate (key => report%keys%rows(i))
+            if (.not. key%is_input()) cycle
+            origin = key%source
+            place = usual%find(trim(key%name))
             ! Who writes a default into a case file has chosen it for the same reason
-            if (origin_of(trim(keys(key)%name)) /= '' .and. &
-                  input_text(s, key) == input_text(usual, key)) then
+            if (origin_of(trim(key%name)) /= '' .and. &
+                  input_text(key) == input_text(usual%rows(place))) then
                if (origin == 'default') origin = ''
                if (origin /= '') origin = origin//'; '
-               origin = origin//origin_of(trim(keys(key)%name))
+               origin = origin//origin_of(trim(key%name))
             end if
-            call b%line('<tr>'//cell(trim(keys(key)%name))// &
-               cell(trim(input_text(s, key, whole=.true.)//' '//s%unit_of(key)))// &
-               cell(trim(keys(key)%help))//cell(origin)//'</tr>')
-         end do
-      end associate
+            call b%line('<tr>'//cell(trim(key%name))// &
+               cell(trim(input_text(key, whole=.true.)//' '//trim(key%unit)))// &
+               cell(trim(key%help))//cell(origin)//'</tr>')
+         end associate
+      end do
       call b%line('</tbody></table></div>')
    end subroutine add_case
 

@@ -3,7 +3,7 @@ module asperity_program_commands_tenon_sketch
    use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
    use asperity_base_text_builder, only: growing_text
-   use asperity_program_input_settings, only: settings_type
+   use asperity_replay_tenon_settings, only: tenon_settings
    implicit none
    private
    public :: add_sketch
@@ -18,25 +18,24 @@ module asperity_program_commands_tenon_sketch
 contains
 
    !> Append the drawing.
-   pure subroutine add_sketch(b, settings)
+   pure subroutine add_sketch(b, joint)
       !> Where to append
       type(growing_text), intent(inout) :: b
-      !> Settings in effect
-      type(settings_type), intent(in) :: settings
+      !> The joint, all sizes given
+      type(tenon_settings), intent(in) :: joint
       real(wp) :: scale, length, half, arm, extension, above, below, datum
 
-      associate (s => settings)
+      associate (j => joint)
          datum = 0.0_wp
-         if (s%text_of('arm_datum') == 'column_axis') datum = -0.5_wp*s%real_of('length')
-         scale = min((face - margin)/s%real_of('length'), &
-            (wide - margin - face)/max(s%real_of('arm') + datum, 1.0_wp), &
-            (high - 2.5_wp*margin)/s%real_of('height'))
-         length = scale*s%real_of('length')
-         half = 0.5_wp*scale*s%real_of('height')
-         extension = scale*s%real_of('extension')
-         arm = scale*(s%real_of('arm') + datum)
-         above = max(least_gap, scale*s%real_of('clearance_above'))
-         below = max(least_gap, scale*s%real_of('clearance_below'))
+         if (j%arm_datum == 'column_axis') datum = -0.5_wp*j%length
+         scale = min((face - margin)/j%length, &
+            (wide - margin - face)/max(j%arm + datum, 1.0_wp), (high - 2.5_wp*margin)/j%height)
+         length = scale*j%length
+         half = 0.5_wp*scale*j%height
+         extension = scale*j%extension
+         arm = scale*(j%arm + datum)
+         above = max(least_gap, scale*j%clearance_above)
+         below = max(least_gap, scale*j%clearance_below)
       end associate
 
       call b%line('<svg viewBox="0 0 900 400" role="img" aria-label="The joint, its sizes and '// &
@@ -66,19 +65,19 @@ contains
       ! sizes
       call add_arrow(b, face - length, middle - 24.0_wp, face, middle - 24.0_wp, .true.)
       call add_label(b, face - 0.5_wp*length, middle - 30.0_wp, &
-         'length '//size_text(settings, 'length'), 'middle')
+         'length '//size_text(joint%length), 'middle')
       call add_arrow(b, face - length + 24.0_wp, middle - half, face - length + 24.0_wp, &
          middle + half, .true.)
       call add_label(b, face - length + 32.0_wp, middle + 0.6_wp*half, &
-         'height '//size_text(settings, 'height')//', width '//size_text(settings, 'width'), &
+         'height '//size_text(joint%height)//', width '//size_text(joint%width), &
          'start')
       call add_arrow(b, face + scale*datum, high - 24.0_wp, face + arm, high - 24.0_wp, .true.)
-      call add_label(b, face + 0.5_wp*arm, high - 30.0_wp, 'arm '//size_text(settings, 'arm')// &
+      call add_label(b, face + 0.5_wp*arm, high - 30.0_wp, 'arm '//size_text(joint%arm)// &
          trim(merge(' from the column axis', ' from the column face', datum < 0.0_wp)), 'start')
       call add_label(b, face + 8.0_wp, middle - half - above - 4.0_wp, 'clearance above '// &
-         size_text(settings, 'clearance_above')//' (upper face)', 'start')
+         size_text(joint%clearance_above)//' (upper face)', 'start')
       call add_label(b, face + 8.0_wp, middle + half + below + 14.0_wp, 'clearance below '// &
-         size_text(settings, 'clearance_below')//' (lower face)', 'start')
+         size_text(joint%clearance_below)//' (lower face)', 'start')
       call add_label(b, face - 0.5_wp*length, 32.0_wp, 'column, grain upright', 'middle')
       call b%line('<line x1="'//place(face)//'" x2="'//place(face)//'" y1="10" y2="390" '// &
          'stroke="#000" stroke-dasharray="2 3"/>')
@@ -127,12 +126,11 @@ contains
    end function place
 
    !> A size in mm.
-   pure function size_text(settings, name) result(text)
-      type(settings_type), intent(in) :: settings
-      character(len=*), intent(in) :: name
+   pure function size_text(size) result(text)
+      real(wp), intent(in) :: size
       character(len=:), allocatable :: text
 
-      text = to_text(settings%real_of(name), 6)//' mm'
+      text = to_text(size, 6)//' mm'
    end function size_text
 
 end module asperity_program_commands_tenon_sketch

@@ -3,12 +3,12 @@ module asperity_program_commands_tenon_sweeps_cases
    use asperity_base_error, only: error_type, fatal_error
    use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
-   use asperity_program_input_keys, only: belongs, command_hysteresis, find_key, keys, &
-      kind_choice, kind_file, kind_integer, kind_list, kind_real, kind_text, n_keys
+   use asperity_program_input_key, only: assign_words, given_as_option, key_type, kind_choice, &
+      kind_counts, kind_file, kind_integer, kind_list, kind_real, kind_text
+   use asperity_program_input_key_list, only: key_list
    use asperity_program_input_ranges, only: read_range, split_words
-   use asperity_program_input_settings, only: assign_words, setting_type, settings_type
    use asperity_program_input_values, only: word_type
-   use asperity_program_system_strings, only: lower_case, nearest_name, quoted
+   use asperity_program_system_strings, only: escaped, lower_case, nearest_name, quoted
    implicit none
    private
    public :: axis_type, new_axes, combinations, set_case
@@ -16,25 +16,29 @@ module asperity_program_commands_tenon_sweeps_cases
    !> Most combinations
    integer, parameter :: most_cases = 100000
    character(len=*), parameter :: option = '--sweep'
+   !> Keys that say how a record is read
+   character(len=*), parameter :: of_record(*) = [character(len=20) :: 'history', &
+      'history_quantity', 'displacement_column', 'where', 'separator', 'decimal', 'skip_lines', &
+      'displacement_unit']
 
    !> A key and the values that it takes.
    type :: axis_type
-      !> Place of the key in the table
+      !> Place of the key
       integer :: key = 0
-      !> One setting per value
-      type(setting_type), allocatable :: values(:)
+      !> The key with each value
+      type(key_type), allocatable :: values(:)
    end type axis_type
 
 contains
 
    !> Axes of all sweeps. `error` is set when one is faulty or there are too many combinations.
-   subroutine new_axes(axes, text, command, error)
+   subroutine new_axes(axes, text, keys, error)
       !> One axis per sweep, in the order given
       type(axis_type), allocatable, intent(out) :: axes(:)
       !> The sweeps, separated by blanks
       character(len=*), intent(in) :: text
-      !> Command that they are for
-      integer, intent(in) :: command
+      !> Keys of the command
+      type(key_list), intent(in) :: keys
       !> Set on failure
       type(error_type), allocatable, intent(out) :: error
       type(word_type), allocatable :: words(:)
@@ -44,10 +48,10 @@ contains
       allocate (axes(count([(text(i:i) == ' ', i=1, len(text))]) + 1))
       do i = 1, size(axes)
          last = first + index(text(first:)//' ', ' ') - 2
-         call new_axis(axes(i), text(first:last), command, words, error)
+         call new_axis(axes(i), text(first:last), keys, words, error)
          if (allocated(error)) return
          if (any(axes(:i - 1)%key == axes(i)%key)) then
-            call fatal_error(error, option//': '//trim(keys(axes(i)%key)%name)// &
+            call fatal_error(error, option//': '//trim(keys%rows(axes(i)%key)%name)// &
                ' is swept twice')
             return
          end if
@@ -58,10 +62,10 @@ contains
    end subroutine new_axes
 
    !> One axis from `name=values`.
-   subroutine new_axis(axis, text, command, words, error)
+   subroutine new_axis(axis, text, keys, words, error)
       type(axis_type), intent(inout) :: axis
       character(len=*), intent(in) :: text
-      integer, intent(in) :: command
+      type(key_list), intent(in) :: keys
       type(word_type), allocatable, intent(inout) :: words(:)
       type(error_type), allocatable, intent(out) :: error
       integer :: equals, i
@@ -71,75 +75,70 @@ contains
          call fatal_error(error, option//': '//quoted(text)//' is not NAME=values')
          return
       end if
-      call find_axis(axis%key, text(:equals - 1), command, error)
-      if (.not. allocated(error)) call read_values(words, text(equals + 1:), axis%key, error)
+      call find_axis(axis%key, text(:equals - 1), keys, error)
+      if (.not. allocated(error)) &
+         call read_values(words, text(equals + 1:), keys%rows(axis%key), error)
       if (allocated(error)) return
       allocate (axis%values(size(words)))
       do i = 1, size(words)
-         words(i)%source = option//' '//trim(keys(axis%key)%name)//'='//words(i)%text
-         words(i)%in_quotes = any(keys(axis%key)%kind == [kind_text, kind_choice])
-         call assign_words(axis%values(i), keys(axis%key), words(i:i), error)
+         associate (key => axis%values(i))
+            key = keys%rows(axis%key)
+            words(i)%source = option//' '//trim(key%name)//'='//words(i)%text
+            words(i)%in_quotes = any(key%kind == [kind_text, kind_choice])
+            call assign_words(key, words(i:i), given_as_option, error)
+         end associate
          if (allocated(error)) return
       end do
    end subroutine new_axis
 
    !> Key of a name, with `-` or `_`; `error` says why it cannot be swept.
-   subroutine find_axis(key, name, command, error)
-      integer, intent(out) :: key
+   subroutine find_axis(place, name, keys, error)
+      integer, intent(out) :: place
       character(len=*), intent(in) :: name
-      integer, intent(in) :: command
+      type(key_list), intent(in) :: keys
       type(error_type), allocatable, intent(out) :: error
-      character(len=24) :: names(n_keys)
       character(len=:), allocatable :: plain, nearest
-      integer :: i
 
-      plain = lower_case(name)
-      do i = 1, len(plain)
-         if (plain(i:i) == '-') plain(i:i) = '_'
-      end do
-      names = ''
-      do i = 1, n_keys
-         if (can_be_swept(i, command)) names(i) = keys(i)%name
-      end do
-      key = find_key(plain)
-      if (key > 0) then
-         if (names(key) /= '') return
-         call fatal_error(error, option//': '//plain//' cannot be swept')
+      plain = escaped(lower_case(name), '-', '_')
+      place = keys%find(plain)
+      if (place > 0) then
+         if (.not. can_be_swept(keys%rows(place))) &
+            call fatal_error(error, option//': '//plain//' cannot be swept')
          return
       end if
-      nearest = nearest_name(plain, names)
+      nearest = nearest_name(plain, pack(keys%rows(:keys%n)%name, &
+         can_be_swept(keys%rows(:keys%n))))
       if (nearest /= '') nearest = '; did you mean '//nearest//'?'
       call fatal_error(error, option//': unknown key '//quoted(name)//nearest)
    end subroutine find_axis
 
-   !> Whether a key has one value, and belongs to a command.
-   pure logical function can_be_swept(key, command)
-      integer, intent(in) :: key, command
+   !> Whether a key has one value, and not one that says how a record is read.
+   pure elemental logical function can_be_swept(key)
+      type(key_type), intent(in) :: key
 
-      can_be_swept = belongs(key, command) .and. keys(key)%kind < kind_file &
-         .and. keys(key)%kind /= kind_list .and. .not. belongs(key, command_hysteresis) &
-         .and. index(keys(key)%name, 'history') /= 1
+      can_be_swept = key%kind < kind_file .and. all(key%kind /= [kind_list, kind_counts]) &
+         .and. all(key%name /= of_record)
    end function can_be_swept
 
    !> Values `a,b,c` or `start:stop:count` as words.
    subroutine read_values(words, text, key, error)
       type(word_type), allocatable, intent(inout) :: words(:)
       character(len=*), intent(in) :: text
-      integer, intent(in) :: key
+      type(key_type), intent(in) :: key
       type(error_type), allocatable, intent(out) :: error
       real(wp), allocatable :: values(:)
       integer :: i
 
-      if (index(text, ':') == 0 .or. all(keys(key)%kind /= [kind_real, kind_integer])) then
+      if (index(text, ':') == 0 .or. all(key%kind /= [kind_real, kind_integer])) then
          call split_words(text, option, words, error)
          return
       end if
-      call read_range(text, trim(keys(key)%name), option, values, error)
+      call read_range(text, trim(key%name), option, values, error)
       if (allocated(error)) return
       if (allocated(words)) deallocate (words)
       allocate (words(size(values)))
       do i = 1, size(values)
-         if (keys(key)%kind == kind_integer .and. .not. abs(values(i) - anint(values(i))) > 0.0_wp &
+         if (key%kind == kind_integer .and. .not. abs(values(i) - anint(values(i))) > 0.0_wp &
                .and. abs(values(i)) < 1.0e9_wp) then
             words(i)%text = to_text(nint(values(i)))
          else
@@ -158,9 +157,9 @@ contains
    end function combinations
 
    !> Set the keys of one combination; the last axis varies fastest.
-   pure subroutine set_case(options, axes, which, chosen)
-      !> Options, whose swept keys are overwritten
-      type(settings_type), intent(inout) :: options
+   pure subroutine set_case(keys, axes, which, chosen)
+      !> Keys, of which those swept take their values
+      type(key_list), intent(inout) :: keys
       !> The axes
       type(axis_type), intent(in) :: axes(:)
       !> Combination, from 1
@@ -173,7 +172,7 @@ contains
       do i = size(axes), 1, -1
          chosen(i) = 1 + modulo(rest, size(axes(i)%values))
          rest = rest/size(axes(i)%values)
-         options%of(axes(i)%key) = axes(i)%values(chosen(i))
+         keys%rows(axes(i)%key) = axes(i)%values(chosen(i))
       end do
    end subroutine set_case
 

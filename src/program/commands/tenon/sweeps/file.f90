@@ -8,9 +8,8 @@ module asperity_program_commands_tenon_sweeps_file
    use asperity_law_validity, only: all_flags, validity_text
    use asperity_program_commands_tenon_sweeps_cases, only: axis_type
    use asperity_program_commands_tenon_sweeps_table, only: case_result, n_figures, sweep_table
-   use asperity_program_input_command_line, only: command_line_type
-   use asperity_program_input_print_case, only: case_text
-   use asperity_program_input_settings, only: settings_type
+   use asperity_program_input_key_list, only: key_list
+   use asperity_program_input_print_case, only: case_heading, case_text
    use asperity_program_report_csv, only: write_csv
    use asperity_program_system_atomic_files, only: open_target, output_file
    use asperity_program_system_checksum, only: checksum
@@ -38,13 +37,13 @@ contains
 
    !> Take what is done from a partial file of the same sweep, or begin one. `error` is set when it
    !> is of another sweep or cannot be written.
-   subroutine open_partial(partial, line, settings, history, axes, results, error)
+   subroutine open_partial(partial, sweep, path, keys, history, axes, results, error)
       !> The file
       type(partial_type), intent(out) :: partial
-      !> Command line
-      type(command_line_type), intent(in) :: line
-      !> Settings in effect but for the keys that are swept
-      type(settings_type), intent(in) :: settings
+      !> The sweeps, and the path of the CSV file
+      character(len=*), intent(in) :: sweep, path
+      !> The keys, of which those swept are hidden
+      type(key_list), intent(in) :: keys
       !> Recorded displacements, mm, if there are
       real(wp), allocatable, intent(in) :: history(:)
       !> The axes
@@ -54,12 +53,10 @@ contains
       !> Set on failure
       type(error_type), allocatable, intent(out) :: error
       type(output_file) :: csv, target
-      character(len=:), allocatable :: path, head, text, reason
+      character(len=:), allocatable :: head, text, reason
       integer, parameter :: no_rows(*) = [integer ::]
 
       partial%path = ''
-      ! Not by ASSOCIATE, after which gfortran frees such a function's result twice
-      path = line%options%text_of('csv')
       if (path == '' .or. path == '-') return
       call open_target(csv, '--csv', path, error)
       if (allocated(error) .or. csv%is_device) return
@@ -70,9 +67,9 @@ contains
          call fatal_error(error, partial%path//': is no file', file_error)
          return
       end if
-      call write_csv(sweep_table(axes, results, no_rows), head, error)
+      call write_csv(sweep_table(keys, axes, results, no_rows), head, error)
       if (allocated(error)) return
-      head = heading(line, settings, history)//head
+      head = heading(sweep, keys, history)//head
       call open_locked(partial%file, target%target, reason)
       if (.not. allocated(reason)) call read_file(target%target, largest, text, reason)
       if (.not. allocated(reason)) then
@@ -85,7 +82,7 @@ contains
             call read_cases(text(len(head) + 1:), size(axes), results)
             call shorten(partial%file, index(text, newline, back=.true.), reason)
          else
-            call fatal_error(error, partial%path//': '//difference(head, text, settings)// &
+            call fatal_error(error, partial%path//': '//difference(head, text, keys)// &
                '; remove it, or name another file with --csv')
          end if
       end if
@@ -95,16 +92,15 @@ contains
 
    !> What tells one sweep from another: version and all input, as comment lines. Of a record, which
    !> may change below its name, the number of displacements and their checksum.
-   function heading(line, settings, history) result(text)
-      type(command_line_type), intent(in) :: line
-      type(settings_type), intent(in) :: settings
+   function heading(sweep, keys, history) result(text)
+      character(len=*), intent(in) :: sweep
+      type(key_list), intent(in) :: keys
       real(wp), allocatable, intent(in) :: history(:)
       character(len=:), allocatable :: text
       character(len=:), allocatable :: input
       integer :: first, length
 
-      input = '--sweep '//line%options%text_of('sweep')//newline// &
-         case_text(settings, line%command)
+      input = '--sweep '//sweep//newline//case_text(keys, case_heading('tenon'))
       if (allocated(history)) input = input//record_mark//to_text(size(history))// &
          ' displacements, checksum '//checksum(history)//newline
       text = ''
@@ -117,9 +113,9 @@ contains
    end function heading
 
    !> How a partial file differs from what is wanted: in its first line that does.
-   function difference(head, text, settings) result(words)
+   function difference(head, text, keys) result(words)
       character(len=*), intent(in) :: head, text
-      type(settings_type), intent(in) :: settings
+      type(key_list), intent(in) :: keys
       character(len=:), allocatable :: words
       integer :: i, first, last
 
@@ -130,7 +126,7 @@ contains
       first = index(head(:min(i, len(head)) - 1), newline, back=.true.) + 1
       last = first + index(head(first:), newline) - 1
       if (index(head(first:last), comment//record_mark) == 1) then
-         words = settings%text_of('history')//' has changed since it was begun'
+         words = keys%rows(keys%find('history'))%text//' has changed since it was begun'
       else if (index(head(first:last), ', version ') > 0) then
          words = 'was begun by another version'
       end if
@@ -208,9 +204,11 @@ contains
    end function without_quotes
 
    !> Keep one more combination.
-   subroutine append_case(partial, axes, results, which, error)
+   subroutine append_case(partial, keys, axes, results, which, error)
       !> The file
       type(partial_type), intent(in) :: partial
+      !> The keys
+      type(key_list), intent(in) :: keys
       !> The axes
       type(axis_type), intent(in) :: axes(:)
       !> All results
@@ -222,7 +220,7 @@ contains
       character(len=:), allocatable :: text, reason
 
       if (partial%path == '') return
-      call write_csv(sweep_table(axes, results, [which]), text, error)
+      call write_csv(sweep_table(keys, axes, results, [which]), text, error)
       if (allocated(error)) return
       call append_text(partial%file, text(index(text, newline) + 1:), reason)
       if (allocated(reason)) call fatal_error(error, partial%path//': cannot be written: '// &

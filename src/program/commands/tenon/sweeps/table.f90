@@ -6,8 +6,8 @@ module asperity_program_commands_tenon_sweeps_table
    use asperity_hysteresis_analysis, only: hysteresis_skeleton, negative_side
    use asperity_program_commands_tenon_compare_models, only: joint_type, loop_joules, model_names
    use asperity_program_commands_tenon_sweeps_cases, only: axis_type, set_case
-   use asperity_program_input_keys, only: keys, kind_integer, kind_logical, kind_real
-   use asperity_program_input_settings, only: setting_type, settings_type
+   use asperity_program_input_key, only: key_type, kind_integer, kind_logical, kind_real
+   use asperity_program_input_key_list, only: key_list
    use asperity_program_report_table, only: column_counts, column_validity, new_table, table_type
    use asperity_program_report_units, only: joule
    implicit none
@@ -92,7 +92,9 @@ contains
    end function figures_of
 
    !> The table of some combinations.
-   function sweep_table(axes, results, which) result(table)
+   function sweep_table(keys, axes, results, which) result(table)
+      !> The keys
+      type(key_list), intent(in) :: keys
       !> The axes
       type(axis_type), intent(in) :: axes(:)
       !> All results
@@ -104,7 +106,7 @@ contains
 
       table = new_table(columns=3 + size(axes) + n_figures, rows=size(which))
       call table%add_codes('case', column_counts, which)
-      call add_axes(table, axes, which)
+      call add_axes(table, keys, axes, which)
       do i = 1, 2
          do j = 1, n_names
             call table%add_numbers(trim(names(j))//'_'//trim(model_names(i)), trim(units(j)), &
@@ -120,42 +122,44 @@ contains
    end function sweep_table
 
    !> Columns of the keys that are swept.
-   subroutine add_axes(table, axes, which)
+   subroutine add_axes(table, keys, axes, which)
       type(table_type), intent(inout) :: table
+      type(key_list), intent(in) :: keys
       type(axis_type), intent(in) :: axes(:)
       integer, intent(in) :: which(:)
-      type(settings_type) :: options
-      type(setting_type) :: value
-      integer :: chosen(size(axes), size(which)), whole(size(which)), kind, i, j
+      type(key_list) :: own
+      type(key_type) :: key
+      integer :: chosen(size(axes), size(which)), whole(size(which)), i, j
       real(wp) :: numbers(size(which))
       character(len=80) :: texts(size(which))
 
+      own = keys
       do j = 1, size(which)
-         call set_case(options, axes, which(j), chosen(:, j))
+         call set_case(own, axes, which(j), chosen(:, j))
       end do
       do i = 1, size(axes)
-         kind = keys(axes(i)%key)%kind
+         key = keys%rows(axes(i)%key)
          do j = 1, size(which)
-            value = axes(i)%values(chosen(i, j))
-            select case (kind)
-            case (kind_real)
-               numbers(j) = value%values(1)
-            case (kind_integer)
-               whole(j) = value%whole
-            case (kind_logical)
-               texts(j) = merge('true ', 'false', value%switch)
-            case default
-               texts(j) = value%text
-            end select
+            associate (value => axes(i)%values(chosen(i, j)))
+               select case (key%kind)
+               case (kind_real)
+                  numbers(j) = value%values(1)
+               case (kind_integer)
+                  whole(j) = value%whole
+               case (kind_logical)
+                  texts(j) = merge('true ', 'false', value%switch)
+               case default
+                  texts(j) = value%text
+               end select
+            end associate
          end do
-         select case (kind)
+         select case (key%kind)
          case (kind_real)
-            call table%add_numbers(trim(keys(axes(i)%key)%name), &
-               unit_of(keys(axes(i)%key)%unit), numbers)
+            call table%add_numbers(trim(key%name), unit_of(key%unit), numbers)
          case (kind_integer)
-            call table%add_codes(trim(keys(axes(i)%key)%name), column_counts, whole)
+            call table%add_codes(trim(key%name), column_counts, whole)
          case default
-            call table%add_texts(trim(keys(axes(i)%key)%name), texts)
+            call table%add_texts(trim(key%name), texts)
          end select
       end do
    end subroutine add_axes
@@ -170,13 +174,15 @@ contains
    end function unit_of
 
    !> Columns that the terminal shows: the keys, and what compares the models.
-   subroutine shown_columns(axes, columns)
+   subroutine shown_columns(keys, axes, columns)
+      !> The keys
+      type(key_list), intent(in) :: keys
       !> The axes
       type(axis_type), intent(in) :: axes(:)
       !> Names of the columns
       character(len=24), allocatable, intent(out) :: columns(:)
 
-      columns = [character(len=24) :: 'case', keys(axes%key)%name, 'ultimate_moment_hard', &
+      columns = [character(len=24) :: 'case', keys%rows(axes%key)%name, 'ultimate_moment_hard', &
          'ultimate_moment_rough', 'loop_energy_hard', 'loop_energy_rough', &
          'yield_moment_ratio', 'ultimate_moment_ratio', 'loop_energy_ratio', &
          'largest_pull_out_rough', 'outcome']

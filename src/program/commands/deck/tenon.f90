@@ -1,0 +1,140 @@
+!> `asperity deck tenon`: the input deck of the tenon joint for ABAQUS and CalculiX.
+module asperity_program_commands_deck_tenon
+   use asperity_base_error, only: error_type
+   use asperity_base_kinds, only: wp
+   use asperity_base_number_text, only: to_text
+   use asperity_deck_options, only: deck_choice
+   use asperity_deck_tenon_deck, only: new_tenon_deck, tenon_deck
+   use asperity_deck_tenon_parts, only: default_mesh_size, default_tenon_sizes, tenon_sizes
+   use asperity_deck_tenon_text, only: write_tenon_deck
+   use asperity_program_commands_command, only: command_type
+   use asperity_program_commands_deck_parts, only: declare_deck, declare_law_table, fill_table, &
+      remark
+   use asperity_program_commands_tenon_case, only: tenon_case
+   use asperity_program_commands_tenon_history, only: follow_history, history_type, read_history
+   use asperity_program_input_key, only: kind_file
+   use asperity_program_input_key_list, only: key_list
+   use asperity_program_report_report, only: report_type
+   use asperity_program_system_environment, only: command_text
+   implicit none
+   private
+   public :: tenon_deck_command
+
+   !> Writes the deck of the tenon joint.
+   type, extends(command_type) :: tenon_deck_command
+      private
+      type(tenon_case) :: case
+      type(deck_choice) :: choice
+      type(tenon_sizes) :: sizes
+      !> Interference at each side, mm, not allocated unless given
+      real(wp), allocatable :: side_interference
+      !> Fewest increments of a stroke
+      integer :: stroke_increments = 10
+      !> Path of the deck
+      character(len=:), allocatable :: inp
+   contains
+      procedure :: describe, declare, check, run
+   end type tenon_deck_command
+
+contains
+
+   !> What the command is.
+   pure subroutine describe(self)
+      !> The command
+      class(tenon_deck_command), intent(inout) :: self
+
+      self%name = 'deck tenon'
+      self%summary = 'input deck of the tenon joint for ABAQUS or CalculiX'
+      self%usage = '[CASE.nml] [options]'
+      self%purpose = 'Input deck of the straight tenon joint in three dimensions, for CalculiX '// &
+         'or ABAQUS (Figs 20-35): joint and programme of the case of asperity tenon.'
+   end subroutine describe
+
+   !> Faces, joint, programme and model.
+   pure subroutine declare(self, keys)
+      !> The command
+      class(tenon_deck_command), intent(inout) :: self
+      !> Its keys
+      type(key_list), intent(inout) :: keys
+      type(tenon_sizes) :: usual
+      integer :: height
+
+      call self%case%declare_faces(keys)
+      call declare_law_table(self%choice, self%case%faces, keys)
+      call self%case%declare_sizes(keys)
+      call self%case%declare_hold(keys, is_replay=.false.)
+      call self%case%declare_wood(keys, is_replay=.false.)
+      call self%case%declare_programme(keys)
+      height = keys%find('height')
+      usual = default_tenon_sizes(self%case%joint)
+      self%choice%mesh_size = default_mesh_size(self%case%joint)
+      call declare_deck(self%choice, keys)
+      keys%last = keys%find('mesh_size')
+      call keys%follows(height, 'a tenth of height')
+      self%sizes%column_height = usual%column_height
+      call keys%real('column_height', self%sizes%column_height, 'mm', &
+         'height of the column; 10/3 of height unless given')
+      call keys%follows(height, '10/3 of height')
+      self%sizes%column_width = usual%column_width
+      call keys%real('column_width', self%sizes%column_width, 'mm', &
+         'width of the column across the beam; length unless given')
+      call keys%follows(keys%find('length'))
+      call keys%real('tail', self%sizes%tail, 'mm', 'length of the beam behind the column')
+      self%sizes%edge_relief = usual%edge_relief
+      call keys%real('edge_relief', self%sizes%edge_relief, 'mm', &
+         'no contact so near the edges of the mortise; a hundredth of height unless given')
+      call keys%follows(height, 'a hundredth of height')
+      call keys%optional_real('side_interference', self%side_interference, 'mm', &
+         'interference at each side; made for side_pressure unless given')
+      call keys%whole('stroke_increments', self%stroke_increments, &
+         'fewest increments of a stroke; twice as many beyond 16 mm')
+      call self%case%declare_reading(keys)
+      call keys%text('inp', self%inp, 'write the deck; - is standard output', kind_file)
+      call self%declare_requests(keys)
+   end subroutine declare
+
+   !> Check the case.
+   subroutine check(self, error)
+      !> The command
+      class(tenon_deck_command), intent(inout) :: self
+      !> Set when a value is refused
+      type(error_type), allocatable, intent(out) :: error
+
+      call self%case%check(error, compiled=.false.)
+   end subroutine check
+
+   !> Make the deck. `error` is set when a setting is refused.
+   subroutine run(self, report, error)
+      !> The command
+      class(tenon_deck_command), intent(inout) :: self
+      !> Tables and deck are set
+      type(report_type), intent(inout) :: report
+      !> Set on failure
+      type(error_type), allocatable, intent(out) :: error
+      type(history_type) :: history
+      type(tenon_deck) :: model
+
+      call read_history(history, self%case, error)
+      if (.not. allocated(error)) call follow_history(self%case%joint, history, error)
+      if (allocated(error)) return
+      call self%declare(report%keys)
+      if (allocated(self%side_interference)) self%sizes%side_interference = self%side_interference
+      self%choice%command = command_text()
+      call new_tenon_deck(model, self%choice, self%case%joint, self%sizes, self%stroke_increments, &
+         self%case%properties, self%case%sides, error)
+      if (allocated(error)) return
+      allocate (report%decks(1))
+      report%decks(1)%option = 'inp'
+      call write_tenon_deck(model, report%decks(1)%text, error)
+      if (allocated(error)) return
+      call fill_table(report, ['column', 'beam  '], [model%column, model%beam])
+      call remark(report, 'half model: forces are half of those of the joint')
+      call remark(report, trim(merge('2 steps of load and fit', '1 step of load         ', &
+         model%swelling > 0.0_wp))//', then '//to_text(size(model%turns) - 1)//' strokes')
+      call remark(report, 'the meshes are '//to_text(model%sizes%gap_above, 6)// &
+         ' mm apart above and '//to_text(model%sizes%gap_below, 6)//' mm below the beam')
+      if (model%has_sides) call remark(report, 'interference at each side '// &
+         to_text(model%sizes%side_interference, 6)//' mm')
+   end subroutine run
+
+end module asperity_program_commands_deck_tenon
