@@ -4,6 +4,7 @@ module test_hysteresis_borders
    use asperity_base_no_value, only: none
    use asperity_hysteresis_analysis, only: hysteresis_result
    use asperity_hysteresis_cycles, only: find_peaks, measure_cycles
+   use asperity_hysteresis_envelopes, only: find_envelope
    use asperity_hysteresis_turning_points, only: cut_cycles
    use asperity_hysteresis_types, only: hysteresis_cycle
    use backbone_models, only: backbone_fall, backbone_type, driven, programme_turns
@@ -32,6 +33,7 @@ contains
       call suite%addTest(TestMethod('begins at a peak', test_begins))
       call suite%addTest(TestMethod('short of zero', test_short_of_zero))
       call suite%addTest(TestMethod('at zero, and once more', test_at_zero))
+      call suite%addTest(TestMethod('unloaded to half of the force', test_reloading))
    end function suite_hysteresis_borders
 
    !> Noise makes no cycles, below the threshold and four times above it. The largest force is off
@@ -200,5 +202,29 @@ contains
       call assertEqual([4, 8], cycles%last, 'last samples')
       call assertEqual([1, 4], cycles%first, 'first samples')
    end subroutine test_at_zero
+
+   !> A way back on which the force falls below half of what it returns with is an unloading: what
+   !> comes after it joins the envelope where the force is again what it was.
+   subroutine test_reloading()
+      call expect(3.0_wp, [2, 3, 5, 6, 7])
+      call expect(nearest(3.0_wp, -1.0_wp), [2, 3, 6, 7])
+   contains
+      subroutine expect(least, expected)
+         real(wp), intent(in) :: least
+         integer, intent(in) :: expected(:)
+         type(hysteresis_cycle) :: loop(1)
+         integer, allocatable :: samples(:), origin(:)
+         real(wp) :: left
+
+         loop%first = 1
+         loop%last = 7
+         loop(1)%peak = [7, 0]
+         call find_envelope([0.0_wp, 1.0_wp, 2.0_wp, 1.0_wp, 2.1_wp, 2.2_wp, 3.0_wp], &
+            [0.0_wp, 5.0_wp, 10.0_wp, least, 6.0_wp, 10.0_wp, 12.0_wp], 1, 0.01_wp, 0.05_wp, &
+            loop, samples, origin, left)
+         call assertEqual(size(expected), size(samples), 'samples')
+         if (size(samples) == size(expected)) call assertEqual(expected, samples, 'envelope')
+      end subroutine expect
+   end subroutine test_reloading
 
 end module test_hysteresis_borders
