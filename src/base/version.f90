@@ -4,5 +4,5 @@ module asperity_base_version
    private
 
    !> Semantic version, the same in fpm.toml, CMakeLists.txt and CITATION.cff
-   character(len=*), parameter, public :: version = '0.1.0'
+   character(len=*), parameter, public :: version = '0.2.0'
 end module asperity_base_version
