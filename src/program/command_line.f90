@@ -2,7 +2,8 @@
 module asperity_program_command_line
    use asperity_base_error, only: error_type, fatal_error
    use asperity_program_commands_command, only: command_type
-   use asperity_program_commands_registry, only: list_commands, command_entry, find_command, owners
+   use asperity_program_commands_registry, only: command_entry, find_command, &
+      list_commands, n_commands, owners
    use asperity_program_help, only: usage_text
    use asperity_program_input_key, only: given_as_option, option_name
    use asperity_program_input_key_list, only: key_list
@@ -102,8 +103,8 @@ contains
       type(string_type), intent(in) :: arguments(:)
       integer, intent(out) :: used
       type(error_type), allocatable, intent(out) :: error
-      type(command_entry), allocatable :: list(:)
-      character(len=12), allocatable :: names(:)
+      type(command_entry) :: list(n_commands)
+      character(len=12) :: names(n_commands)
       character(len=:), allocatable :: first, nearest, models
       integer :: i
 
@@ -121,7 +122,6 @@ contains
       end if
 
       call list_commands(list)
-      allocate (names(size(list)))
       models = ''
       do i = 1, size(list)
          names(i) = list(i)%command%name

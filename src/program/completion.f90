@@ -1,7 +1,7 @@
 !> Completion of commands and options in bash, made from the commands and their keys.
 module asperity_program_completion
    use asperity_base_text_builder, only: growing_text
-   use asperity_program_commands_registry, only: command_entry, list_commands
+   use asperity_program_commands_registry, only: command_entry, list_commands, n_commands
    use asperity_program_input_key, only: kind_choice, kind_logical, option_name
    use asperity_program_input_key_list, only: key_list
    implicit none
@@ -13,7 +13,7 @@ contains
    !> The function for bash, to be sourced.
    function bash_completion() result(text)
       character(len=:), allocatable :: text
-      type(command_entry), allocatable :: list(:)
+      type(command_entry) :: list(n_commands)
       type(key_list) :: known
       character(len=:), allocatable :: first, second
       type(growing_text) :: b

@@ -3,7 +3,7 @@ module asperity_program_help
    use asperity_base_text_builder, only: growing_text
    use asperity_base_version, only: version
    use asperity_program_commands_command, only: command_type
-   use asperity_program_commands_registry, only: list_commands, command_entry
+   use asperity_program_commands_registry, only: command_entry, list_commands, n_commands
    use asperity_program_input_key, only: key_type, kind_choice, kind_counts, kind_file, &
       kind_integer, kind_list, kind_logical, kind_picture, kind_real, kind_sweep, kind_text, &
       option_name
@@ -32,7 +32,7 @@ contains
    !> How to call the program, in a few lines; begins with a line break.
    function usage_text() result(text)
       character(len=:), allocatable :: text
-      type(command_entry), allocatable :: list(:)
+      type(command_entry) :: list(n_commands)
       type(growing_text) :: b, names
       integer :: i
 
@@ -52,7 +52,7 @@ contains
       !> Columns of the terminal
       integer, intent(in) :: width
       character(len=:), allocatable :: text
-      type(command_entry), allocatable :: list(:)
+      type(command_entry) :: list(n_commands)
       type(growing_text) :: b
       integer :: i
 
@@ -84,7 +84,7 @@ contains
       !> Columns of the terminal
       integer, intent(in) :: width
       character(len=:), allocatable :: text
-      type(command_entry), allocatable :: list(:)
+      type(command_entry) :: list(n_commands)
       type(growing_text) :: b
       integer :: i
 

@@ -2,7 +2,7 @@
 module asperity_program_man_page
    use asperity_base_text_builder, only: growing_text
    use asperity_base_version, only: version
-   use asperity_program_commands_registry, only: command_entry, list_commands
+   use asperity_program_commands_registry, only: command_entry, list_commands, n_commands
    use asperity_program_help, only: case_words, group_title, in_group, key_words, n_groups, &
       option_words, status_words
    use asperity_program_input_key_list, only: key_list
@@ -16,7 +16,7 @@ contains
    !> The page, for man(1).
    function man_page() result(text)
       character(len=:), allocatable :: text
-      type(command_entry), allocatable :: list(:)
+      type(command_entry) :: list(n_commands)
       type(growing_text) :: b
       integer :: i
 

@@ -1,7 +1,8 @@
 !> The keys of all commands: each is declared soundly, and alike however often.
 module test_program_input_commands
    use asperity_base_kinds, only: wp
-   use asperity_program_commands_registry, only: command_entry, find_command, list_commands
+   use asperity_program_commands_registry, only: command_entry, find_command, list_commands, &
+      n_commands
    use asperity_program_commands_command, only: command_type
    use asperity_program_input_key, only: key_type, kind_real
    use asperity_program_input_key_list, only: key_list
@@ -25,7 +26,7 @@ contains
    end function suite_commands
 
    subroutine test_anew()
-      type(command_entry), allocatable :: list(:)
+      type(command_entry) :: list(n_commands)
       type(key_list), allocatable :: keys, once
       character(len=12) :: name
       integer :: i, j
@@ -52,7 +53,7 @@ contains
 
    !> Case files are shared by commands; surface takes none, and has a `pair` of its own.
    subroutine test_alike()
-      type(command_entry), allocatable :: list(:)
+      type(command_entry) :: list(n_commands)
       type(key_list) :: keys, known
       type(key_type) :: own, other
       integer :: i, j, place
@@ -87,7 +88,7 @@ contains
    end subroutine test_defaults
 
    subroutine test_leaders()
-      type(command_entry), allocatable :: list(:)
+      type(command_entry) :: list(n_commands)
       type(key_list) :: keys
       integer :: i, j
 

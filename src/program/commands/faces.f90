@@ -1,7 +1,7 @@
 !> The properties of the faces, as commands take them: those of a pair and of a surface of the
 !> paper, unless they are given.
 module asperity_program_commands_faces
-   use asperity_base_error, only: error_type, fatal_error
+   use asperity_base_error, only: error_type
    use asperity_base_kinds, only: wp
    use asperity_base_no_value, only: is_none, none
    use asperity_contact_properties, only: contact_properties, default_initial_separation, &

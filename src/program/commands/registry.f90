@@ -17,6 +17,9 @@ module asperity_program_commands_registry
    private
    public :: command_entry, list_commands, find_command, all_keys, owners
 
+   !> How many there are
+   integer, parameter, public :: n_commands = 10
+
    !> A command in a list.
    type :: command_entry
       class(command_type), allocatable :: command
@@ -27,10 +30,9 @@ contains
    !> All commands, described.
    subroutine list_commands(list)
       !> The commands
-      type(command_entry), allocatable, intent(out) :: list(:)
+      type(command_entry), intent(out) :: list(n_commands)
       integer :: i
 
-      allocate (list(10))
       allocate (curve_command :: list(1)%command)
       allocate (press_command :: list(2)%command)
       allocate (shear_command :: list(3)%command)
@@ -52,7 +54,7 @@ contains
       character(len=*), intent(in) :: word
       !> The command, described
       class(command_type), allocatable, intent(out) :: command
-      type(command_entry), allocatable :: list(:)
+      type(command_entry) :: list(n_commands)
       integer :: i
 
       call list_commands(list)
@@ -65,7 +67,7 @@ contains
    subroutine all_keys(keys)
       !> The keys
       type(key_list), intent(out) :: keys
-      type(command_entry), allocatable :: list(:)
+      type(command_entry) :: list(n_commands)
       integer :: i
 
       call list_commands(list)
@@ -79,7 +81,7 @@ contains
       !> The option
       character(len=*), intent(in) :: option
       character(len=:), allocatable :: names
-      type(command_entry), allocatable :: list(:)
+      type(command_entry) :: list(n_commands)
       type(key_list), allocatable :: keys
       integer :: i, place
       logical :: negated

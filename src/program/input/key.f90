@@ -67,7 +67,7 @@ module asperity_program_input_key
       !> What it is
       character(len=100) :: help = ''
       !> Names in the errors of the library that mean this key, separated by blanks
-      character(len=48) :: subjects = ''
+      character(len=64) :: subjects = ''
       !> What the file is that a text names and that is read, blank when it is none
       character(len=12) :: reads = ''
       !> An argument without an option does, too

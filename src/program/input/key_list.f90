@@ -14,6 +14,7 @@ module asperity_program_input_key_list
    use asperity_program_input_key, only: given_nowhere, kind_choice, kind_counts, kind_integer, &
       kind_list, kind_logical, kind_real, kind_request, kind_text
    use asperity_program_input_key_rows, only: key_rows, word_of
+   use asperity_program_input_ranges, only: list_text
    implicit none
    private
    public :: key_list
@@ -239,21 +240,22 @@ contains
       character(len=*), intent(in) :: unit
       !> What it is
       character(len=*), intent(in) :: help
-      real(wp), allocatable :: values(:)
+      real(wp), allocatable :: usual(:)
       integer :: i
 
-      if (allocated(value)) values = value
-      call declare_list(self, name, kind_counts, values, unit, help)
+      if (allocated(value)) allocate (usual, source=real(value, wp))
+      call declare_list(self, name, kind_counts, usual, unit, help)
       if (.not. self%given()) return
-      values = self%rows(self%last)%values
-      do i = 1, size(values)
-         if (values(i) >= 0.0_wp .and. values(i) < 1.0e9_wp &
-            .and. .not. abs(values(i) - anint(values(i))) > 0.0_wp) cycle
-         call self%refuse(name//' = '//to_text(values(i))// &
-            ' is not allowed: whole numbers of at least zero', name)
-         return
-      end do
-      value = nint(values)
+      associate (values => self%rows(self%last)%values)
+         do i = 1, size(values)
+            if (values(i) >= 0.0_wp .and. values(i) < 1.0e9_wp &
+               .and. .not. abs(values(i) - anint(values(i))) > 0.0_wp) cycle
+            call self%refuse(name//' = '//to_text(values(i))// &
+               ' is not allowed: whole numbers of at least zero', name)
+            return
+         end do
+         value = nint(values)
+      end associate
    end subroutine count_list
 
    !> What lists of either kind of number have in common.
@@ -289,26 +291,5 @@ contains
       call self%declare(name, kind_request, '', help, '')
       value = self%given()
    end subroutine request
-
-   !> Numbers as an option takes them, cut to a default's length.
-   pure function list_text(values) result(text)
-      real(wp), intent(in) :: values(:)
-      character(len=:), allocatable :: text
-      character(len=32) :: number
-      integer :: i, n
-
-      text = ''
-      do i = 1, size(values)
-         if (is_none(values(i))) return
-         if (len(text) > 0) text = text//','
-         number = to_text(values(i))
-         n = len_trim(number)
-         if (n > 2) then
-            if (number(n - 1:n) == '.0') n = n - 2
-         end if
-         text = text//number(:n)
-         if (len(text) > 32) return
-      end do
-   end function list_text
 
 end module asperity_program_input_key_list

@@ -107,14 +107,16 @@ contains
       self%rows(self%last)%unused = is_so
    end subroutine unused
 
-   !> Names in the errors of the library that mean the last key.
+   !> Further names in the errors of the library that mean the last key.
    pure subroutine means(self, subjects)
       !> The keys
       class(key_rows), intent(inout) :: self
       !> The names, separated by blanks
       character(len=*), intent(in) :: subjects
 
-      self%rows(self%last)%subjects = subjects
+      associate (key => self%rows(self%last))
+         key%subjects = trim(key%name)//' '//subjects
+      end associate
    end subroutine means
 
    !> The last key is the path of a file that is read.

@@ -2,12 +2,13 @@
 module asperity_program_input_ranges
    use asperity_base_error, only: error_type
    use asperity_base_kinds, only: wp
+   use asperity_base_no_value, only: is_none
    use asperity_base_number_text, only: to_text
    use asperity_program_input_values, only: read_integer, read_real, refuse, word_type
    use asperity_program_system_strings, only: quoted
    implicit none
    private
-   public :: split_words, read_range, linear_range
+   public :: split_words, read_range, linear_range, list_text
 
    !> Most values in a list
    integer, parameter, public :: longest_list = 100000
@@ -122,5 +123,27 @@ contains
          values(i) = (1.0_wp - part)*start + part*stop
       end do
    end function linear_range
+
+   !> Numbers as an option takes them, cut to a default's length.
+   pure function list_text(values) result(text)
+      !> The numbers; nothing after one that is none
+      real(wp), intent(in) :: values(:)
+      character(len=:), allocatable :: text
+      character(len=32) :: number
+      integer :: i, n
+
+      text = ''
+      do i = 1, size(values)
+         if (is_none(values(i))) return
+         if (len(text) > 0) text = text//','
+         number = to_text(values(i))
+         n = len_trim(number)
+         if (n > 2) then
+            if (number(n - 1:n) == '.0') n = n - 2
+         end if
+         text = text//number(:n)
+         if (len(text) > 32) return
+      end do
+   end function list_text
 
 end module asperity_program_input_ranges

@@ -6,7 +6,6 @@ module asperity_program_record_columns
    use asperity_base_number_text, only: to_text
    use asperity_program_record_headings, only: rank_of, rank_unit
    use asperity_program_record_layout, only: headings_text, layout_type
-   use asperity_program_record_lines, only: place_text
    use asperity_program_record_names, only: holds_unknown, quantity_name
    use asperity_program_record_units, only: unit_time, unit_unknown
    use asperity_program_system_strings, only: lower_case, nearest_name, quoted

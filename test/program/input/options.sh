@@ -25,8 +25,10 @@ for command in curve press shear tenon table hysteresis surface pairs; do
    check "$command --help describes its options" has out '--csv FILE'
    run $command help
    check "$command help is help $command" cmp first out
+   COLUMNS=80 run help $command
    check "help $command fits 80 columns" sh -c '! grep -E ".{81}" out'
 done
+COLUMNS=80 run help
 check 'help fits 80 columns' sh -c '! grep -E ".{81}" out'
 COLUMNS=120 run help shear
 check 'help takes the width of the terminal' grep -q -E '.{100}' out

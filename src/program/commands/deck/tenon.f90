@@ -12,6 +12,7 @@ module asperity_program_commands_deck_tenon
       remark
    use asperity_program_commands_tenon_case, only: tenon_case
    use asperity_program_commands_tenon_history, only: follow_history, history_type, read_history
+   use asperity_program_commands_tenon_wood_keys, only: declare_wood
    use asperity_program_input_key, only: kind_file
    use asperity_program_input_key_list, only: key_list
    use asperity_program_report_report, only: report_type
@@ -63,7 +64,7 @@ contains
       call declare_law_table(self%choice, self%case%faces, keys)
       call self%case%declare_sizes(keys)
       call self%case%declare_hold(keys, is_replay=.false.)
-      call self%case%declare_wood(keys, is_replay=.false.)
+      call declare_wood(self%case%joint, keys, is_replay=.false.)
       call self%case%declare_programme(keys)
       height = keys%find('height')
       usual = default_tenon_sizes(self%case%joint)

@@ -2,8 +2,7 @@
 module asperity_program_commands_surface_command
    use asperity_base_error, only: computation_error, error_type, fatal_error
    use asperity_base_kinds, only: wp
-   use asperity_base_no_value, only: is_none
-   use asperity_height_map_type, only: height_map, note_end
+   use asperity_height_map_type, only: height_map
    use asperity_height_map_write, only: height_map_bytes
    use asperity_law_normal_properties, only: normal_properties
    use asperity_program_commands_command, only: command_type
@@ -13,6 +12,7 @@ module asperity_program_commands_surface_command
    use asperity_program_commands_surface_options, only: surface_options
    use asperity_program_commands_surface_pair, only: analyse_pair
    use asperity_program_commands_surface_plot, only: surface_picture
+   use asperity_program_commands_surface_remarks, only: add_remarks, map_notes
    use asperity_program_commands_surface_tables, only: law_parameters_table, map_table, &
       parameter_table
    use asperity_program_commands_surface_verdict, only: surface_verdict
@@ -24,7 +24,6 @@ module asperity_program_commands_surface_command
    use asperity_program_system_strings, only: lower_case, newline, quoted, string_type
    use asperity_surface_analysis, only: analyse_surface, most_tiles, surface_analysis_type
    use asperity_surface_prepare_fill_holes, only: missing_share
-   use asperity_surface_remarks_on_analysis, only: find_remarks, map_facts, remark_type
    implicit none
    private
    public :: surface_command
@@ -197,70 +196,6 @@ contains
       options%analysis%tiles = most_tiles(map)
       options%tiles_source = 'as many as the map allows'
    end subroutine fit_tiles
-
-   !> What is to be said of the map and its parameters.
-   pure subroutine add_remarks(options, report, map, analysis, filled)
-      type(surface_options), intent(in) :: options
-      type(report_type), intent(inout) :: report
-      type(height_map), intent(in) :: map
-      type(surface_analysis_type), intent(in) :: analysis
-      real(wp), intent(in) :: filled
-      type(map_facts) :: facts
-      type(remark_type), allocatable :: found(:)
-      type(string_type), allocatable :: lines(:)
-      integer :: i
-
-      facts%filled = filled
-      facts%points = shape(map%heights)
-      facts%top = map_place(map, maxloc(map%heights, mask=.not. is_none(map%heights)))
-      facts%bottom = map_place(map, minloc(map%heights))
-      facts%step_x = map%step_x
-      facts%step_y = map%step_y
-      associate (tiles => options%analysis%tiles)
-         if (tiles > 1) then
-            facts%tile_x = map%step_x*real(size(map%heights, 1)/tiles, wp)
-            facts%tile_y = map%step_y*real(size(map%heights, 2)/tiles, wp)
-         end if
-      end associate
-      facts%peaks = real(count(analysis%summits%is_peak), wp)
-      ! gfortran warns otherwise of what is intent(out) anyway
-      allocate (found(0))
-      call find_remarks(analysis%values(:, 1), analysis%uncertainty, facts, &
-         options%route, found, analysis%values(:, 2))
-      allocate (lines(size(found)))
-      do i = 1, size(found)
-         lines(i)%text = found(i)%text
-      end do
-      report%remarks = [lines, report%remarks]
-   end subroutine add_remarks
-
-   !> What the readers had to say of the map.
-   pure subroutine map_notes(map, notes)
-      type(height_map), intent(in) :: map
-      type(string_type), allocatable, intent(out) :: notes(:)
-      integer :: finish, i, start
-
-      if (.not. allocated(map%notes)) then
-         allocate (notes(0))
-         return
-      end if
-      allocate (notes(count([(map%notes(i:i) == note_end, i=1, len(map%notes))])))
-      start = 1
-      do i = 1, size(notes)
-         finish = start - 1 + index(map%notes(start:), note_end)
-         notes(i)%text = map%notes(start:finish - 1)
-         start = finish + 1
-      end do
-   end subroutine map_notes
-
-   !> Coordinates of a point.
-   pure function map_place(map, point) result(place)
-      type(height_map), intent(in) :: map
-      integer, intent(in) :: point(2)
-      real(wp) :: place(2)
-
-      place = real(point - 1, wp)*[map%step_x, map%step_y]
-   end function map_place
 
    !> Where the map comes from.
    pure function title(map) result(text)

@@ -9,6 +9,7 @@ module asperity_program_commands_tenon_case
    use asperity_paper_pairs, only: find_pair, pair_preset
    use asperity_program_commands_faces, only: critical_slip, faces_type, friction_coefficient, &
       pair_values
+   use asperity_program_commands_tenon_wood_keys, only: declare_points, declare_wood
    use asperity_program_input_key_list, only: key_list
    use asperity_program_record_keys, only: column_keys, format_keys
    use asperity_replay_tenon_check_settings, only: check_tenon_settings
@@ -46,8 +47,8 @@ module asperity_program_commands_tenon_case
       !> Places of the keys of the sides
       integer, private :: side_keys(3) = 0
    contains
-      procedure :: declare_faces, declare_sizes, declare_hold, declare_wood, declare_programme
-      procedure :: declare_reading, declare_replay, check
+      procedure :: declare_faces, declare_sizes, declare_hold, declare_programme
+      procedure :: declare_reading, check
    end type tenon_case
 
 contains
@@ -174,70 +175,6 @@ contains
       end associate
    end subroutine declare_hold
 
-   !> Declare the wood.
-   pure subroutine declare_wood(self, keys, is_replay)
-      !> The case
-      class(tenon_case), intent(inout) :: self
-      !> The keys
-      type(key_list), intent(inout) :: keys
-      !> Whether it is for the replay, which takes depths
-      logical, intent(in) :: is_replay
-      type(tenon_settings) :: usual
-      integer :: height
-
-      usual%height = self%joint%height
-      call complete_tenon_settings(usual)
-      height = keys%find('height')
-      associate (t => self%joint)
-         call keys%real('bearing_modulus', t%bearing_modulus, 'MPa', &
-            'modulus of the wood perpendicular to the grain')
-         if (is_replay) then
-            t%bearing_depth = usual%bearing_depth
-            call keys%real('bearing_depth', t%bearing_depth, 'mm', &
-               'depth of wood that the bearing compresses; half of height unless given')
-            call keys%follows(height, 'half of height')
-         end if
-         call keys%real('bearing_strength', t%bearing_strength, 'MPa', &
-            'strength fc90 perpendicular to the grain')
-         call keys%real('hardening', t%hardening, '', &
-            'stiffness after yield over bearing_modulus/bearing_depth')
-         call keys%real('column_modulus', t%column_modulus, 'MPa', &
-            'modulus of the column parallel to the grain, 0 for rigid')
-         if (is_replay) then
-            t%column_depth = usual%column_depth
-            call keys%real('column_depth', t%column_depth, 'mm', &
-               'depth of the column that the bearing compresses; half of height unless given')
-            call keys%follows(height, 'half of height')
-            call keys%unused(.not. t%column_modulus > 0.0_wp)
-         end if
-         call keys%real('column_strength', t%column_strength, 'MPa', &
-            'strength fc0 of the column parallel to the grain')
-         call keys%unused(.not. t%column_modulus > 0.0_wp)
-         call keys%real('column_hardening', t%column_hardening, '', &
-            'stiffness after yield over column_modulus/column_depth')
-         call keys%unused(.not. t%column_modulus > 0.0_wp)
-      end associate
-   end subroutine declare_wood
-
-   !> Declare the contact points of the replay.
-   pure subroutine declare_replay(self, keys)
-      !> The case
-      class(tenon_case), intent(inout) :: self
-      !> The keys
-      type(key_list), intent(inout) :: keys
-
-      associate (t => self%joint)
-         call keys%whole('face_points', t%points, &
-            'contact points along the upper, and along the lower face')
-         call keys%whole('side_points', t%side_points, &
-            'contact points along either direction of a side face')
-         call keys%unused(.not. t%side_pressure > 0.0_wp)
-         call keys%whole('shoulder_points', t%shoulder_points, &
-            'contact points over the height of each shoulder')
-         call keys%unused(.not. t%shoulders)
-      end associate
-   end subroutine declare_replay
-
    !> Declare amplitudes, or the record in their place.
    pure subroutine declare_programme(self, keys)
       !> The case
@@ -300,8 +237,8 @@ contains
          'largest displacement in one increment')
       call case%declare_sizes(keys)
       call case%declare_hold(keys, is_replay=.true.)
-      call case%declare_wood(keys, is_replay=.true.)
-      call case%declare_replay(keys)
+      call declare_wood(case%joint, keys, is_replay=.true.)
+      call declare_points(case%joint, keys)
       call case%declare_programme(keys)
       call keys%list('record', case%record, '', &
          'steps whose points --points holds; four of the largest loop unless given')

@@ -5,9 +5,7 @@ module asperity_program_commands_tenon_command
    use asperity_base_kinds, only: wp
    use asperity_base_memory, only: check_work
    use asperity_base_number_text, only: to_text
-   use asperity_hysteresis_analysis, only: negative_side, positive_side
    use asperity_program_commands_command, only: command_type
-   use asperity_program_commands_hysteresis_remarks, only: excess_words
    use asperity_program_commands_plots, only: picture_title
    use asperity_program_commands_tenon_case, only: declare_replay_case, tenon_case
    use asperity_program_commands_tenon_compare_models, only: check_moment, hard, joint_type, &
@@ -19,15 +17,14 @@ module asperity_program_commands_tenon_command
    use asperity_program_commands_tenon_plots, only: joint_pictures
    use asperity_program_commands_tenon_tables, only: comparison_table, cycles_table, points_table, &
       skeleton_table, steps_table, totals_table
+   use asperity_program_commands_tenon_remarks, only: joint_remarks
    use asperity_program_commands_tenon_sweep, only: report_sweep
    use asperity_program_commands_tenon_sweeps_file, only: close_partial, partial_type
    use asperity_program_input_key, only: kind_file, kind_picture, kind_sweep
    use asperity_program_input_key_list, only: key_list
    use asperity_program_report_report, only: named_table, report_type, turning_points
    use asperity_program_system_progress, only: clear_steps, show_steps, tell_terminal
-   use asperity_program_system_strings, only: string_type
    use asperity_replay_tenon_load_path, only: tenon_programme
-   use asperity_replay_tenon_run, only: tenon_warned_pull_out
    implicit none
    private
    public :: tenon_command
@@ -179,7 +176,7 @@ contains
          named_table('cycles', 'Cycles', cycles_table(joints), 12), &
          named_table('skeleton', '', skeleton_table(joints))]
       report%points = points_table(joints)
-      report%remarks = remarks(self%case, joints, is_paper_joint(self%case))
+      report%remarks = joint_remarks(self%case%joint%length, joints, is_paper_joint(self%case))
       report%has_contact = any(joints%touches)
       report%shows_table = .false.
       associate (n => size(joints(hard)%steps))
@@ -250,45 +247,6 @@ contains
          return
       end do
    end subroutine check_record
-
-   !> What must be known beside the figures.
-   pure function remarks(case, joints, beside_paper) result(lines)
-      type(tenon_case), intent(in) :: case
-      type(joint_type), intent(in) :: joints(:)
-      logical, intent(in) :: beside_paper
-      type(string_type), allocatable :: lines(:)
-      type(string_type) :: line
-      real(wp) :: furthest
-      integer :: i, side
-
-      line%text = 'A prediction, not a fit to a test: '
-      if (beside_paper) line%text = 'A prediction from chosen sizes, not a fit to the paper: '
-      line%text = line%text//'compare ratios to hard contact, not moments.'
-      lines = [line]
-      do i = 1, size(joints)
-         if (.not. joints(i)%touches) then
-            line%text = trim(legends(i))//': the faces touch in no step, '// &
-               trim(merge('so that all moment is friction of the sides', &
-               'and there is no moment                     ', joints(i)%has_moment))
-            lines = [lines, line]
-         end if
-         furthest = maxval(abs(joints(i)%steps%pull_out))
-         if (furthest <= tenon_warned_pull_out*case%joint%length) cycle
-         line%text = trim(legends(i))//': the tenon moves '//to_text(furthest, 3)// &
-            ' mm along its axis, more than a quarter of its length: the overlap, not the '// &
-            'contact, then governs the moment'
-         lines = [lines, line]
-      end do
-      do i = 1, size(joints)
-         do side = positive_side, negative_side
-            line%text = excess_words(joints(i)%loops%skeleton(side), 'kN m')
-            if (line%text == '') cycle
-            line%text = trim(legends(i))//': the replay has '//line%text// &
-               ' than its skeleton through the tips of first cycles'
-            lines = [lines, line]
-         end do
-      end do
-   end function remarks
 
    !> Progress of hard contact.
    subroutine show_hard(done, amount)

@@ -3,7 +3,7 @@
 !> goes on where it was.
 module asperity_program_commands_tenon_sweep
    !$ use omp_lib, only: omp_get_max_threads
-   use asperity_base_error, only: error_type, fatal_error
+   use asperity_base_error, only: error_type
    use asperity_base_number_text, only: to_text
    use asperity_program_commands_tenon_case, only: declare_replay_case, tenon_case
    use asperity_program_commands_tenon_compare_models, only: check_moment, hard, joint_type, &
