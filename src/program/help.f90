@@ -101,7 +101,7 @@ contains
    end function topic_help
 
    !> Usage, purpose and options of one command.
-   pure function command_help(command, width) result(text)
+   function command_help(command, width) result(text)
       !> The command
       class(command_type), intent(in) :: command
       !> Columns of the terminal

@@ -136,7 +136,8 @@ contains
             exit
          end do
          if (.not. allocated(error)) call check_reports(reports, error)
-         if (.not. allocated(error)) call join_reports(reports, tests, self%input%record_file, report)
+         if (.not. allocated(error)) &
+            call join_reports(reports, tests, self%input%record_file, report)
       end if
       if (allocated(error)) then
          error%message = self%input%record_file//': '//error%message
