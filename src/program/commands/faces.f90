@@ -55,6 +55,8 @@ module asperity_program_commands_faces
       !> Places of the keys of the properties, zero for none, and of the presets
       integer :: keys(n_properties) = 0
       integer :: pair_key = 0, surface_key = 0
+      !> Whether the separation at zero overclosure is given
+      logical :: has_separation = .false.
    contains
       procedure :: declare, declare_values, declare_separation, declare_rules, declare_accept
       procedure :: usual_separation, normal, contact, words
@@ -203,6 +205,7 @@ contains
       self%initial_separation = self%usual_separation()
       call keys%real('initial_separation', self%initial_separation, 'mm', &
          'separation d0 at zero overclosure; 4 sigma unless given')
+      self%has_separation = keys%given()
       if (self%keys(sigma) > 0) call keys%follows(self%keys(sigma), '4 sigma')
    end subroutine declare_separation
 

@@ -14,13 +14,15 @@ module asperity_program_commands_shear_keys
 contains
 
    !> Declare specimen and path.
-   pure subroutine declare_shear(box, normal_stress, keys)
+   pure subroutine declare_shear(box, normal_stress, keys, has_stress)
       !> Specimen and path
       type(shear_settings), intent(inout) :: box
       !> Normal stresses, MPa
       real(wp), allocatable, intent(inout) :: normal_stress(:)
       !> The keys
       type(key_list), intent(inout) :: keys
+      !> Whether normal stresses are given
+      logical, intent(out), optional :: has_stress
 
       call keys%switch('accept_sizes', box%accept_sizes, &
          'let sizes and pressures pass that look like another unit')
@@ -28,6 +30,7 @@ contains
       if (.not. allocated(normal_stress)) normal_stress = stresses
       call keys%list('normal_stress', normal_stress, 'MPa', &
          'normal stresses on the full disc, one run each')
+      if (present(has_stress)) has_stress = keys%given()
       call keys%real('rate', box%rate, 'mm/min', 'speed of the lower box')
       if (.not. allocated(box%displacement)) box%displacement = turns
       call keys%list('displacement', box%displacement, 'mm', &

@@ -36,16 +36,19 @@ contains
    end subroutine declare_law_table
 
    !> Declare solver, contact, elements and results.
-   pure subroutine declare_deck(choice, keys)
+   pure subroutine declare_deck(choice, keys, mesh_size)
       !> Choices of the deck; the size of its mesh is a default
       type(deck_choice), intent(inout) :: choice
       !> The keys
       type(key_list), intent(inout) :: keys
+      !> Place of the key of the mesh's size
+      integer, intent(out), optional :: mesh_size
 
       call keys%choice('solver', choice%solver, 'calculix abaqus', 'what the deck is for')
       call keys%choice('contact', choice%contact, 'uinter table hard', &
          'UINTER, the law as a table, or hard contact')
       call keys%real('mesh_size', choice%mesh_size, 'mm', 'edge of an element aimed at')
+      if (present(mesh_size)) mesh_size = keys%last
       call keys%choice('element', choice%element, 'c3d8i c3d8 c3d8r', &
          'element; the paper''s C3D8R deforms without resistance in CalculiX')
       call keys%choice('plasticity', choice%plasticity, 'elastic plastic', &

@@ -58,33 +58,32 @@ contains
       !> Its keys
       type(key_list), intent(inout) :: keys
       type(tenon_sizes) :: usual
-      integer :: height
+      integer :: mesh_size
 
       call self%case%declare_faces(keys)
       call declare_law_table(self%choice, self%case%faces, keys)
       call self%case%declare_sizes(keys)
       call self%case%declare_hold(keys, is_replay=.false.)
-      call declare_wood(self%case%joint, keys, is_replay=.false.)
+      call declare_wood(self%case%joint, self%case%height_key, keys, is_replay=.false.)
       call self%case%declare_programme(keys)
-      height = keys%find('height')
       usual = default_tenon_sizes(self%case%joint)
       self%choice%mesh_size = default_mesh_size(self%case%joint)
-      call declare_deck(self%choice, keys)
-      keys%last = keys%find('mesh_size')
-      call keys%follows(height, 'a tenth of height')
+      call declare_deck(self%choice, keys, mesh_size)
+      keys%last = mesh_size
+      call keys%follows(self%case%height_key, 'a tenth of height')
       self%sizes%column_height = usual%column_height
       call keys%real('column_height', self%sizes%column_height, 'mm', &
          'height of the column; 10/3 of height unless given')
-      call keys%follows(height, '10/3 of height')
+      call keys%follows(self%case%height_key, '10/3 of height')
       self%sizes%column_width = usual%column_width
       call keys%real('column_width', self%sizes%column_width, 'mm', &
          'width of the column across the beam; length unless given')
-      call keys%follows(keys%find('length'))
+      call keys%follows(self%case%length_key)
       call keys%real('tail', self%sizes%tail, 'mm', 'length of the beam behind the column')
       self%sizes%edge_relief = usual%edge_relief
       call keys%real('edge_relief', self%sizes%edge_relief, 'mm', &
          'no contact so near the edges of the mortise; a hundredth of height unless given')
-      call keys%follows(height, 'a hundredth of height')
+      call keys%follows(self%case%height_key, 'a hundredth of height')
       call keys%optional_real('side_interference', self%side_interference, 'mm', &
          'interference at each side; made for side_pressure unless given')
       call keys%whole('stroke_increments', self%stroke_increments, &

@@ -162,7 +162,7 @@ contains
             law = law_faces(options, values, route)
             call law%normal(properties, error)
             if (allocated(error)) return
-            report%decks(1)%text = surface_case(options, report%keys, values, analysis%uncertainty)
+            report%decks(1)%text = surface_case(options, values, analysis%uncertainty)
             report%more(3)%name = 'law'
             call law_curves(options, values, report%more(3)%table)
          else if (options%verify .or. options%case /= '') then

@@ -109,11 +109,9 @@ contains
    end function refusal
 
    !> The case file, for every command that takes properties.
-   pure function surface_case(options, keys, values, uncertainty) result(text)
+   pure function surface_case(options, values, uncertainty) result(text)
       !> The options after `set_law`
       type(surface_options), intent(in) :: options
-      !> Their keys
-      type(key_list), intent(in) :: keys
       !> Parameters of the map, and half widths of their 95 % intervals
       real(wp), intent(in) :: values(:), uncertainty(:)
       character(len=:), allocatable :: text
@@ -127,7 +125,7 @@ contains
       law%usual = law%values
       call law%declare_values(own, all_properties)
       call law%declare_separation(own)
-      if (keys%given(keys%find('initial_separation'))) then
+      if (options%faces%has_separation) then
          law%initial_separation = options%faces%initial_separation
          call own%real('initial_separation', law%initial_separation, 'mm', '')
       end if

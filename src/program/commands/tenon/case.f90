@@ -44,6 +44,8 @@ module asperity_program_commands_tenon_case
       type(format_keys) :: format
       !> Checked properties of the faces and of the sides
       type(contact_properties) :: properties, sides
+      !> Places of the keys of length and height
+      integer :: length_key = 0, height_key = 0
       !> Places of the keys of the sides
       integer, private :: side_keys(3) = 0
    contains
@@ -93,7 +95,9 @@ contains
 
       associate (t => self%joint)
          call keys%real('length', t%length, 'mm', 'length of the tenon in the mortise')
+         self%length_key = keys%last
          call keys%real('height', t%height, 'mm', 'height of the tenon')
+         self%height_key = keys%last
          call keys%real('width', t%width, 'mm', 'width of the tenon')
          self%clearance = usual%clearance_above
          call keys%real('clearance', self%clearance, 'mm', &
@@ -124,19 +128,18 @@ contains
       !> Whether it is for the replay, which takes more sizes
       logical, intent(in) :: is_replay
       type(tenon_settings) :: usual
-      integer :: height, extension
+      integer :: extension
 
       usual%length = self%joint%length
       usual%height = self%joint%height
       call complete_tenon_settings(usual)
-      height = keys%find('height')
       extension = 0
       associate (t => self%joint)
          if (is_replay) then
             t%extension = usual%extension
             call keys%real('extension', t%extension, 'mm', &
                'length of full material past the column face; a fifth of height unless given')
-            call keys%follows(height, 'a fifth of height')
+            call keys%follows(self%height_key, 'a fifth of height')
             extension = keys%last
          end if
          call keys%real('arm', t%arm, 'mm', &
@@ -163,7 +166,7 @@ contains
             t%shoulder_height = usual%shoulder_height
             call keys%real('shoulder_height', t%shoulder_height, 'mm', &
                'height of each shoulder; a sixth of height unless given')
-            call keys%follows(height, 'a sixth of height')
+            call keys%follows(self%height_key, 'a sixth of height')
             call keys%unused(.not. t%shoulders)
             call keys%real('shoulder_gap', t%shoulder_gap, 'mm', &
                'gap between each shoulder and the column face')
@@ -237,7 +240,7 @@ contains
          'largest displacement in one increment')
       call case%declare_sizes(keys)
       call case%declare_hold(keys, is_replay=.true.)
-      call declare_wood(case%joint, keys, is_replay=.true.)
+      call declare_wood(case%joint, case%height_key, keys, is_replay=.true.)
       call declare_points(case%joint, keys)
       call case%declare_programme(keys)
       call keys%list('record', case%record, '', &

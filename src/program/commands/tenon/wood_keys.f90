@@ -10,19 +10,19 @@ module asperity_program_commands_tenon_wood_keys
 contains
 
    !> Declare the wood.
-   pure subroutine declare_wood(joint, keys, is_replay)
+   pure subroutine declare_wood(joint, height, keys, is_replay)
       !> The joint
       type(tenon_settings), intent(inout) :: joint
+      !> Place of the key of its height
+      integer, intent(in) :: height
       !> The keys
       type(key_list), intent(inout) :: keys
       !> Whether it is for the replay, which takes depths
       logical, intent(in) :: is_replay
       type(tenon_settings) :: usual
-      integer :: height
 
       usual%height = joint%height
       call complete_tenon_settings(usual)
-      height = keys%find('height')
       associate (t => joint)
          call keys%real('bearing_modulus', t%bearing_modulus, 'MPa', &
             'modulus of the wood perpendicular to the grain')
