@@ -1,10 +1,7 @@
 # Fuzzing of the readers of height maps: all from sources, checked by the compiler at run time.
 # test/fuzz/run.sh builds it in a folder of its own and runs it.
 
-file(GLOB_RECURSE fuzz_sources CONFIGURE_DEPENDS src/height_map/*.f90)
-foreach(name kinds finite number_text error double_double memory)
-   list(APPEND fuzz_sources src/base/${name}.f90)
-endforeach()
+file(GLOB_RECURSE fuzz_sources CONFIGURE_DEPENDS src/base/*.f90 src/height_map/*.f90)
 file(GLOB fuzz_program_sources CONFIGURE_DEPENDS test/fuzz/*.f90)
 add_executable(asperity_fuzz ${fuzz_sources} ${fuzz_program_sources}
    test/height_map/x3p_cases.f90 test/height_map/zip_writer.f90)

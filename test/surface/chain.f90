@@ -93,6 +93,7 @@ contains
       do k = 2, 3
          every = 2**(k - 1)
          coarse%heights = map%heights(::every, ::every)
+         coarse%source = map%source
          coarse%step_x = every*map%step_x
          coarse%step_y = every*map%step_y
          call find_summits(coarse, pruning, summits, error)
