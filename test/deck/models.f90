@@ -90,7 +90,7 @@ contains
          type(writer_type) :: deck
          character(len=:), allocatable :: text
          real(wp) :: found(4)
-         integer :: at
+         integer :: at, i
 
          choice%solver = solver
          choice%plasticity = 'plastic'
@@ -99,6 +99,10 @@ contains
          at = index(text, '*PLASTIC'//new_line('a'))
          call assertTrue(at > 0, solver//' yields')
          if (at == 0) return
+         ! two lines; a text is one record
+         do i = at + 9, len(text)
+            if (text(i:i) == new_line('a')) text(i:i) = ','
+         end do
          read (text(at + 9:), *) found
          call assertEqual(reshape(expected, [4]), found, 1.0e-9_wp*maxval(expected), solver)
          call assertTrue((index(text, '*POTENTIAL') > 0) .eqv. solver == 'abaqus', solver//', Hill')
