@@ -1,4 +1,6 @@
 !> Levelling and removal of form: what is added comes out again, what is left is orthogonal to it.
+!> Cholesky's method, by which the form is fitted, on Hilbert's matrices 1/(i + j - 1), whose
+!> condition numbers are known.
 module test_surface_level
    use, intrinsic :: iso_fortran_env, only: int64
    use asperity_base_error, only: error_type
@@ -6,6 +8,7 @@ module test_surface_level
    use asperity_base_no_value, only: none
    use asperity_base_number_text, only: to_text
    use asperity_height_map_type, only: height_map
+   use asperity_surface_cholesky, only: factorize, reciprocal_condition, solve
    use asperity_surface_prepare_level, only: highest_degree, level_plane, remove_form
    use extremes, only: largest_of, worsen
    use funit, only: assertEqual, assertFalse, assertGreaterThan, assertLessThan, assertTrue, &
@@ -18,6 +21,9 @@ module test_surface_level
    public :: suite_surface_level
 
    integer(int64), parameter :: seed = 20250601_int64
+   !> Condition numbers of Hilbert's matrices of order 2 to 6 in the norm of column sums (Todd 1954)
+   real(wp), parameter :: conditions(2:6) = &
+      [27.0_wp, 748.0_wp, 28375.0_wp, 943656.0_wp, 29070279.0_wp]
 
 contains
 
@@ -31,6 +37,9 @@ contains
       call suite%addTest(TestMethod('forms of every degree come out again', test_forms))
       call suite%addTest(TestMethod('a form of lower degree leaves the rest', test_lower))
       call suite%addTest(TestMethod('refused degrees and maps', test_refused))
+      call suite%addTest(TestMethod('condition numbers and solutions of Hilbert''s matrices', &
+         test_hilbert))
+      call suite%addTest(TestMethod('what is not positive definite is refused', test_indefinite))
    end function suite_surface_level
 
    !> An offset of 1e3 rounds heights to 1e-13; twice as much or so may be left after the fit.
@@ -202,5 +211,45 @@ contains
       end subroutine check
 
    end subroutine test_refused
+
+   !> x = 1, 2, ... comes back from its right-hand side, to the condition number in roundings.
+   subroutine test_hilbert()
+      real(wp), allocatable :: matrix(:, :), x(:), right(:)
+      real(wp) :: norm
+      logical :: is_definite
+      integer :: n, i, j
+
+      do n = lbound(conditions, 1), ubound(conditions, 1)
+         allocate (matrix(n, n), x(n), right(n))
+         matrix(:, :) = reshape([((1.0_wp/real(i + j - 1, wp), i=1, n), j=1, n)], [n, n])
+         x(:) = [(real(i, wp), i=1, n)]
+         right(:) = matmul(matrix, x)
+         norm = maxval(sum(abs(matrix), 1))
+         do j = 2, n
+            matrix(:j - 1, j) = huge(1.0_wp)
+         end do
+         call factorize(matrix, is_definite)
+         call assertTrue(is_definite)
+         associate (roundings => epsilon(1.0_wp)*conditions(n))
+            call assertLessThan(abs(reciprocal_condition(matrix, norm)*conditions(n) - 1.0_wp), &
+               10.0_wp*roundings, 'condition')
+            call solve(matrix, right)
+            call assertTrue(all(abs(right - x) < 10.0_wp*n*roundings), 'solution')
+         end associate
+         deallocate (matrix, x, right)
+      end do
+   end subroutine test_hilbert
+
+   subroutine test_indefinite()
+      real(wp) :: matrix(2, 2)
+      logical :: is_definite
+
+      matrix = reshape([1.0_wp, 2.0_wp, 2.0_wp, 4.0_wp], [2, 2])
+      call factorize(matrix, is_definite)
+      call assertFalse(is_definite, 'singular')
+      matrix = reshape([1.0_wp, 2.0_wp, 2.0_wp, 3.0_wp], [2, 2])
+      call factorize(matrix, is_definite)
+      call assertFalse(is_definite, 'indefinite')
+   end subroutine test_indefinite
 
 end module test_surface_level

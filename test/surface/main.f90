@@ -3,7 +3,6 @@ program test_surface
    use funit, only: TestSuite
    use run_suites, only: run_suite
    use test_surface_chain, only: suite_surface_chain
-   use test_surface_cholesky, only: suite_surface_cholesky
    use test_surface_fill_holes, only: suite_surface_holes
    use test_surface_fourier, only: suite_surface_fourier
    use test_surface_gaussian_filter, only: suite_surface_gaussian_filter
@@ -24,7 +23,6 @@ program test_surface
    call suite%addTest(suite_surface_pair())
    call suite%addTest(suite_surface_chain())
    call suite%addTest(suite_surface_fourier())
-   call suite%addTest(suite_surface_cholesky())
    call suite%addTest(suite_surface_level())
    call suite%addTest(suite_surface_holes())
    call suite%addTest(suite_surface_gaussian_filter())
