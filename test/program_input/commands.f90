@@ -1,9 +1,9 @@
 !> The keys of all commands: each is declared soundly, and alike however often.
 module test_program_input_commands
    use asperity_base_kinds, only: wp
+   use asperity_program_commands_command, only: command_type
    use asperity_program_commands_registry, only: command_entry, find_command, list_commands, &
       n_commands
-   use asperity_program_commands_command, only: command_type
    use asperity_program_input_key, only: key_type, kind_real
    use asperity_program_input_key_list, only: key_list
    use asperity_replay_press, only: press_settings

@@ -10,8 +10,8 @@ module asperity_program_commands_deck_tenon
    use asperity_program_commands_command, only: command_type
    use asperity_program_commands_deck_parts, only: declare_deck, declare_law_table, fill_table, &
       remark
-   use asperity_program_commands_tenon_case, only: tenon_case
    use asperity_program_commands_tenon_history, only: follow_history, history_type, read_history
+   use asperity_program_commands_tenon_joint_keys, only: tenon_case
    use asperity_program_commands_tenon_wood_keys, only: declare_wood
    use asperity_program_input_key, only: kind_file
    use asperity_program_input_key_list, only: key_list

@@ -7,9 +7,9 @@ module asperity_program_commands_surface_command
    use asperity_law_normal_properties, only: normal_properties
    use asperity_program_commands_command, only: command_type
    use asperity_program_commands_faces, only: faces_type
+   use asperity_program_commands_surface_keys, only: surface_options
    use asperity_program_commands_surface_law, only: has_law, law_faces, set_law, surface_case
    use asperity_program_commands_surface_maps, only: check_map_options, get_map, prepare_map
-   use asperity_program_commands_surface_options, only: surface_options
    use asperity_program_commands_surface_pair, only: analyse_pair
    use asperity_program_commands_surface_plot, only: surface_picture
    use asperity_program_commands_surface_remarks, only: add_remarks, map_notes

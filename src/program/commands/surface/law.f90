@@ -3,14 +3,14 @@ module asperity_program_commands_surface_law
    use asperity_base_error, only: error_type
    use asperity_base_kinds, only: wp
    use asperity_base_no_value, only: is_none
+   use asperity_base_no_value, only: is_none, none
    use asperity_base_number_text, only: to_text
    use asperity_base_version, only: version
-   use asperity_base_no_value, only: is_none, none
    use asperity_law_normal_properties, only: normal_properties
    use asperity_paper_pairs, only: find_pair, pair_preset
    use asperity_program_commands_faces, only: default_pair, faces_type, n_properties, of_surface, &
       pair_values
-   use asperity_program_commands_surface_options, only: of_pair, surface_options
+   use asperity_program_commands_surface_keys, only: of_pair, surface_options
    use asperity_program_input_key_list, only: key_list
    use asperity_program_input_print_case, only: case_text
    use asperity_program_system_strings, only: quoted, string_type

@@ -6,7 +6,7 @@ module asperity_program_commands_surface_maps
    use asperity_height_map_read, only: map_hints, read_height_map
    use asperity_height_map_type, only: height_map
    use asperity_paper_pairs, only: find_pair, pair_preset
-   use asperity_program_commands_surface_options, only: surface_options
+   use asperity_program_commands_surface_keys, only: surface_options
    use asperity_program_system_progress, only: show_share, show_stage
    use asperity_surface_analysis, only: prepare_surface
    use asperity_surface_generate_map, only: generate_surface

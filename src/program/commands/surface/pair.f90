@@ -4,8 +4,8 @@ module asperity_program_commands_surface_pair
    use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
    use asperity_height_map_type, only: height_map
+   use asperity_program_commands_surface_keys, only: surface_options
    use asperity_program_commands_surface_maps, only: get_map, prepare_map
-   use asperity_program_commands_surface_options, only: surface_options
    use asperity_program_report_report, only: named_table
    use asperity_program_report_table, only: new_table
    use asperity_program_system_progress, only: show_stage

@@ -3,7 +3,7 @@ module asperity_program_commands_surface_remarks
    use asperity_base_kinds, only: wp
    use asperity_base_no_value, only: is_none, none
    use asperity_height_map_type, only: height_map, note_end
-   use asperity_program_commands_surface_options, only: surface_options
+   use asperity_program_commands_surface_keys, only: surface_options
    use asperity_program_report_report, only: report_type
    use asperity_program_system_strings, only: string_type
    use asperity_surface_analysis, only: surface_analysis_type

@@ -7,10 +7,10 @@ module asperity_program_commands_surface_verdict
    use asperity_law_normal_properties, only: normal_properties
    use asperity_law_plausibility, only: roughness_number_max, roughness_number_min, &
       roughness_number_min_sq
+   use asperity_program_commands_faces, only: faces_type
+   use asperity_program_commands_surface_keys, only: surface_options
    use asperity_program_commands_surface_law, only: has_law, law_faces, refusal, &
       route_places
-   use asperity_program_commands_surface_options, only: surface_options
-   use asperity_program_commands_faces, only: faces_type
    use asperity_program_system_strings, only: string_type
    use asperity_surface_analysis, only: surface_analysis_type
    use asperity_surface_pair_law_on_summits, only: sum_over_summits, summit_curve

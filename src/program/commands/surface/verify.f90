@@ -10,8 +10,8 @@ module asperity_program_commands_surface_verify
    use asperity_law_normal_properties, only: normal_properties
    use asperity_paper_wood, only: wood_strength_across
    use asperity_program_commands_faces, only: faces_type
+   use asperity_program_commands_surface_keys, only: surface_options
    use asperity_program_commands_surface_law, only: has_law, law_faces, routes
-   use asperity_program_commands_surface_options, only: surface_options
    use asperity_program_report_table, only: new_table, table_type
    use asperity_program_system_strings, only: string_type
    use asperity_surface_analysis, only: surface_analysis_type

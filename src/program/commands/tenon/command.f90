@@ -7,19 +7,19 @@ module asperity_program_commands_tenon_command
    use asperity_base_number_text, only: to_text
    use asperity_program_commands_command, only: command_type
    use asperity_program_commands_plots, only: picture_title
-   use asperity_program_commands_tenon_case, only: declare_replay_case, tenon_case
    use asperity_program_commands_tenon_compare_models, only: check_moment, hard, joint_type, &
       legends, rough, run_joint, steps_to_record
    use asperity_program_commands_tenon_failure, only: keep_failed_step
    use asperity_program_commands_tenon_history, only: follow_history, history_type, read_history
+   use asperity_program_commands_tenon_joint_keys, only: declare_replay_case, tenon_case
    use asperity_program_commands_tenon_page, only: joint_page
    use asperity_program_commands_tenon_paper_joint, only: is_paper_joint
    use asperity_program_commands_tenon_plots, only: joint_pictures
-   use asperity_program_commands_tenon_tables, only: comparison_table, cycles_table, points_table, &
-      skeleton_table, steps_table, totals_table
    use asperity_program_commands_tenon_remarks, only: joint_remarks
    use asperity_program_commands_tenon_sweep, only: report_sweep
    use asperity_program_commands_tenon_sweeps_file, only: close_partial, partial_type
+   use asperity_program_commands_tenon_tables, only: comparison_table, cycles_table, points_table, &
+      skeleton_table, steps_table, totals_table
    use asperity_program_input_key, only: kind_file, kind_picture, kind_sweep
    use asperity_program_input_key_list, only: key_list
    use asperity_program_report_report, only: named_table, report_type, turning_points

@@ -7,7 +7,7 @@ module asperity_program_commands_tenon_compare_models
    use asperity_base_number_text, only: to_text
    use asperity_hysteresis_analysis, only: analyse_hysteresis, hysteresis_result, &
       hysteresis_settings
-   use asperity_program_commands_tenon_case, only: tenon_case
+   use asperity_program_commands_tenon_joint_keys, only: tenon_case
    use asperity_program_report_units, only: joule, kilonewton_metre
    use asperity_replay_tenon_geometry, only: bearing_faces
    use asperity_replay_tenon_points, only: tenon_point

@@ -3,7 +3,7 @@ module asperity_program_commands_tenon_history
    use asperity_base_error, only: error_type, fatal_error
    use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
-   use asperity_program_commands_tenon_case, only: tenon_case
+   use asperity_program_commands_tenon_joint_keys, only: tenon_case
    use asperity_program_record_columns, only: record_column
    use asperity_program_record_file, only: read_record
    use asperity_program_record_names, only: holds_displacement, holds_rotation

@@ -4,7 +4,7 @@ module asperity_program_commands_tenon_page
    use asperity_base_text_builder, only: growing_text
    use asperity_base_version, only: version
    use asperity_law_validity, only: validity_remark
-   use asperity_program_commands_tenon_case, only: declare_replay_case, tenon_case
+   use asperity_program_commands_tenon_joint_keys, only: declare_replay_case, tenon_case
    use asperity_program_commands_tenon_page_texts, only: assumptions, cautions, origin_of, &
       paper_cautions
    use asperity_program_commands_tenon_paper_joint, only: is_paper_joint

@@ -2,7 +2,7 @@
 module asperity_program_commands_tenon_paper_joint
    use asperity_base_kinds, only: wp
    use asperity_paper_joint, only: joint_amplitudes, joint_cycles
-   use asperity_program_commands_tenon_case, only: tenon_case
+   use asperity_program_commands_tenon_joint_keys, only: tenon_case
    use asperity_replay_tenon_settings, only: tenon_settings
    implicit none
    private

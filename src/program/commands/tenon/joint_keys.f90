@@ -1,5 +1,5 @@
-!> The case of a tenon joint, for its replay and for its deck: faces, sides, joint and programme.
-module asperity_program_commands_tenon_case
+!> The keys of a tenon joint, its case for replay and deck: faces, sides, sizes, programme.
+module asperity_program_commands_tenon_joint_keys
    use asperity_base_checks, only: check_range
    use asperity_base_error, only: error_type, fatal_error
    use asperity_base_kinds, only: wp
@@ -295,4 +295,4 @@ contains
       end if
    end subroutine check_sides
 
-end module asperity_program_commands_tenon_case
+end module asperity_program_commands_tenon_joint_keys

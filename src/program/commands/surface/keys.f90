@@ -1,6 +1,6 @@
-!> The options of `asperity surface`: where the map comes from, how it is prepared and analysed, and
+!> The keys of `asperity surface`: where the map comes from, how it is prepared and analysed, and
 !> the law that is made of it.
-module asperity_program_commands_surface_options
+module asperity_program_commands_surface_keys
    use asperity_base_kinds, only: wp
    use asperity_height_map_read, only: map_hints
    use asperity_program_commands_faces, only: critical_slip, faces_type, friction_coefficient, &
@@ -212,4 +212,4 @@ contains
       call keys%said_by('4 sigma to 0')
    end subroutine declare_law
 
-end module asperity_program_commands_surface_options
+end module asperity_program_commands_surface_keys
