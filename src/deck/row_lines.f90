@@ -95,7 +95,8 @@ contains
       real(wp) :: bend
       integer :: i
 
-      i = maxloc(e, 1)
+      ! at least 1 anyway, which warnings of gfortran -O3 do not see
+      i = max(maxloc(e, 1), 1)
       summit = e(i)
       if (i == 1 .or. i == size(e)) return
       bend = 2.0_wp*e(i) - e(i - 1) - e(i + 1)
