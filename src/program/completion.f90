@@ -1,7 +1,8 @@
 !> Completion of commands and options in bash, made from the commands and their keys.
 module asperity_program_completion
    use asperity_base_text_builder, only: growing_text
-   use asperity_program_commands_registry, only: command_entry, list_commands, n_commands
+   use asperity_program_commands_registry, only: all_keys, command_entry, list_commands, &
+      n_commands
    use asperity_program_input_key, only: kind_choice, kind_logical, option_name
    use asperity_program_input_key_list, only: key_list
    implicit none
@@ -42,9 +43,7 @@ contains
       call b%line('   else')
       call b%line('      [[ $command == deck ]] && command="deck ${COMP_WORDS[2]}"')
       call b%line('      case $before in')
-      do i = 1, size(list)
-         call list(i)%command%declare(known)
-      end do
+      call all_keys(known)
       do i = 1, known%n
          associate (key => known%rows(i))
             if (key%kind == kind_choice) call b%line('      '//option_name(key%name)// &

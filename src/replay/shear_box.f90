@@ -16,7 +16,7 @@ module asperity_replay_shear_box
    use asperity_replay_abaqus_host, only: accept_increment, host_point, new_host_point, &
       refuse_cut, try_increment
    use asperity_replay_shear_settings, only: box_path, check_shear_settings, current_area, &
-      overlap_area, shear_settings
+      default_displacement, overlap_area, shear_settings
    implicit none
    private
    public :: shear_settings, shear_step, run_shear_box, overlap_area
@@ -54,8 +54,6 @@ module asperity_replay_shear_box
    !> Balance is found to this part of the pressure, and of gcrit
    real(wp), parameter :: balance_tolerance = 1.0e-11_wp
    real(wp), parameter :: seconds_per_minute = 60.0_wp
-   !> Displacement when none is given, mm
-   real(wp), parameter :: default_displacement = 3.0_wp
    procedure(uinter_interface) :: uinter
 
 contains

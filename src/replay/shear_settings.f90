@@ -11,6 +11,9 @@ module asperity_replay_shear_settings
    private
    public :: shear_settings, check_shear_settings, box_path, overlap_area, current_area
 
+   !> Displacement when none is given, mm
+   real(wp), parameter, public :: default_displacement = 3.0_wp
+
    !> Specimen, load and path.
    type :: shear_settings
       !> Diameter of both discs, mm
@@ -19,7 +22,7 @@ module asperity_replay_shear_settings
       real(wp) :: normal_stress = disc_normal_stress
       !> Speed of the lower box, mm/min
       real(wp) :: rate = disc_rate
-      !> Turning points of the lower box, mm; 3 mm when not allocated
+      !> Turning points of the lower box, mm; `default_displacement` when not allocated
       real(wp), allocatable :: displacement(:)
       !> Largest step, mm
       real(wp) :: displacement_increment = 0.02_wp

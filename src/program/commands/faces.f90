@@ -108,7 +108,7 @@ contains
 
       keys%of_faces = .true.
       call keys%text('pair', self%pair, &
-         'pair of faces of the paper; transverse-tangential unless all is given')
+         'pair of faces of the paper; '//default_pair//' unless all is given')
       self%pair_key = keys%last
       self%surface = ''
       call keys%text('surface', self%surface, &

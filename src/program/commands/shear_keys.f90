@@ -3,13 +3,13 @@ module asperity_program_commands_shear_keys
    use asperity_base_kinds, only: wp
    use asperity_paper_shear_test, only: disc_normal_stress
    use asperity_program_input_key_list, only: key_list
-   use asperity_replay_shear_settings, only: shear_settings
+   use asperity_replay_shear_settings, only: default_displacement, shear_settings
    implicit none
    private
    public :: declare_shear
 
-   !> Normal stresses, MPa, and turning points, mm, of the paper's test
-   real(wp), parameter :: stresses(3) = [disc_normal_stress, 0.1_wp, 0.2_wp], turns(1) = [3.0_wp]
+   !> Normal stresses of the paper's test, MPa
+   real(wp), parameter :: stresses(3) = [disc_normal_stress, 0.1_wp, 0.2_wp]
 
 contains
 
@@ -32,7 +32,7 @@ contains
          'normal stresses on the full disc, one run each')
       if (present(has_stress)) has_stress = keys%given()
       call keys%real('rate', box%rate, 'mm/min', 'speed of the lower box')
-      if (.not. allocated(box%displacement)) box%displacement = turns
+      if (.not. allocated(box%displacement)) box%displacement = [default_displacement]
       call keys%list('displacement', box%displacement, 'mm', &
          'turning points of the lower box, such as 3,-3,3')
       call keys%real('displacement_increment', box%displacement_increment, 'mm', &
