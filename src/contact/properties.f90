@@ -34,7 +34,8 @@ module asperity_contact_properties
    public :: slip_exact, slip_backward_euler
 
    !> Largest friction coefficient and |d0|, mm, that are let pass: far beyond any use
-   real(wp), parameter :: largest_friction = 1.0e3_wp, largest_separation = 1.0e20_wp
+   real(wp), parameter, public :: largest_friction = 1.0e3_wp
+   real(wp), parameter :: largest_separation = 1.0e20_wp
 
    !> A point opens below p_open = this times 2 pi eta R H sigma
    real(wp), parameter :: open_pressure_factor = 1.0e-9_wp

@@ -15,7 +15,7 @@ module asperity_surface_generate_settings
    !> Numbers without a unit must be smaller in size
    real(wp), parameter :: largest_number = 1.0e6_wp
    !> Most points along a side
-   integer, parameter :: most_points = 100000
+   integer, parameter, public :: most_points = 100000
 
    !> A random surface.
    type :: surface_settings

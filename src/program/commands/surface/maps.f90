@@ -10,12 +10,11 @@ module asperity_program_commands_surface_maps
    use asperity_program_system_progress, only: show_share, show_stage
    use asperity_surface_analysis, only: prepare_surface
    use asperity_surface_generate_map, only: generate_surface
+   use asperity_surface_generate_settings, only: most_points
    implicit none
    private
    public :: check_map_options, get_map, prepare_map
 
-   !> Most points of a made map along a side
-   real(wp), parameter :: most_points = 1.0e5_wp
    !> Step of a made map, mm, unless given
    real(wp), parameter :: made_step = 0.01_wp
    !> Correlation length and shortest wave of a made map, steps, unless given
@@ -101,7 +100,7 @@ contains
       if (.not. allocated(error) .and. any(abs(points - anint(points)) > 0.0_wp .or. &
          abs(points) > most_points)) call fatal_error(error, 'map_points: '// &
          to_text(points(1), 10)//' x '//to_text(points(2), 10)//' points are not allowed: they '// &
-         'must be whole numbers up to '//to_text(nint(most_points)), subject='map_points')
+         'must be whole numbers up to '//to_text(most_points), subject='map_points')
       if (allocated(error)) return
       associate (made => options%made)
          made%points_x = nint(points(1))

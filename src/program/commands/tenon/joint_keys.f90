@@ -4,7 +4,7 @@ module asperity_program_commands_tenon_joint_keys
    use asperity_base_error, only: error_type, fatal_error
    use asperity_base_kinds, only: wp
    use asperity_base_no_value, only: none
-   use asperity_contact_properties, only: contact_properties
+   use asperity_contact_properties, only: contact_properties, largest_friction
    use asperity_paper_joint, only: joint_amplitudes, joint_cycles
    use asperity_paper_pairs, only: find_pair, pair_preset
    use asperity_program_commands_faces, only: critical_slip, faces_type, friction_coefficient, &
@@ -20,8 +20,6 @@ module asperity_program_commands_tenon_joint_keys
 
    !> Most contact points along a face
    integer, parameter :: most_points = 10000
-   !> Largest friction coefficient of the sides
-   real(wp), parameter :: largest_friction = 1000.0_wp
 
    !> The case.
    type :: tenon_case
