@@ -7,9 +7,9 @@ import re
 import subprocess
 
 # Below comes first; folders of one line know nothing of each other
-LAYERS = ['base', 'paper', 'law', 'contact', 'abaqus c height_map hysteresis', 'replay surface',
-          'deck calculix', 'program/system', 'program/input', 'program/plot', 'program/report',
-          'program/record', 'program/commands', 'program', 'app']
+LAYERS = ['base', 'paper', 'law wood', 'contact', 'abaqus c height_map hysteresis',
+          'replay surface', 'deck calculix', 'solid', 'petsc', 'program/system', 'program/input',
+          'program/plot', 'program/report', 'program/record', 'program/commands', 'program', 'app']
 RANK = {folder: rank for rank, line in enumerate(LAYERS) for folder in line.split()}
 MOST_FILES = 15
 FACE = pathlib.Path('src/asperity.f90')

@@ -14,4 +14,6 @@ module asperity_paper_wood
    real(wp), parameter, public :: shear_moduli(3) = [224.61_wp, 280.32_wp, 67.16_wp]
    !> Strength in compression along the grain, fc0, and across it, fc90, MPa
    real(wp), parameter, public :: wood_strength_along = 50.1_wp, wood_strength_across = 4.7_wp
+   !> Strength in tension along the grain, ft0, MPa
+   real(wp), parameter, public :: wood_tension_along = 75.3_wp
 end module asperity_paper_wood
