@@ -4,7 +4,7 @@ module asperity_deck_cards_mesh_writer
    use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
    use asperity_deck_cards_card_writer, only: writer_type
-   use asperity_deck_mesh_hexahedra, only: faces_in_box, hex_mesh
+   use asperity_deck_mesh_hexahedra, only: hex_mesh
    implicit none
    private
    public :: model_writer
@@ -21,7 +21,7 @@ module asperity_deck_cards_mesh_writer
       procedure :: elements
       !> Append a set of nodes
       procedure :: node_set
-      !> Append a surface of the faces in a box
+      !> Append a surface
       procedure :: surface
       !> Append equations that make nodes move as one of them
       procedure :: level
@@ -91,25 +91,19 @@ contains
       call self%integers(numbers)
    end subroutine node_set
 
-   !> Append a surface: the faces of a part that lie in a box, which is flat.
-   pure subroutine surface(self, name, mesh, low, high, element_offset)
+   !> Append a surface.
+   pure subroutine surface(self, name, faces)
       !> The deck
       class(model_writer), intent(inout) :: self
       !> Name of the surface
       character(len=*), intent(in) :: name
-      !> The part
-      type(hex_mesh), intent(in) :: mesh
-      !> Corners of the box, mm
-      real(wp), intent(in) :: low(3), high(3)
-      !> Number of the element before the first
-      integer, intent(in) :: element_offset
-      integer, allocatable :: faces(:, :)
+      !> Element and number of each face
+      integer, intent(in) :: faces(:, :)
       integer :: i
 
-      call faces_in_box(mesh, low, high, faces)
       call self%line('*SURFACE, NAME='//name//', TYPE=ELEMENT')
       do i = 1, size(faces, 2)
-         call self%line(to_text(element_offset + faces(1, i))//', S'//to_text(faces(2, i)))
+         call self%line(to_text(faces(1, i))//', S'//to_text(faces(2, i)))
       end do
    end subroutine surface
 

@@ -8,7 +8,7 @@ module asperity_deck_shear_text
    use asperity_deck_cards_load_steps, only: close_step, open_step, step_type, write_boundary
    use asperity_deck_cards_mesh_writer, only: model_writer
    use asperity_deck_cards_wood_cards, only: write_axes, write_wood
-   use asperity_deck_mesh_hexahedra, only: hex_mesh, nodes_in_box
+   use asperity_deck_mesh_hexahedra, only: faces_in_box, hex_mesh, nodes_in_box
    use asperity_deck_options, only: element_kind
    use asperity_deck_shear_deck, only: shear_deck
    use asperity_replay_steps, only: fewest_steps
@@ -103,14 +103,25 @@ contains
       call deck%section('UPPER', 'UPPER_WOOD', 'UPPER_AXES')
 
       call deck%heading('contact')
-      call deck%surface('LOWER_FACE', model%lower, [-far, -far, 0.0_wp], [far, far, 0.0_wp], 0)
-      call deck%surface('UPPER_FACE', model%upper, [-far, -far, -model%overclosure], &
-         [far, far, -model%overclosure], elements)
-      call deck%surface('CAP_FACE', model%upper, [-far, -far, top_of(model%upper)], &
-         [far, far, far], elements)
+      call deck%surface('LOWER_FACE', faces_at(model%lower, 0.0_wp, 0))
+      call deck%surface('UPPER_FACE', faces_at(model%upper, -model%overclosure, elements))
+      call deck%surface('CAP_FACE', faces_at(model%upper, top_of(model%upper), elements))
       call write_interaction(deck, model%choice, model%contact)
       call write_pair(deck, model%contact, 'UPPER_FACE', 'LOWER_FACE')
    end subroutine write_parts
+
+   !> Element and number of the faces of a part at a height.
+   pure function faces_at(mesh, height, element_offset) result(faces)
+      type(hex_mesh), intent(in) :: mesh
+      !> Height, mm
+      real(wp), intent(in) :: height
+      !> Number of the element before the first
+      integer, intent(in) :: element_offset
+      integer, allocatable :: faces(:, :)
+
+      call faces_in_box(mesh, [-far, -far, height], [far, far, height], faces)
+      faces(1, :) = element_offset + faces(1, :)
+   end function faces_at
 
    !> Height of the upper face of a part, mm.
    pure real(wp) function top_of(mesh)

@@ -1,17 +1,14 @@
 !> The first lines of the tenon joint's deck: what the model is, and what of it is chosen.
 module asperity_deck_tenon_comments
-   use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
    use asperity_deck_cards_banner, only: write_head
    use asperity_deck_cards_card_writer, only: writer_type
    use asperity_deck_tenon_deck, only: tenon_deck
+   use asperity_deck_tenon_sets, only: holding_stiffness
    use asperity_replay_tenon_settings, only: tenon_face_arm
    implicit none
    private
    public :: write_words
-
-   !> Stiffness of the spring that holds the open joint, N/mm: nothing beside wood
-   real(wp), parameter, public :: holding_stiffness = 0.1_wp
 
 contains
 

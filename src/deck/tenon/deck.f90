@@ -12,12 +12,13 @@ module asperity_deck_tenon_deck
    use asperity_deck_mesh_hexahedra, only: check_mesh_room, hex_mesh
    use asperity_deck_options, only: check_deck_choice, deck_choice, for_calculix
    use asperity_deck_tenon_parts, only: check_tenon_sizes, new_beam, new_column, tenon_sizes
+   use asperity_deck_tenon_sets, only: new_tenon_sets, tenon_sets
    use asperity_replay_tenon_check_settings, only: check_tenon_settings
    use asperity_replay_tenon_load_path, only: tenon_programme
    use asperity_replay_tenon_settings, only: tenon_face_arm, tenon_settings
    implicit none
    private
-   public :: tenon_deck, new_tenon_deck
+   public :: tenon_deck, new_tenon_deck, touching_displacement
 
    !> The model, ready to be written.
    type :: tenon_deck
@@ -33,8 +34,9 @@ module asperity_deck_tenon_deck
       !> Whether the sides touch, and the strain by which the beam swells between them
       logical :: has_sides = .true.
       real(wp) :: swelling = 0.0_wp
-      !> Column and beam
+      !> Column and beam, and sets of their nodes and faces
       type(hex_mesh) :: column, beam
+      type(tenon_sets) :: sets
       !> Displacements of the load point between which the strokes lie, mm, from 0
       real(wp), allocatable :: turns(:)
    end type tenon_deck
@@ -97,6 +99,7 @@ contains
       if (allocated(error)) return
       call new_column(deck%column, choice, settings, deck%sizes)
       call new_beam(deck%beam, choice, settings, deck%sizes)
+      call new_tenon_sets(deck%sets, settings, deck%sizes, deck%has_sides, deck%column, deck%beam)
       call find_turns(deck)
    end subroutine new_tenon_deck
 
@@ -147,6 +150,18 @@ contains
          deck%swelling = (sizes%side_interference - sizes%side_overlap)/(0.5_wp*s%width)
       end associate
    end subroutine place_faces
+
+   !> Displacement of the load point, mm, at which a rigid tenon, turned about its middle, touches
+   !> the upper and the lower face; wood gives way besides.
+   pure real(wp) function touching_displacement(deck)
+      !> The model
+      type(tenon_deck), intent(in) :: deck
+
+      associate (s => deck%settings, sizes => deck%sizes)
+         touching_displacement = max(sizes%gap_above, sizes%gap_below) &
+            *(2.0_wp*tenon_face_arm(s)/s%length + 1.0_wp)
+      end associate
+   end function touching_displacement
 
    !> Where the load point turns.
    pure subroutine find_turns(deck)

@@ -7,17 +7,14 @@ module asperity_deck_tenon_text
    use asperity_deck_cards_load_steps, only: close_step, open_step, step_type, write_boundary
    use asperity_deck_cards_mesh_writer, only: model_writer
    use asperity_deck_cards_wood_cards, only: write_axes, write_wood
-   use asperity_deck_mesh_hexahedra, only: nodes_in_box
    use asperity_deck_options, only: element_kind, for_calculix
-   use asperity_deck_tenon_comments, only: holding_stiffness, write_words
-   use asperity_deck_tenon_deck, only: tenon_deck
-   use asperity_deck_tenon_parts, only: node_near
-   use asperity_replay_tenon_settings, only: tenon_face_arm
+   use asperity_deck_tenon_comments, only: write_words
+   use asperity_deck_tenon_deck, only: tenon_deck, touching_displacement
+   use asperity_deck_tenon_sets, only: face_bottom, face_side, face_top, holding_stiffness
    implicit none
    private
    public :: write_tenon_deck
 
-   real(wp), parameter :: far = huge(1.0_wp)
    !> Displacement beyond which strokes have twice the increments, mm
    real(wp), parameter :: wide = 16.0_wp
    character(len=*), parameter :: force_sets(5) = [character(len=8) :: 'TIP', 'BOTTOM', 'TOP', &
@@ -78,34 +75,24 @@ contains
    pure subroutine write_contact(deck, model)
       type(model_writer), intent(inout) :: deck
       type(tenon_deck), intent(in) :: model
-      real(wp) :: top, bottom, side, half, back, relief
-      integer :: beam
 
-      beam = size(model%column%elements, 2)
-      half = 0.5_wp*model%settings%height
-      relief = model%sizes%edge_relief
-      back = -model%settings%length + relief
-      top = half + model%sizes%gap_above
-      bottom = -half - model%sizes%gap_below
-      side = 0.5_wp*model%settings%width - model%sizes%side_overlap
       call deck%heading('contact')
       call deck%comment('The mortise is slave, the beam, which is longer, master. A node that '// &
-         'passes the edge of its master has no contact. Slaves begin '//to_text(relief, 4)// &
-         ' mm from the back of the mortise, and at the sides from its top and bottom (chosen): '// &
-         'nearer, nodes would find and lose the edge of the beam in turn.')
-      call deck%surface('MORTISE_TOP', model%column, [back, 0.0_wp, top], [far, side, top], 0)
-      call deck%surface('MORTISE_BOTTOM', model%column, [back, 0.0_wp, bottom], &
-         [far, side, bottom], 0)
-      call deck%surface('BEAM_TOP', model%beam, [-far, -far, half], [far, far, half], beam)
-      call deck%surface('BEAM_BOTTOM', model%beam, [-far, -far, -half], [far, far, -half], beam)
-      if (model%has_sides) then
-         call deck%surface('MORTISE_SIDE', model%column, [back, side, bottom + relief], &
-            [far, side, top - relief], 0)
-         side = 0.5_wp*model%settings%width
-         call deck%surface('BEAM_SIDE', model%beam, [-far, side, -far], [far, side, far], beam)
-      end if
-      call deck%surface('COLUMN_TOP', model%column, &
-         [-far, -far, 0.5_wp*model%sizes%column_height], [far, far, far], 0)
+         'passes the edge of its master has no contact. Slaves begin '// &
+         to_text(model%sizes%edge_relief, 4)//' mm from the back of the mortise, and at the '// &
+         'sides from its top and bottom (chosen): nearer, nodes would find and lose '// &
+         'the edge of the beam in turn.')
+      associate (mortise => model%sets%mortise, tenon => model%sets%tenon)
+         call deck%surface('MORTISE_TOP', mortise(face_top)%faces)
+         call deck%surface('MORTISE_BOTTOM', mortise(face_bottom)%faces)
+         call deck%surface('BEAM_TOP', tenon(face_top)%faces)
+         call deck%surface('BEAM_BOTTOM', tenon(face_bottom)%faces)
+         if (model%has_sides) then
+            call deck%surface('MORTISE_SIDE', mortise(face_side)%faces)
+            call deck%surface('BEAM_SIDE', tenon(face_side)%faces)
+         end if
+      end associate
+      call deck%surface('COLUMN_TOP', model%sets%loaded%faces)
       call write_interaction(deck, model%choice, model%faces)
       call write_pair(deck, model%faces, 'MORTISE_TOP', 'BEAM_TOP')
       call write_pair(deck, model%faces, 'MORTISE_BOTTOM', 'BEAM_BOTTOM')
@@ -118,29 +105,20 @@ contains
    pure subroutine write_supports(deck, model)
       type(model_writer), intent(inout) :: deck
       type(tenon_deck), intent(in) :: model
-      integer, allocatable :: column(:), beam(:)
-      integer :: nodes, last
-      real(wp) :: z, tip
+      integer :: last
 
-      nodes = size(model%column%nodes, 2)
       last = size(model%column%elements, 2) + size(model%beam%elements, 2)
-      z = 0.5_wp*model%sizes%column_height
-      tip = tenon_face_arm(model%settings)
       call deck%heading('supports')
-      call nodes_in_box(model%column, [-far, -far, -z], [far, far, -z], column)
-      call deck%node_set('BOTTOM', column)
-      call nodes_in_box(model%beam, [-far, 0.0_wp, -far], [far, 0.0_wp, far], beam)
-      call nodes_in_box(model%column, [-far, 0.0_wp, -far], [far, 0.0_wp, far], column)
-      column = pack(column, abs(model%column%nodes(3, column)) < z*(1.0_wp - 1.0e-9_wp))
-      call deck%comment('Nodes of the foot and of the top are held in y besides.')
-      call deck%node_set('SYMMETRY', [column, nodes + beam])
-      call nodes_in_box(model%beam, [tip, -far, 0.0_wp], [tip, far, 0.0_wp], beam)
-      call deck%node_set('TIP', nodes + beam)
-      call deck%node_set('AXIAL', [nodes + node_near(model%beam, [0.0_wp, 0.0_wp, 0.0_wp])])
-      call nodes_in_box(model%column, [-far, -far, z], [far, far, z], column)
-      call deck%node_set('TOP', column)
-      call deck%comment('The top of the column stays level: its nodes move in z as the first.')
-      call deck%level(column, column(1), 3)
+      associate (sets => model%sets)
+         call deck%node_set('BOTTOM', sets%foot)
+         call deck%comment('Nodes of the foot and of the top are held in y besides.')
+         call deck%node_set('SYMMETRY', sets%middle)
+         call deck%node_set('TIP', sets%tip)
+         call deck%node_set('AXIAL', [sets%axial_node])
+         call deck%node_set('TOP', sets%head)
+         call deck%comment('The top of the column stays level: its nodes move in z as the first.')
+         call deck%level(sets%head, sets%head(1), 3)
+      end associate
       call write_boundary(deck, 'BOTTOM', 1, 0.0_wp)
       call write_boundary(deck, 'BOTTOM', 2, 0.0_wp)
       call write_boundary(deck, 'BOTTOM', 3, 0.0_wp)
@@ -149,14 +127,13 @@ contains
       call write_boundary(deck, 'SYMMETRY', 2, 0.0_wp)
       call write_boundary(deck, 'TIP', 3, 0.0_wp)
       if (model%settings%axial_rule == 'spring') then
-         call deck%grounded_spring('AXIAL_SPRING', last + 1, &
-            nodes + node_near(model%beam, [0.0_wp, 0.0_wp, 0.0_wp]), 1, &
+         call deck%grounded_spring('AXIAL_SPRING', last + 1, model%sets%axial_node, 1, &
             0.5_wp*model%settings%axial_stiffness)
       else
          call write_boundary(deck, 'AXIAL', 1, 0.0_wp)
       end if
-      call deck%grounded_spring('HOLDING_SPRING', last + 2, nodes + node_near(model%beam, &
-         [-model%settings%length - model%sizes%tail, 0.0_wp, 0.0_wp]), 3, holding_stiffness)
+      call deck%grounded_spring('HOLDING_SPRING', last + 2, model%sets%hold_node, 3, &
+         holding_stiffness)
    end subroutine write_supports
 
    !> Load of the column and fit of the sides, then a step for each stroke.
@@ -210,13 +187,9 @@ contains
       type(tenon_deck), intent(in) :: model
       !> Largest displacement of the stroke, mm
       real(wp), intent(in) :: reach
-      real(wp) :: touch
 
       if (model%has_sides) return
-      ! where a rigid tenon touches; wood gives way besides
-      touch = max(model%sizes%gap_above, model%sizes%gap_below) &
-         *(2.0_wp*tenon_face_arm(model%settings)/model%settings%length + 1.0_wp)
-      if (reach > 2.0_wp*touch) then
+      if (reach > 2.0_wp*touching_displacement(model)) then
          call deck%line('** springs may vanish within a step')
       else
          call deck%line('** springs may vanish')
