@@ -1,9 +1,10 @@
 !> Meshes of the decks: volumes, areas, shapes of elements.
 module test_deck_meshes
    use asperity, only: error_type, wp
+   use asperity_deck_mesh_cuts, only: even_cuts
    use asperity_deck_mesh_disc, only: new_disc_mesh
-   use asperity_deck_mesh_hexahedra, only: even_cuts, faces_in_box, hex_mesh, least_jacobian, &
-      mesh_volume, new_grid_mesh, nodes_in_box
+   use asperity_deck_mesh_hexahedra, only: faces_in_box, hex_mesh, least_jacobian, mesh_volume, &
+      new_grid_mesh, nodes_in_box
    use asperity_deck_options, only: deck_choice
    use asperity_deck_tenon_parts, only: check_tenon_sizes, default_mesh_size, default_tenon_sizes, &
       new_beam, new_column, node_near, tenon_sizes

@@ -3,7 +3,8 @@
 module asperity_deck_mesh_disc
    use asperity_base_constants, only: pi
    use asperity_base_kinds, only: wp
-   use asperity_deck_mesh_hexahedra, only: even_cuts, hex_mesh
+   use asperity_deck_mesh_cuts, only: even_cuts
+   use asperity_deck_mesh_hexahedra, only: hex_mesh
    implicit none
    private
    public :: new_disc_mesh

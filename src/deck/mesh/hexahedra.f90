@@ -7,10 +7,11 @@ module asperity_deck_mesh_hexahedra
    use asperity_base_kinds, only: wp
    use asperity_base_memory, only: check_work
    use asperity_base_number_text, only: to_text
+   use asperity_deck_mesh_cuts, only: tolerance
    implicit none
    private
    public :: hex_mesh, check_mesh_room, new_grid_mesh, nodes_in_box, faces_in_box, face_area, &
-      mesh_volume, least_jacobian, even_cuts, joined_cuts, add_cut
+      mesh_volume, least_jacobian
 
    !> Corners of the faces S1 to S6, in the order that makes the normal point outwards
    integer, parameter, public :: face_corners(4, 6) = reshape([1, 4, 3, 2, 5, 6, 7, 8, &
@@ -18,8 +19,6 @@ module asperity_deck_mesh_hexahedra
    !> Natural coordinates of the corners
    integer, parameter :: corners(3, 8) = reshape([-1, -1, -1, 1, -1, -1, 1, 1, -1, -1, 1, -1, &
       -1, -1, 1, 1, -1, 1, 1, 1, 1, -1, 1, 1], [3, 8])
-   !> How far a node may be beside a plane and still be on it, mm
-   real(wp), parameter :: tolerance = 1.0e-6_wp
    !> Bytes that an element takes at most, with its node and what is found on the mesh, if it is
    !> half as large as aimed at; and elements of which there can be no more
    real(wp), parameter :: bytes_of_element = 400.0_wp, most_elements = 1.0e15_wp
@@ -96,46 +95,6 @@ contains
          end do
       end do
    end subroutine new_grid_mesh
-
-   !> Planes that cut a length into equal cells of about a size, at least `least` of them.
-   pure subroutine even_cuts(from, to, size_wanted, least, cuts)
-      !> Ends of the length, mm
-      real(wp), intent(in) :: from, to
-      !> Size of a cell aimed at, mm
-      real(wp), intent(in) :: size_wanted
-      !> Fewest cells, of which the number is a multiple
-      integer, intent(in) :: least
-      !> Places of the planes, mm
-      real(wp), allocatable, intent(out) :: cuts(:)
-      integer :: n, i
-
-      n = least*max(1, nint((to - from)/(least*size_wanted)))
-      allocate (cuts(n + 1))
-      cuts = [(from + (to - from)*(real(i, wp)/n), i=0, n)]
-      cuts(n + 1) = to
-   end subroutine even_cuts
-
-   !> Planes of two neighbouring lengths as one list.
-   pure subroutine joined_cuts(first, second, cuts)
-      !> Planes of the first length, and of the second, which begins where the first ends
-      real(wp), intent(in) :: first(:), second(:)
-      !> All planes
-      real(wp), allocatable, intent(out) :: cuts(:)
-
-      allocate (cuts(size(first) + size(second) - 1))
-      cuts = [first, second(2:)]
-   end subroutine joined_cuts
-
-   !> One plane more, unless there is one at its place.
-   pure subroutine add_cut(cuts, place)
-      !> Planes, rising
-      real(wp), allocatable, intent(inout) :: cuts(:)
-      !> The place, mm, between the first and the last
-      real(wp), intent(in) :: place
-
-      if (any(abs(cuts - place) < tolerance)) return
-      cuts = [pack(cuts, cuts < place), place, pack(cuts, cuts > place)]
-   end subroutine add_cut
 
    !> Numbers of the nodes in a box, whose sides belong to it.
    pure subroutine nodes_in_box(mesh, low, high, found)

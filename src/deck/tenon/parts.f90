@@ -7,7 +7,8 @@ module asperity_deck_tenon_parts
    use asperity_base_error, only: error_type, fatal_error
    use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
-   use asperity_deck_mesh_hexahedra, only: add_cut, even_cuts, hex_mesh, joined_cuts, new_grid_mesh
+   use asperity_deck_mesh_cuts, only: add_cut, even_cuts, joined_cuts
+   use asperity_deck_mesh_hexahedra, only: hex_mesh, new_grid_mesh
    use asperity_deck_options, only: check_mesh_size, deck_choice
    use asperity_replay_sizes, only: check_size
    use asperity_replay_tenon_settings, only: tenon_face_arm, tenon_settings
