@@ -17,8 +17,8 @@ module asperity_deck_mesh_hexahedra
    integer, parameter, public :: face_corners(4, 6) = reshape([1, 4, 3, 2, 5, 6, 7, 8, &
       1, 2, 6, 5, 2, 3, 7, 6, 3, 4, 8, 7, 4, 1, 5, 8], [4, 6])
    !> Natural coordinates of the corners
-   integer, parameter :: corners(3, 8) = reshape([-1, -1, -1, 1, -1, -1, 1, 1, -1, -1, 1, -1, &
-      -1, -1, 1, 1, -1, 1, 1, 1, 1, -1, 1, 1], [3, 8])
+   integer, parameter, public :: natural_corners(3, 8) = reshape([-1, -1, -1, 1, -1, -1, &
+      1, 1, -1, -1, 1, -1, -1, -1, 1, 1, -1, 1, 1, 1, 1, -1, 1, 1], [3, 8])
    !> Bytes that an element takes at most, with its node and what is found on the mesh, if it is
    !> half as large as aimed at; and elements of which there can be no more
    real(wp), parameter :: bytes_of_element = 400.0_wp, most_elements = 1.0e15_wp
@@ -171,7 +171,7 @@ contains
       do i = 1, size(mesh%elements, 2)
          do j = 1, 8
             mesh_volume = mesh_volume &
-               + jacobian(mesh%nodes(:, mesh%elements(:, i)), corners(:, j)/sqrt(3.0_wp))
+               + jacobian(mesh%nodes(:, mesh%elements(:, i)), natural_corners(:, j)/sqrt(3.0_wp))
          end do
       end do
    end function mesh_volume
@@ -187,7 +187,8 @@ contains
       least_jacobian = huge(1.0_wp)
       do i = 1, size(mesh%elements, 2)
          do j = 1, 8
-            at_corner(j) = jacobian(mesh%nodes(:, mesh%elements(:, i)), real(corners(:, j), wp))
+            at_corner(j) = jacobian(mesh%nodes(:, mesh%elements(:, i)), &
+               real(natural_corners(:, j), wp))
          end do
          least_jacobian = min(least_jacobian, 8.0_wp*minval(at_corner)/abs(sum(at_corner)))
       end do
@@ -201,10 +202,10 @@ contains
 
       m = 0.0_wp
       do i = 1, 8
-         s = 1.0_wp + corners(:, i)*place
-         m(:, 1) = m(:, 1) + 0.125_wp*corners(1, i)*s(2)*s(3)*nodes(:, i)
-         m(:, 2) = m(:, 2) + 0.125_wp*corners(2, i)*s(1)*s(3)*nodes(:, i)
-         m(:, 3) = m(:, 3) + 0.125_wp*corners(3, i)*s(1)*s(2)*nodes(:, i)
+         s = 1.0_wp + natural_corners(:, i)*place
+         m(:, 1) = m(:, 1) + 0.125_wp*natural_corners(1, i)*s(2)*s(3)*nodes(:, i)
+         m(:, 2) = m(:, 2) + 0.125_wp*natural_corners(2, i)*s(1)*s(3)*nodes(:, i)
+         m(:, 3) = m(:, 3) + 0.125_wp*natural_corners(3, i)*s(1)*s(2)*nodes(:, i)
       end do
       jacobian = m(1, 1)*(m(2, 2)*m(3, 3) - m(3, 2)*m(2, 3)) &
          - m(1, 2)*(m(2, 1)*m(3, 3) - m(3, 1)*m(2, 3)) &
