@@ -1,6 +1,6 @@
 !> What every deck is told besides its model: solver, contact, element, size of the mesh.
 module asperity_deck_options
-   use asperity_base_checks, only: check_positive
+   use asperity_base_checks, only: check_positive, check_range
    use asperity_base_error, only: error_type, fatal_error
    use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
@@ -24,6 +24,10 @@ module asperity_deck_options
       character(len=16) :: field = 'contact'
       !> Length of an edge aimed at, mm
       real(wp) :: mesh_size = 0.0_wp
+      !> The same at the rims of mortise and tenon, mm; as everywhere when not allocated. Edges grow
+      !> from there, each by a factor over its neighbour, which is chosen
+      real(wp), allocatable :: rim_mesh_size
+      real(wp) :: mesh_growth = 1.5_wp
       !> Pressure over penetration of hard contact in CalculiX, MPa/mm; chosen
       real(wp) :: penalty = 100.0_wp
       !> Clearance up to which CalculiX with UINTER makes springs, mm
@@ -40,6 +44,9 @@ module asperity_deck_options
       !> The command that makes the deck
       character(len=:), allocatable :: command
    end type deck_choice
+
+   !> Limits of the growth of edges: above 1, and less than what makes one element jump the others
+   real(wp), parameter :: least_growth = 1.01_wp, most_growth = 4.0_wp
 
 contains
 
@@ -79,9 +86,29 @@ contains
          call check_positive(error, 'search_distance', choice%search_distance, 'mm')
       call check_size(error, 'mesh_size', choice%mesh_size, accept_sizes)
       call check_size(error, 'search_distance', choice%search_distance, accept_sizes)
+      if (.not. allocated(error) .and. allocated(choice%rim_mesh_size)) &
+         call check_grading(choice, accept_sizes, error)
       if (allocated(error) .or. .not. allocated(choice%stick_pressure)) return
       call check_positive(error, 'stick_pressure', choice%stick_pressure, 'MPa')
    end subroutine check_deck_choice
+
+   !> `error` is set when sizes of a graded mesh are not allowed.
+   pure subroutine check_grading(choice, accept_sizes, error)
+      !> Choices of the deck
+      type(deck_choice), intent(in) :: choice
+      !> As of `check_deck_choice`
+      logical, intent(in) :: accept_sizes
+      type(error_type), allocatable, intent(inout) :: error
+
+      call check_positive(error, 'rim_mesh_size', choice%rim_mesh_size, 'mm')
+      if (.not. allocated(error)) call check_range(error, 'mesh_growth', choice%mesh_growth, &
+         least_growth, most_growth, '')
+      call check_size(error, 'rim_mesh_size', choice%rim_mesh_size, accept_sizes)
+      if (allocated(error)) return
+      if (choice%rim_mesh_size > choice%mesh_size) call fatal_error(error, 'rim_mesh_size = '// &
+         to_text(choice%rim_mesh_size)//' mm is larger than mesh_size, '// &
+         to_text(choice%mesh_size)//' mm: elements are finest at the rims', subject='rim_mesh_size')
+   end subroutine check_grading
 
    !> Set `error`, unless it is set, when the mesh is coarser than a part is large.
    pure subroutine check_mesh_size(error, choice, name, extent)

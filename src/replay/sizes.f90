@@ -55,6 +55,7 @@ module asperity_replay_sizes
       ! decks
       size_range('disc_height', 'mm', 1.0_wp, 900.0_wp), &
       size_range('mesh_size', 'mm', 0.5_wp, 490.0_wp), &
+      size_range('rim_mesh_size', 'mm', 0.5_wp, 490.0_wp), &
       size_range('column_height', 'mm', 16.0_wp, 15000.0_wp), &
       size_range('column_width', 'mm', 5.0_wp, 4000.0_wp), &
       size_range('tail', 'mm', 5.0_wp, 4000.0_wp), &

@@ -1,13 +1,13 @@
 !> Meshes of the decks: volumes, areas, shapes of elements.
 module test_deck_meshes
    use asperity, only: error_type, wp
-   use asperity_deck_mesh_cuts, only: even_cuts
+   use asperity_deck_mesh_cuts, only: even_cuts, graded_cuts
    use asperity_deck_mesh_disc, only: new_disc_mesh
    use asperity_deck_mesh_hexahedra, only: faces_in_box, hex_mesh, least_jacobian, mesh_volume, &
       new_grid_mesh, nodes_in_box
-   use asperity_deck_options, only: deck_choice
+   use asperity_deck_options, only: check_deck_choice, deck_choice
    use asperity_deck_tenon_parts, only: check_tenon_sizes, default_mesh_size, default_tenon_sizes, &
-      new_beam, new_column, node_near, tenon_sizes
+      new_beam, new_column, node_near, tenon_elements, tenon_sizes
    use asperity_replay_tenon_settings, only: tenon_settings
    use extremes, only: worsen
    use funit, only: assertEqual, assertFalse, assertGreaterThan, assertLessThan, assertTrue, &
@@ -28,10 +28,12 @@ contains
       call suite%addTest(TestMethod('a brick and its faces', test_brick))
       call suite%addTest(TestMethod('a block with a hole', test_hole))
       call suite%addTest(TestMethod('cuts', test_cuts))
+      call suite%addTest(TestMethod('cuts that grow from rims', test_graded_cuts))
       call suite%addTest(TestMethod('measures of an element', test_measures))
       call suite%addTest(TestMethod('discs', test_discs))
       call suite%addTest(TestMethod('edges of discs', test_edges))
       call suite%addTest(TestMethod('column and beam', test_joint))
+      call suite%addTest(TestMethod('column and beam, graded', test_graded_joint))
       call suite%addTest(TestMethod('other joints', test_other_joints))
    end function suite_deck_meshes
 
@@ -93,6 +95,45 @@ contains
       call even_cuts(0.0_wp, 5.0_wp, 1.0_wp, 2, cuts)
       call assertEqual(1, mod(size(cuts), 2), message='a node in the middle')
    end subroutine test_cuts
+
+   !> Cells of 1, 2, 4, 4 mm fill 7 and 11 mm; 8 mm are nearer to 7 than to 11 by their ratios, so
+   !> that 1, 2, 4 mm are stretched.
+   subroutine test_graded_cuts()
+      real(wp), allocatable :: cuts(:), cells(:)
+      integer :: i, n
+
+      call check(7.0_wp, [.true., .false.], [0.0_wp, 1.0_wp, 3.0_wp, 7.0_wp])
+      call check(7.0_wp, [.false., .true.], [0.0_wp, 4.0_wp, 6.0_wp, 7.0_wp])
+      call check(14.0_wp, [.true., .true.], &
+         [0.0_wp, 1.0_wp, 3.0_wp, 7.0_wp, 11.0_wp, 13.0_wp, 14.0_wp])
+      call check(11.0_wp, [.true., .false.], [0.0_wp, 1.0_wp, 3.0_wp, 7.0_wp, 11.0_wp])
+      call check(8.0_wp, [.true., .false.], [0.0_wp, 8.0_wp, 24.0_wp, 56.0_wp]/7.0_wp)
+      call check(0.4_wp, [.true., .false.], [0.0_wp, 0.4_wp])
+      call check(0.4_wp, [.true., .true.], [0.0_wp, 0.2_wp, 0.4_wp])
+      ! of any length: ends exact, growth as asked for; one cell or two with 1 + growth times its
+      ! length is the coarsest choice, so that sizes are within the square root of that
+      do i = 1, 60
+         call graded_cuts(-50.0_wp, real(i, wp)*7.1_wp, [.true., .false.], 3.0_wp, 40.0_wp, &
+            1.5_wp, cuts)
+         n = size(cuts)
+         call assertEqual([-50.0_wp, real(i, wp)*7.1_wp], cuts([1, n]), tolerance=0.0_wp)
+         cells = cuts(2:) - cuts(:n - 1)
+         call assertTrue(all(cells(2:) < 1.5_wp*cells(:n - 2) + 1.0e-9_wp &
+            .and. cells(2:) > cells(:n - 2) - 1.0e-9_wp), 'growth')
+         call assertLessThan(maxval(cells), 40.0_wp*sqrt(2.5_wp))
+         call assertLessThan(abs(log(cells(1)/3.0_wp)), 0.5_wp*log(2.5_wp))
+      end do
+   contains
+      subroutine check(length, rims, expected)
+         real(wp), intent(in) :: length, expected(:)
+         logical, intent(in) :: rims(2)
+
+         call graded_cuts(0.0_wp, length, rims, 1.0_wp, 4.0_wp, 2.0_wp, cuts)
+         call assertEqual(size(expected), size(cuts))
+         if (size(expected) == size(cuts)) &
+            call assertEqual(expected, cuts, tolerance=1.0e-14_wp*length)
+      end subroutine check
+   end subroutine test_graded_cuts
 
    !> A wedge of a brick has a known volume and Jacobian; a brick turned inside out has none.
    subroutine test_measures()
@@ -193,6 +234,88 @@ contains
          call assertEqual(0.0_wp, norm2(place(2:)), tolerance=1.0e-12_wp)
       end associate
    end subroutine test_joint
+
+   !> Fine at the rims: sections of the beam at the column face and at mid-height, cells of about
+   !> the size asked for where contact begins, and the volumes of the even meshes.
+   subroutine test_graded_joint()
+      type(tenon_settings) :: s
+      type(tenon_sizes) :: sizes
+      type(deck_choice) :: choice
+      type(hex_mesh) :: column, beam
+      integer, allocatable :: faces(:, :), nodes(:)
+      real(wp), parameter :: rim = 8.0_wp
+      integer :: tail
+
+      choice%mesh_size = 60.0_wp
+      choice%rim_mesh_size = rim
+      do tail = 0, 40, 40
+         sizes = default_tenon_sizes(s)
+         sizes%gap_above = 0.3_wp
+         sizes%gap_below = 0.3_wp
+         sizes%side_overlap = 0.1_wp
+         sizes%tail = real(tail, wp)
+         if (tail > 0) sizes%edge_relief = 0.0_wp
+         call new_column(column, choice, s, sizes)
+         call check_mesh(column, 300.0_wp*(150.0_wp*1000.0_wp - 52.4_wp*300.6_wp), 'column')
+         call faces_in_box(column, [-far, 0.0_wp, 150.3_wp], [far, 52.4_wp, 150.3_wp], faces)
+         call check_surface(column, faces, [0.0_wp, 0.0_wp, -300.0_wp*52.4_wp], &
+            'top of the mortise')
+         call new_beam(beam, choice, s, sizes)
+         call check_mesh(beam, (800.0_wp + tail)*52.5_wp*300.0_wp, 'beam')
+         call nodes_in_box(beam, [0.0_wp, 0.0_wp, 0.0_wp], [0.0_wp, 0.0_wp, 0.0_wp], nodes)
+         call assertEqual(1, size(nodes), message='node at the middle of the column face')
+         ! the relief, if any, then a cell of the rim; likewise on the other side of each rim
+         associate (relief => sizes%edge_relief)
+            call check_cell(column%nodes(1, :), -300.0_wp + relief, 1)
+            call check_cell(column%nodes(1, :), 0.0_wp, -1)
+            call check_cell(column%nodes(3, :), 150.3_wp - relief, -1)
+            call check_cell(column%nodes(3, :), 150.3_wp, 1)
+            call check_cell(column%nodes(3, :), -150.3_wp + relief, 1)
+            call check_cell(column%nodes(3, :), -150.3_wp, -1)
+         end associate
+         call check_cell(beam%nodes(1, :), -300.0_wp, 1)
+         call check_cell(beam%nodes(1, :), 0.0_wp, -1)
+         call check_cell(beam%nodes(1, :), 0.0_wp, 1)
+         call check_cell(beam%nodes(3, :), 150.0_wp, -1)
+         call check_cell(beam%nodes(3, :), -150.0_wp, 1)
+         if (tail > 0) call check_cell(beam%nodes(1, :), -300.0_wp, -1)
+         ! an estimate that may be too high, not too low
+         call assertLessThan(real(size(column%elements, 2) + size(beam%elements, 2), wp), &
+            1.2_wp*tenon_elements(choice, s, sizes))
+      end do
+
+      call assertGreaterThan(400.0_wp, real(size(beam%elements, 2), wp))
+      call refused(8.0_wp, 1.5_wp, '')
+      call refused(61.0_wp, 1.5_wp, 'rim_mesh_size = 61.0 mm is larger than mesh_size, 60.0 mm')
+      call refused(0.0_wp, 1.5_wp, 'rim_mesh_size = 0.0 is not allowed')
+      call refused(0.4_wp, 1.5_wp, 'rim_mesh_size = 0.4 mm is outside 0.5 to 490.0 mm')
+      call refused(8.0_wp, 1.0_wp, 'mesh_growth = 1.0 is not allowed: it must be a number between')
+      call refused(8.0_wp, 5.0_wp, 'mesh_growth = 5.0 is not allowed')
+   contains
+      !> The cell beside a plane, to its right or left, is of the rims: within the square root of
+      !> the growth.
+      subroutine check_cell(places, plane, side)
+         real(wp), intent(in) :: places(:), plane
+         integer, intent(in) :: side
+         real(wp) :: cell
+
+         call assertLessThan(minval(abs(places - plane)), 1.0e-9_wp)
+         cell = minval(side*(places - plane), mask=side*(places - plane) > 1.0e-6_wp)
+         call assertLessThan(abs(log(cell/rim)), 0.5_wp*log(1.5_wp))
+      end subroutine check_cell
+
+      subroutine refused(finest, growth, start)
+         real(wp), intent(in) :: finest, growth
+         character(len=*), intent(in) :: start
+         type(error_type), allocatable :: error
+
+         choice%rim_mesh_size = finest
+         choice%mesh_growth = growth
+         call check_deck_choice(choice, .false., error)
+         call assertTrue(allocated(error) .eqv. start /= '', start)
+         if (allocated(error)) call assertEqual(1, index(error%message, start), error%message)
+      end subroutine refused
+   end subroutine test_graded_joint
 
    !> Coarse and odd joints are meshed too, and what cannot be is refused.
    subroutine test_other_joints()

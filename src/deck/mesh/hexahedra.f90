@@ -34,17 +34,16 @@ module asperity_deck_mesh_hexahedra
 contains
 
    !> Set `error`, unless it is set, when there is not enough memory for the meshes of a model.
-   pure subroutine check_mesh_room(error, volume, cell)
+   pure subroutine check_mesh_room(error, elements)
       !> Set without memory
       type(error_type), allocatable, intent(inout) :: error
-      !> Volume of all parts, mm^3, and length of an edge aimed at, mm
-      real(wp), intent(in) :: volume, cell
+      !> About how many elements all parts have
+      real(wp), intent(in) :: elements
+      real(wp) :: asked_for
 
-      real(wp) :: elements
-
-      elements = min(volume/cell/cell/cell, most_elements)
-      call check_work('meshes of '//to_text(elements, 3)//' elements', &
-         int(bytes_of_element*elements, int64), error)
+      asked_for = min(elements, most_elements)
+      call check_work('meshes of '//to_text(asked_for, 3)//' elements', &
+         int(bytes_of_element*asked_for, int64), error)
    end subroutine check_mesh_room
 
    !> Elements between the planes of a grid, all or those of `keep`; only their nodes are made.

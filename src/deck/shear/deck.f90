@@ -77,7 +77,8 @@ contains
             'no springs for a table; raise it', subject='initial_separation')
          return
       end if
-      call check_mesh_room(error, 0.5_wp*pi*settings%diameter**2*disc_height, choice%mesh_size)
+      call check_mesh_room(error, 0.5_wp*pi*settings%diameter**2*disc_height &
+         /choice%mesh_size/choice%mesh_size/choice%mesh_size)
       if (allocated(error)) return
       call new_disc_mesh(deck%lower, settings%diameter, -disc_height, 0.0_wp, choice%mesh_size)
       call new_disc_mesh(deck%upper, settings%diameter, -deck%overclosure, &

@@ -11,7 +11,8 @@ module asperity_deck_tenon_deck
    use asperity_deck_mesh_cheek_interference, only: side_interference
    use asperity_deck_mesh_hexahedra, only: check_mesh_room, hex_mesh
    use asperity_deck_options, only: check_deck_choice, deck_choice, for_calculix
-   use asperity_deck_tenon_parts, only: check_tenon_sizes, new_beam, new_column, tenon_sizes
+   use asperity_deck_tenon_parts, only: check_tenon_sizes, new_beam, new_column, &
+      tenon_elements, tenon_sizes
    use asperity_deck_tenon_sets, only: new_tenon_sets, tenon_sets
    use asperity_replay_tenon_check_settings, only: check_tenon_settings
    use asperity_replay_tenon_load_path, only: tenon_programme
@@ -92,10 +93,8 @@ contains
       end associate
       if (.not. allocated(error)) call check_tenon_sizes(choice, settings, deck%sizes, error)
       if (.not. allocated(error)) call place_faces(deck, error)
-      associate (s => settings, sizes => deck%sizes)
-         call check_mesh_room(error, 0.5_wp*s%length*sizes%column_width*sizes%column_height &
-            + 0.5_wp*(s%length + sizes%tail + tenon_face_arm(s))*s%width*s%height, choice%mesh_size)
-      end associate
+      if (.not. allocated(error)) &
+         call check_mesh_room(error, tenon_elements(choice, settings, deck%sizes))
       if (allocated(error)) return
       call new_column(deck%column, choice, settings, deck%sizes)
       call new_beam(deck%beam, choice, settings, deck%sizes)

@@ -95,6 +95,14 @@ check 'deck tenon: sizes follow from the joint' sh -c '
    grep -q "^  mesh_size  *18.0 mm  *a tenth of height$" out && grep -q "^  column_height  *600.0 mm  *10/3 of height$" out \
       && grep -q "^  column_width  *250.0 mm  *as length$" out && grep -q "^  edge_relief  *1.8 mm  *a hundredth of height$" out'
 check 'deck tenon: the column of that joint' has follows.inp '- Column 600.0 mm high and 250.0 mm wide'
+run deck tenon case.nml --mesh-size 60 --rim-mesh-size 12 --mesh-growth 2 --inp graded.calculix.inp
+check 'deck tenon: graded towards the rims' has graded.calculix.inp \
+   '- Elements: edges of 12.0 mm at the rims of mortise and tenon, each 2.0 times its neighbour up'
+check 'deck tenon: even meshes have no such words' lacks tenon.uinter.calculix.inp 'times its neighbour'
+# both halves, within 1 % of the paper's 7144
+run deck tenon "$root/examples/tenon_joint/paper_mesh.nml" --inp paper.calculix.inp
+check 'deck tenon: elements of the paper, both halves' awk '$1 == "column" || $1 == "beam" { n += 2*$3 }
+   END { print n; exit !(n == 7152 && (n/7144 - 1)^2 < 0.01^2) }' out
 run deck tenon case.nml "${joint[@]}" --inp -
 check 'deck: --inp - is the deck' sh -c 'sed "/^\*\*    asperity/d" out >a; sed "/^\*\*    asperity/d" tenon.uinter.calculix.inp | cmp - a'
 run deck tenon case.nml "${joint[@]}" --plasticity plastic --field all --contact hard --inp plastic.calculix.inp
@@ -134,6 +142,13 @@ refuses 'deck: mesh larger than the disc' 2 \
 refuses 'deck: mesh larger than the beam' 2 \
    '--mesh-size: mesh_size = 106.0 mm is larger than the part: width is 105.0 mm' \
    deck tenon --mesh-size 106 --inp never.inp
+refuses 'deck: rims coarser than the rest' 2 \
+   '--rim-mesh-size: rim_mesh_size = 31.0 mm is larger than mesh_size, 30.0 mm' \
+   deck tenon --rim-mesh-size 31 --inp never.inp
+refuses 'deck: rims in metres' 2 '--rim-mesh-size: rim_mesh_size = 0.008 mm .* metres, write 8.0' \
+   deck tenon --rim-mesh-size 0.008 --inp never.inp
+refuses 'deck: edges that do not grow' 2 '--mesh-growth: mesh_growth = 1.0 is not allowed' \
+   deck tenon --rim-mesh-size 8 --mesh-growth 1 --inp never.inp
 refuses 'deck: no mesh' 2 '--mesh-size: mesh_size = 0.0 is not allowed' \
    deck tenon --mesh-size 0 --inp never.inp
 refuses 'deck: pressure above the hardness' 2 \
@@ -199,7 +214,7 @@ check 'deck: nothing is written then' sh -c '! ls never* 2>/dev/null'
 if command -v python3 >/dev/null; then
    syntax() { python3 -B "$here/commands/check_deck.py" "$@"; }
    finds() { ! syntax "$1" wrong.inp >wrong.log && grep -q "$2" wrong.log; }
-   for deck in {shear,tenon}.{uinter,table,hard}.{calculix,abaqus} plastic.{calculix,abaqus} open.calculix; do
+   for deck in {shear,tenon}.{uinter,table,hard}.{calculix,abaqus} plastic.{calculix,abaqus} {open,graded,paper}.calculix; do
       check "deck $deck: syntax" syntax ${deck##*.} $deck.inp
    done
    sed '/USER/{n;d;}' shear.uinter.abaqus.inp >wrong.inp

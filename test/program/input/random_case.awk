@@ -20,7 +20,7 @@ function value(key) {
 }
 BEGIN {
    srand(seed)
-   n = split("pair surface eta modulus radius hardness yield_factor sigma friction_coefficient critical_slip initial_separation friction_rule slip_integration accept_unphysical accept_sizes separation control peak increments step_time diameter normal_stress rate displacement displacement_increment shrinking_overlap shear_compliance largest_pressure smallest_pressure tolerance rows stick_pressure solver contact mesh_size penalty search_distance disc_height column_height column_width tail edge_relief side_interference stroke_increments", keys, " ")
+   n = split("pair surface eta modulus radius hardness yield_factor sigma friction_coefficient critical_slip initial_separation friction_rule slip_integration accept_unphysical accept_sizes separation control peak increments step_time diameter normal_stress rate displacement displacement_increment shrinking_overlap shear_compliance largest_pressure smallest_pressure tolerance rows stick_pressure solver contact mesh_size rim_mesh_size mesh_growth penalty search_distance disc_height column_height column_width tail edge_relief side_interference stroke_increments", keys, " ")
    s = pick("~! head\n~\n\n~ ") pick("&asperity~&ASPERITY~&Asperity") pick(" ~\n~\n ! c\n~ ! c\n")
    m = int(rand()*7)
    split("", used)

@@ -8,8 +8,8 @@ module asperity_program_commands_deck_tenon
    use asperity_deck_tenon_parts, only: default_mesh_size, default_tenon_sizes, tenon_sizes
    use asperity_deck_tenon_text, only: write_tenon_deck
    use asperity_program_commands_command, only: command_type
-   use asperity_program_commands_deck_parts, only: declare_deck, declare_law_table, fill_table, &
-      remark
+   use asperity_program_commands_deck_parts, only: declare_deck, declare_grading, &
+      declare_law_table, fill_table, remark
    use asperity_program_commands_tenon_history, only: follow_history, history_type, read_history
    use asperity_program_commands_tenon_joint_keys, only: tenon_case
    use asperity_program_commands_tenon_wood_keys, only: declare_wood
@@ -71,6 +71,7 @@ contains
       call declare_deck(self%choice, keys, mesh_size)
       keys%last = mesh_size
       call keys%follows(self%case%height_key, 'a tenth of height')
+      call declare_grading(self%choice, keys)
       self%sizes%column_height = usual%column_height
       call keys%real('column_height', self%sizes%column_height, 'mm', &
          'height of the column; 10/3 of height unless given')
