@@ -4,7 +4,7 @@ module test_solid_joint_mesh
    use asperity, only: contact_properties, error_type, wp
    use asperity_deck_options, only: deck_choice
    use asperity_deck_tenon_deck, only: new_tenon_deck, tenon_deck
-   use asperity_deck_tenon_parts, only: default_tenon_sizes
+   use asperity_deck_tenon_parts, only: default_tenon_sizes, tenon_sizes
    use asperity_deck_tenon_text, only: write_tenon_deck
    use asperity_replay_tenon_settings, only: tenon_settings
    use asperity_solid_mesh_checks, only: check_solid_mesh, mesh_remark
@@ -25,6 +25,7 @@ contains
       call suite%addTest(TestMethod('nodes and elements of the deck', test_text))
       call suite%addTest(TestMethod('sets of the deck', test_sets))
       call suite%addTest(TestMethod('facets', test_facets))
+      call suite%addTest(TestMethod('graded towards the rims', test_graded))
       call suite%addTest(TestMethod('what does not go with the programme', test_refused))
       call suite%addTest(TestMethod('remarks', test_remarks))
    end function suite_joint_mesh
@@ -148,6 +149,30 @@ contains
       end subroutine check
    end subroutine test_facets
 
+   !> Without relief slaves end at the rims, all of the mortise is slave, and the section whose
+   !> rotation is the joint's is at the column face.
+   subroutine test_graded()
+      type(tenon_settings) :: s
+      type(tenon_deck) :: deck
+      type(solid_mesh) :: mesh
+      type(error_type), allocatable :: error
+      integer :: i
+
+      call make(deck, s, 60.0_wp, rim=8.0_wp)
+      call new_solid_mesh(mesh, deck, error)
+      call assertFalse(allocated(error))
+      call assertTrue(all(abs(mesh%nodes(1, mesh%section)) < 1.0e-12_wp), 'section')
+      call assertEqual([0.0_wp, 0.0_wp, 0.0_wp], mesh%nodes(:, mesh%axial_node), &
+         tolerance=1.0e-12_wp)
+      do i = face_top, face_side
+         associate (x => mesh%nodes(1, mesh%mortise(i)%facets(1, :)), &
+               y => mesh%nodes(1, mesh%mortise(i)%facets(3, :)))
+            call assertEqual([-300.0_wp, 0.0_wp], [min(minval(x), minval(y)), &
+               max(maxval(x), maxval(y))], tolerance=1.0e-12_wp, message='ends at the rims')
+         end associate
+      end do
+   end subroutine test_graded
+
    !> With clearances of 0.5 - 4*0.0593 = 0.2628 mm an arm of 500 mm meets the faces at
    !> 0.2628*(1000/300 + 1) = 1.1388 mm.
    subroutine test_refused()
@@ -164,6 +189,8 @@ contains
       call make(deck, s, 30.0_wp)
       call check_solid_mesh(deck, error)
       call assertFalse(allocated(error), 'fine enough')
+      call make(deck, s, 60.0_wp, rim=58.0_wp)
+      call refused('rim_mesh_size = 58.0 mm is too coarse for the indentation')
       s%amplitudes = [1.1_wp]
       call make(deck, s, 60.0_wp)
       call check_solid_mesh(deck, error)
@@ -191,6 +218,9 @@ contains
       call check(s, 60.0_wp, 'elements of 60.0 mm at the rims are coarse for an indentation of '// &
          'about 10.8 mm')
       call check(s, 30.0_wp, '')
+      ! 8 + 12 + 18 + 27 + 40.5 + 60 = 165.5 mm on half of 300 mm: 8*150/165.5
+      call check(s, 60.0_wp, 'elements of 7.251 mm at the rims are smaller than the indentation', &
+         rim=8.0_wp)
       s%amplitudes = [1.1_wp]
       s%cycles = [1]
       call check(s, 30.0_wp, 'the tenon meets its sides only')
@@ -198,14 +228,15 @@ contains
       s%amplitudes = [8.0_wp]
       call check(s, 60.0_wp, '')
    contains
-      subroutine check(settings, cell, start)
+      subroutine check(settings, cell, start, rim)
          type(tenon_settings), intent(in) :: settings
          real(wp), intent(in) :: cell
          character(len=*), intent(in) :: start
+         real(wp), intent(in), optional :: rim
          type(tenon_deck) :: deck
          character(len=240) :: remark
 
-         call make(deck, settings, cell)
+         call make(deck, settings, cell, rim)
          remark = mesh_remark(deck)
          if (start == '') call assertEqual('', trim(remark))
          call assertEqual(1, index(remark, start), message=trim(remark))
@@ -213,10 +244,13 @@ contains
    end subroutine test_remarks
 
    !> The deck of the paper's joint but for settings and mesh.
-   subroutine make(deck, settings, cell)
+   subroutine make(deck, settings, cell, rim)
       type(tenon_deck), intent(out) :: deck
       type(tenon_settings), intent(in) :: settings
       real(wp), intent(in) :: cell
+      !> Edges at the rims of a graded mesh, which has no relief
+      real(wp), intent(in), optional :: rim
+      type(tenon_sizes) :: sizes
       type(contact_properties) :: pair
       type(deck_choice) :: choice
       type(error_type), allocatable :: error
@@ -224,8 +258,12 @@ contains
       choice%mesh_size = cell
       choice%command = ''
       pair = pair_properties()
-      call new_tenon_deck(deck, choice, settings, default_tenon_sizes(settings), 10, pair, pair, &
-         error)
+      sizes = default_tenon_sizes(settings)
+      if (present(rim)) then
+         choice%rim_mesh_size = rim
+         sizes%edge_relief = 0.0_wp
+      end if
+      call new_tenon_deck(deck, choice, settings, sizes, 10, pair, pair, error)
       if (allocated(error)) call assertEqual('', error%message)
    end subroutine make
 

@@ -38,8 +38,8 @@ contains
             'above and '//to_text(sizes%gap_below, 6)//' mm below the beam; negative is an '// &
             'overlap. '//gap_words(model))
          if (allocated(model%choice%rim_mesh_size)) call deck%comment('- Elements: edges of '// &
-            to_text(model%choice%rim_mesh_size, 4)//' mm at the rims of mortise and tenon, each '// &
-            to_text(model%choice%mesh_growth, 4)//' times its neighbour up to '// &
+            to_text(model%choice%rim_mesh_size, 4)//' mm at the rims of mortise and tenon, '// &
+            'each '//to_text(model%choice%mesh_growth, 4)//' times its neighbour up to '// &
             to_text(model%choice%mesh_size, 4)//' mm, along x and z; even across the beam, as '// &
             'the joint turns in the plane of x and z.')
          if (model%has_sides) then

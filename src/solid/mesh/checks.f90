@@ -29,7 +29,8 @@ contains
       type(tenon_deck), intent(in) :: deck
       !> Set when the mesh is refused
       type(error_type), allocatable, intent(out) :: error
-      real(wp) :: touch, amplitude, strip, facet
+      real(wp) :: touch, amplitude, strip, facet, cell
+      character(len=16) :: name
 
       touch = touching_displacement(deck)
       amplitude = maxval(abs(deck%turns))
@@ -43,11 +44,17 @@ contains
       end if
       strip = 0.5_wp*deck%settings%length*(1.0_wp - touch/amplitude)
       facet = rim_facet(deck)
-      if (strip < least_share*facet) call fatal_error(error, 'mesh_size = '// &
-         to_text(deck%choice%mesh_size)//' mm is too coarse for the indentation: at '// &
+      name = 'mesh_size'
+      cell = deck%choice%mesh_size
+      if (allocated(deck%choice%rim_mesh_size)) then
+         name = 'rim_mesh_size'
+         cell = deck%choice%rim_mesh_size
+      end if
+      if (strip < least_share*facet) call fatal_error(error, trim(name)//' = '// &
+         to_text(cell)//' mm is too coarse for the indentation: at '// &
          to_text(amplitude, 4)//' mm the tenon meets its faces over '//to_text(strip, 4)// &
          ' mm, less than the sixth part of an element of '//to_text(facet, 4)// &
-         ' mm; take a smaller one or larger amplitudes', subject='mesh_size')
+         ' mm; take a smaller one or larger amplitudes', subject=trim(name))
    end subroutine check_solid_mesh
 
    !> What is to be said of a mesh that is not refused; blank when there is nothing.
