@@ -144,7 +144,7 @@ contains
       real(wp) :: place(3)
       integer :: i, j, k, n, point
 
-      allocate (body%nodes(3, 12), body%displacement(3, 12))
+      allocate (body%nodes(3, 12), body%displacement(3, 12), body%elements(8, 2), body%part(2))
       n = 0
       do k = 0, 1
          do j = 0, 1
@@ -156,8 +156,8 @@ contains
             end do
          end do
       end do
-      body%elements = reshape([1, 2, 5, 4, 7, 8, 11, 10, 2, 3, 6, 5, 8, 9, 12, 11], [8, 2])
-      body%part = [1, 2]
+      body%elements(:, :) = reshape([1, 2, 5, 4, 7, 8, 11, 10, 2, 3, 6, 5, 8, 9, 12, 11], [8, 2])
+      body%part(:) = [1, 2]
       allocate (body%stress(6, 8, 2), body%plastic_strain(8, 2))
       do point = 1, 8
          body%stress(:, point, 1) = point*step*[(real(i, wp), i=1, 6)]
