@@ -5,6 +5,10 @@ program test_solid
    use test_solid_joint_mesh, only: suite_joint_mesh
    use test_solid_small_matrices, only: suite_small_matrices
    use test_solid_vtu, only: suite_vtu
+   use test_solid_material_elasticity, only: suite_material_elasticity
+   use test_solid_material_return, only: suite_material_return
+   use test_solid_material_strengths, only: suite_material_strengths
+   use test_solid_wood_check, only: suite_wood_check
    implicit none
    type(TestSuite) :: suite
 
@@ -12,5 +16,9 @@ program test_solid
    call suite%addTest(suite_small_matrices())
    call suite%addTest(suite_joint_mesh())
    call suite%addTest(suite_vtu())
+   call suite%addTest(suite_wood_check())
+   call suite%addTest(suite_material_elasticity())
+   call suite%addTest(suite_material_strengths())
+   call suite%addTest(suite_material_return())
    call run_suite(suite)
 end program test_solid
