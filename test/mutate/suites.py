@@ -10,7 +10,9 @@ FOLDERS = {
     'src/hysteresis': ['hysteresis'],
     'src/height_map': ['height_map', 'surface'],
     'src/surface': ['surface', 'law'],
+    'src/wood': ['solid', 'deck'],
     'src/deck': ['deck'],
+    'src/solid': ['solid'],
     'interface/abaqus': ['abaqus', 'single', 'replay'],
     'interface/c': ['c'],
 }

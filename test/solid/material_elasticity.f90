@@ -158,6 +158,8 @@ contains
          case (3)
             a(1:2, 3) = 1.0e-9_wp*a(1:2, 3)
             a(3, 1:2) = a(1:2, 3)
+         case default
+            ! as it was drawn
          end select
          size_of_a = maxval(abs(a))
          call find_eigenvectors(a, values, vectors)

@@ -23,7 +23,7 @@ contains
    pure subroutine find_yield_surface(surface, wood, pressed_along_grain)
       !> Result
       type(yield_surface), intent(out) :: surface
-      !> The wood
+      !> The wood; `crushing` where it is neither `mises` nor `hill`
       type(wood_properties), intent(in) :: wood
       !> For `mises`: whether the strength is that along the grain
       logical, intent(in) :: pressed_along_grain
@@ -39,7 +39,7 @@ contains
          case ('hill')
             p(1:3, 1:3) = without_pressure(fc/surface%stress)
             call set_shear(p, (surface%stress/wood%shear_strengths)**2)
-         case ('crushing')
+         case default
             call find_crushing(surface, wood)
          end select
       end associate
