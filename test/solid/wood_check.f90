@@ -85,16 +85,18 @@ contains
    subroutine test_ratios()
       type(wood_properties) :: wood
 
-      wood%young_moduli = [400.0_wp, 100.0_wp, 100.0_wp]
+      wood%young_moduli = [400.0_wp, 100.0_wp, 25.0_wp]
       wood%poisson_ratios = [1.999_wp, 0.0_wp, 0.0_wp]
       call accept(wood)
       wood%poisson_ratios = [2.001_wp, 0.0_wp, 0.0_wp]
       call refuse(wood, 'poisson_ratio_lr')
-      wood%poisson_ratios = [0.0_wp, -1.999_wp, 0.0_wp]
+      wood%poisson_ratios = [0.0_wp, -3.999_wp, 0.0_wp]
       call accept(wood)
-      wood%poisson_ratios = [0.0_wp, -2.001_wp, 0.0_wp]
+      wood%poisson_ratios = [0.0_wp, -4.001_wp, 0.0_wp]
       call refuse(wood, 'poisson_ratio_lt')
-      wood%poisson_ratios = [0.0_wp, 0.0_wp, 1.001_wp]
+      wood%poisson_ratios = [0.0_wp, 0.0_wp, 1.999_wp]
+      call accept(wood)
+      wood%poisson_ratios = [0.0_wp, 0.0_wp, 2.001_wp]
       call refuse(wood, 'poisson_ratio_rt')
       wood%young_moduli = 100.0_wp
       wood%poisson_ratios = 0.499_wp
