@@ -20,6 +20,8 @@ module asperity_wood_check
    real(wp), parameter :: smallest_minor = 1.0e-9_wp
    !> How far the first stress of the curve may be from the strength, relatively
    real(wp), parameter :: curve_tolerance = 1.0e-6_wp
+   !> Largest strain of the curve
+   real(wp), parameter :: largest_strain = 1.0e3_wp
 
 contains
 
@@ -124,7 +126,8 @@ contains
          return
       end if
       do i = 1, n
-         call check_range(error, 'hardening_curve', curve(1, i), 0.0_wp, 1.0e3_wp, '')
+         call check_range(error, 'hardening_curve', curve(1, i), 0.0_wp, &
+            largest_strain, '')
          if (.not. allocated(error)) &
             call check_positive(error, 'hardening_curve', curve(2, i), 'MPa')
          if (allocated(error)) return

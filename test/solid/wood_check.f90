@@ -24,6 +24,7 @@ contains
       call suite%addTest(TestMethod('Poisson''s ratios', test_ratios))
       call suite%addTest(TestMethod('criterion', test_criterion))
       call suite%addTest(TestMethod('hardening', test_hardening))
+      call suite%addTest(TestMethod('what messages say', test_messages))
    end function suite_wood_check
 
    !> The wood is refused, as the key's.
@@ -154,6 +155,44 @@ contains
       wood%hardening_curve = reshape([0.0_wp], [1, 1])
       call refuse(wood, 'hardening_curve')
    end subroutine test_hardening
+
+   !> Messages that name several values.
+   subroutine test_messages()
+      type(wood_properties) :: wood
+
+      wood%young_moduli = [120.0_wp, 110.0_wp, 100.0_wp]
+      wood%poisson_ratios = [0.6_wp, 0.7_wp, 0.8_wp]
+      call say(wood, 'poisson_ratio_lr = 0.6, poisson_ratio_lt = 0.7 and poisson_ratio_rt = '// &
+         '0.8 do not go together with Young''s moduli of 120.0, 110.0 and 100.0 MPa: the wood '// &
+         'would give energy when it is deformed; take smaller ratios')
+      wood = wood_properties(criterion='hill', compression_strengths=[9.0_wp, 1.0_wp, 3.0_wp])
+      call say(wood, 'compression_strength_l = 9.0, compression_strength_r = 1.0 and '// &
+         'compression_strength_t = 3.0 MPa are not allowed with criterion = ''hill'', which '// &
+         'needs each of 1/strength below the sum of the other two; take strengths closer to '// &
+         'each other, or criterion = ''crushing''')
+      wood = wood_properties(criterion='tresca')
+      call say(wood, 'criterion = ''tresca'' is unknown: it must be one of none, mises, hill, '// &
+         'crushing')
+      wood = wood_properties()
+      call say(with_curve(wood, [0.01_wp, 5.0_wp]), 'hardening_curve begins at a plastic '// &
+         'strain of 0.01 and 5.0 MPa: it must begin at 0 and the strength across the grain, '// &
+         'compression_strength_r = 4.7 MPa')
+      call say(with_curve(wood, [0.0_wp, 4.7_wp, 0.1_wp, 5.0_wp, 0.2_wp, 4.9_wp]), &
+         'hardening_curve goes from 5.0 MPa at a plastic strain of 0.1 to 4.9 MPa at 0.2: '// &
+         'strains must rise, and stresses must not fall')
+      call say(with_curve(wood, [0.0_wp, 4.7_wp, -0.1_wp, 5.0_wp]), 'hardening_curve = -0.1 is '// &
+         'not allowed: it must be a number between 0.0 and 1000.0')
+   end subroutine test_messages
+
+   subroutine say(wood, message)
+      type(wood_properties), intent(in) :: wood
+      character(len=*), intent(in) :: message
+      type(error_type), allocatable :: error
+
+      call check_wood_properties(wood, error)
+      call assertTrue(allocated(error), message)
+      if (allocated(error)) call assertEqual(message, error%message)
+   end subroutine say
 
    !> Wood with points of a curve: strain, stress, strain, stress.
    function with_curve(wood, points) result(changed)
