@@ -17,7 +17,7 @@ module asperity_solid_material_return_map
 
    !> Change of the yield stress, relatively, after which one more step is exact to rounding
    real(wp), parameter :: tolerance = 1.0e-10_wp
-   !> Most steps; about six are needed
+   !> Most steps; seven did for strains of up to 1e100
    integer, parameter :: most_steps = 50
 
 contains
