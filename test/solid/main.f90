@@ -8,6 +8,8 @@ program test_solid
    use test_solid_material_elasticity, only: suite_material_elasticity
    use test_solid_material_return, only: suite_material_return
    use test_solid_material_strengths, only: suite_material_strengths
+   use test_solid_material_tangent, only: suite_material_tangent
+   use test_solid_small_matrices, only: suite_small_matrices
    use test_solid_wood_check, only: suite_wood_check
    implicit none
    type(TestSuite) :: suite
@@ -20,5 +22,6 @@ program test_solid
    call suite%addTest(suite_material_elasticity())
    call suite%addTest(suite_material_strengths())
    call suite%addTest(suite_material_return())
+   call suite%addTest(suite_material_tangent())
    call run_suite(suite)
 end program test_solid

@@ -10,7 +10,7 @@ module material_cases
    implicit none
    private
    public :: criteria, place_of, prepare, distinct_wood, equivalent_stress, crushing_size, &
-      first_yield_stress, load, random_vector
+      first_yield_stress, load, random_curve, random_vector
 
    character(len=8), parameter :: criteria(3) = [character(len=8) :: 'mises', 'hill', 'crushing']
    !> Places of the components of a symmetric tensor in xx, yy, zz, xy, yz, zx
@@ -165,5 +165,19 @@ contains
          vector(i) = stream%uniform(-largest, largest)
       end do
    end function random_vector
+
+   !> A curve of points, sometimes flat, sometimes steep after a flat piece.
+   function random_curve(stream, strength) result(curve)
+      type(random_stream), intent(inout) :: stream
+      real(wp), intent(in) :: strength
+      real(wp) :: curve(2, 5)
+      integer :: i
+
+      curve(:, 1) = [0.0_wp, strength]
+      do i = 2, 5
+         curve(1, i) = curve(1, i - 1) + stream%log_uniform(1.0e-4_wp, 0.3_wp)
+         curve(2, i) = curve(2, i - 1) + max(stream%uniform(-0.5_wp, 1.0_wp), 0.0_wp)*strength
+      end do
+   end function random_curve
 
 end module material_cases
