@@ -1,0 +1,52 @@
+!> The rotation in a deformation gradient.
+module asperity_solid_element_rotation
+   use asperity_base_kinds, only: wp
+   use asperity_solid_small_matrices, only: invert
+   implicit none
+   private
+   public :: polar_rotation
+
+   !> Largest entry of a gradient and smallest determinant of one whose largest entry is 1: beyond
+   !> them an iterate has gone astray, and strains of it are of no use
+   real(wp), parameter :: largest_stretch = 1000.0_wp, smallest_volume = 1.0e-9_wp
+   !> Change at which an iteration that converges quadratically has arrived
+   real(wp), parameter :: arrived = 1.0e-8_wp
+   !> Iterations; five are usual, twelve do for any gradient that is not refused
+   integer, parameter :: most_iterations = 30
+
+contains
+
+   !> The rotation R of F = R U, U symmetric and positive, by Newton's iteration
+   !> R <- (g R + R^-T/g)/2 with the scale g that makes both terms alike (N. J. Higham, Computing
+   !> the polar decomposition - with applications, SIAM J. Sci. Stat. Comput. 7, 1986).
+   pure subroutine polar_rotation(gradient, rotation, inverted)
+      !> Deformation gradient F
+      real(wp), intent(in) :: gradient(3, 3)
+      !> R; the unit matrix when `inverted`
+      real(wp), intent(out) :: rotation(3, 3)
+      !> F turns inside out, is flat, or stretches a thousandfold
+      logical, intent(out) :: inverted
+      real(wp) :: inverse(3, 3), next(3, 3), determinant, scale, change
+      integer :: iteration
+
+      rotation = reshape([1.0_wp, 0.0_wp, 0.0_wp, 0.0_wp, 1.0_wp, 0.0_wp, 0.0_wp, 0.0_wp, 1.0_wp], &
+         [3, 3])
+      scale = maxval(abs(gradient))
+      inverted = .not. (scale > 0.0_wp .and. scale < largest_stretch)
+      if (inverted) return
+      next = gradient/scale
+      call invert(next, inverse, determinant)
+      inverted = .not. determinant > smallest_volume
+      if (inverted) return
+      rotation = next
+      do iteration = 1, most_iterations
+         scale = sqrt(sqrt(sum(inverse**2)/sum(rotation**2)))
+         next = 0.5_wp*(scale*rotation + transpose(inverse)/scale)
+         change = maxval(abs(next - rotation))
+         rotation = next
+         if (change < arrived) exit
+         call invert(rotation, inverse, determinant)
+      end do
+   end subroutine polar_rotation
+
+end module asperity_solid_element_rotation
