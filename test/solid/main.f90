@@ -3,6 +3,10 @@ program test_solid
    use funit, only: TestSuite
    use run_suites, only: run_suite
    use test_solid_joint_mesh, only: suite_joint_mesh
+   use test_solid_brick, only: suite_brick
+   use test_solid_brick_limits, only: suite_brick_limits
+   use test_solid_brick_structures, only: suite_brick_structures
+   use test_solid_brick_tangent, only: suite_brick_tangent
    use test_solid_small_matrices, only: suite_small_matrices
    use test_solid_vtu, only: suite_vtu
    use test_solid_material_elasticity, only: suite_material_elasticity
@@ -23,5 +27,9 @@ program test_solid
    call suite%addTest(suite_material_strengths())
    call suite%addTest(suite_material_return())
    call suite%addTest(suite_material_tangent())
+   call suite%addTest(suite_brick())
+   call suite%addTest(suite_brick_limits())
+   call suite%addTest(suite_brick_tangent())
+   call suite%addTest(suite_brick_structures())
    call run_suite(suite)
 end program test_solid
