@@ -92,7 +92,8 @@ contains
          if (.not. inverted) return
          call assertEqual(0.0_wp, maxval(abs(forces)) + maxval(abs(tangent)))
          call assertEqual(0, n_yielding)
-         call assertTrue(all(end%equivalent_strain >= start%equivalent_strain))
+         call assertEqual(0.0_wp, &
+            maxval(abs(end%equivalent_strain - start%equivalent_strain)))
       end subroutine check
    end subroutine test_inverted
 
