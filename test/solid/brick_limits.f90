@@ -25,6 +25,7 @@ contains
       suite = TestSuite('brick limits')
       call suite%addTest(TestMethod('rotation of any gradient', test_polar))
       call suite%addTest(TestMethod('elements turned inside out', test_inverted))
+      call suite%addTest(TestMethod('points that yield are counted', test_number_yielding))
       call suite%addTest(TestMethod('corners that enclose no volume', test_bad_corners))
    end function suite_brick_limits
 
@@ -51,6 +52,22 @@ contains
          call assertEqual(0.0_wp, maxval(abs(matmul(transpose(found), found) - identity)), &
             tolerance=1.0e-14_wp)
       end do
+      ! limits: a thousandfold, and a billionth of the cube of the largest stretch
+      stretches = identity
+      stretches(1, 1) = 999.0_wp
+      call polar_rotation(matmul(r, stretches), found, inverted)
+      call assertFalse(inverted)
+      stretches(1, 1) = 1002.0_wp
+      call polar_rotation(stretches, found, inverted)
+      call assertTrue(inverted)
+      stretches(1, 1) = 1.0_wp
+      stretches(2, 2) = 1.01e-9_wp
+      call polar_rotation(stretches, found, inverted)
+      call assertFalse(inverted)
+      call assertEqual(0.0_wp, maxval(abs(found - identity)), tolerance=1.0e-14_wp)
+      stretches(2, 2) = 0.99e-9_wp
+      call polar_rotation(stretches, found, inverted)
+      call assertTrue(inverted)
    end subroutine test_polar
 
    !> Mirrored, flattened, and far away: said, with nothing that is not a number.
@@ -84,6 +101,9 @@ contains
          integer :: n_yielding
          logical :: inverted
 
+         forces = 1.0_wp
+         tangent = 1.0_wp
+         n_yielding = 1
          call brick_response(shape, material, places, spread(0.0_wp, 1, 6), start, end, forces, &
             n_yielding, tangent, inverted)
          call assertTrue(inverted .eqv. expected)
@@ -96,6 +116,29 @@ contains
             maxval(abs(end%equivalent_strain - start%equivalent_strain)))
       end subroutine check
    end subroutine test_inverted
+
+   !> Pressed together by 5 % across the grain, all points yield, and none as it was.
+   subroutine test_number_yielding()
+      type(random_stream) :: stream
+      type(solid_material) :: material
+      type(brick) :: shape
+      type(material_point) :: start(8), end(8)
+      real(wp) :: forces(3, 8), pressed(3, 3)
+      integer :: n_yielding
+      logical :: inverted
+
+      stream = random_stream(seed + 2)
+      material = wood_of('crushing')
+      call random_brick(shape, stream, material)
+      pressed = identity
+      pressed(1, 1) = 0.95_wp
+      call brick_response(shape, material, matmul(pressed, shape%corners), spread(0.0_wp, 1, 6), &
+         start, end, forces, n_yielding, inverted=inverted)
+      call assertEqual(merge(8, 0, material%is_plastic), n_yielding)
+      call brick_response(shape, material, shape%corners, spread(0.0_wp, 1, 6), start, end, &
+         forces, n_yielding, inverted=inverted)
+      call assertEqual(0, n_yielding)
+   end subroutine test_number_yielding
 
    subroutine test_bad_corners()
       type(solid_material) :: material
@@ -116,7 +159,15 @@ contains
       call new_brick(shape, corners, material%stiffness, error)
       call assertTrue(allocated(error))
       if (allocated(error)) call assertTrue(index(error%message, 'point 7 ') > 0, error%message)
-      corners(3, :) = 0.0_wp
+      ! a plate of a billionth of its edge
+      corners = one%nodes(:, one%elements(:, 1))
+      corners(1, :) = corners(1, :) + 7.0_wp
+      corners(3, :) = 1.01e-9_wp*corners(3, :)
+      call new_brick(shape, corners, material%stiffness, error)
+      call assertFalse(allocated(error))
+      call assertEqual(edge, maxval(shape%corners))
+      call assertEqual(0.0_wp, maxval(abs(shape%corners(:, 1))))
+      corners(3, :) = 0.98_wp*corners(3, :)
       call new_brick(shape, corners, material%stiffness, error)
       call assertTrue(allocated(error))
    end subroutine test_bad_corners

@@ -22,23 +22,20 @@ contains
    pure subroutine polar_rotation(gradient, rotation, inverted)
       !> Deformation gradient F
       real(wp), intent(in) :: gradient(3, 3)
-      !> R; the unit matrix when `inverted`
+      !> R; not set when `inverted`
       real(wp), intent(out) :: rotation(3, 3)
       !> F turns inside out, is flat, or stretches a thousandfold
       logical, intent(out) :: inverted
       real(wp) :: inverse(3, 3), next(3, 3), determinant, scale, change
       integer :: iteration
 
-      rotation = reshape([1.0_wp, 0.0_wp, 0.0_wp, 0.0_wp, 1.0_wp, 0.0_wp, 0.0_wp, 0.0_wp, 1.0_wp], &
-         [3, 3])
       scale = maxval(abs(gradient))
       inverted = .not. (scale > 0.0_wp .and. scale < largest_stretch)
       if (inverted) return
-      next = gradient/scale
-      call invert(next, inverse, determinant)
+      rotation = gradient/scale
+      call invert(rotation, inverse, determinant)
       inverted = .not. determinant > smallest_volume
       if (inverted) return
-      rotation = next
       do iteration = 1, most_iterations
          scale = sqrt(sqrt(sum(inverse**2)/sum(rotation**2)))
          next = 0.5_wp*(scale*rotation + transpose(inverse)/scale)
