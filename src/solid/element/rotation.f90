@@ -11,8 +11,8 @@ module asperity_solid_element_rotation
    real(wp), parameter :: largest_stretch = 1000.0_wp, smallest_volume = 1.0e-9_wp
    !> Change at which an iteration that converges quadratically has arrived
    real(wp), parameter :: arrived = 1.0e-8_wp
-   !> Iterations; five are usual, twelve do for any gradient that is not refused
-   integer, parameter :: most_iterations = 30
+   !> Iterations; four are usual, six are the most for gradients that are not refused
+   integer, parameter :: most_iterations = 20
 
 contains
 
