@@ -7,8 +7,11 @@ program test_solid
    use test_solid_brick_limits, only: suite_brick_limits
    use test_solid_brick_structures, only: suite_brick_structures
    use test_solid_brick_tangent, only: suite_brick_tangent
+   use test_solid_contact_energy, only: suite_contact_energy
    use test_solid_contact_geometry, only: suite_contact_geometry
+   use test_solid_contact_history, only: suite_contact_history
    use test_solid_contact_patch, only: suite_contact_patch
+   use test_solid_contact_paths, only: suite_contact_paths
    use test_solid_contact_tangent, only: suite_contact_tangent
    use test_solid_small_matrices, only: suite_small_matrices
    use test_solid_vtu, only: suite_vtu
@@ -36,6 +39,9 @@ program test_solid
    call suite%addTest(suite_brick_structures())
    call suite%addTest(suite_contact_geometry())
    call suite%addTest(suite_contact_patch())
+   call suite%addTest(suite_contact_paths())
+   call suite%addTest(suite_contact_energy())
+   call suite%addTest(suite_contact_history())
    call suite%addTest(suite_contact_tangent())
    call run_suite(suite)
 end program test_solid

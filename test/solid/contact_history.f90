@@ -1,0 +1,89 @@
+!> Contact goes on from a checkpoint, and through UINTER.
+module test_solid_contact_history
+   use asperity, only: wp
+   use asperity_solid_contact_history, only: history_size, pack_history, unpack_history
+   use asperity_solid_contact_pair, only: forget_pattern
+   use asperity_solid_contact_rough, only: rough_law
+   use asperity_solid_contact_uinter, only: new_uinter_law, uinter_law
+   use contact_blocks, only: blocks, new_blocks
+   use contact_cases, only: pair_properties
+   use contact_motion, only: advance, motion, new_motion, winding_path
+   use funit, only: assertEqual, assertGreaterThan, assertLessThan, assertTrue, TestMethod, &
+      TestSuite
+   implicit none
+   private
+   public :: suite_contact_history
+
+contains
+
+   function suite_contact_history() result(suite)
+      type(TestSuite) :: suite
+
+      suite = TestSuite('contact history')
+      call suite%addTest(TestMethod('a checkpoint bit for bit', test_history))
+      call suite%addTest(TestMethod('the same through UINTER', test_uinter))
+   end function suite_contact_history
+
+   !> A pair that goes on, and one that is built anew from its numbers.
+   subroutine test_history()
+      type(rough_law) :: law
+      type(motion) :: first, second
+      type(blocks) :: b
+      integer :: i
+
+      law%properties = pair_properties()
+      b = new_blocks([3, 3], [0.0_wp, 0.0_wp], [60.0_wp, 60.0_wp], [4, 5], [-31.0_wp, -10.0_wp], &
+         [50.0_wp, 70.0_wp], 0.02_wp)
+      call new_motion(first, b, law)
+      do i = 1, 12
+         call advance(first, winding_path(b, 0.02_wp*i))
+      end do
+      call new_motion(second, b, law)
+      call assertEqual(size(pack_history(first%pair)), history_size(second%pair))
+      call unpack_history(second%pair, pack_history(first%pair))
+      second%x = first%x
+      call forget_pattern(first%pair)
+      do i = 13, 24
+         call advance(first, winding_path(b, 0.02_wp*i))
+         call advance(second, winding_path(b, 0.02_wp*i))
+         call assertTrue(all(abs(first%forces - second%forces) <= 0.0_wp), 'the same forces')
+      end do
+      call assertTrue(all(abs(pack_history(first%pair) - pack_history(second%pair)) <= 0.0_wp), &
+         'the same history')
+      do i = 1, size(first%pair%faces)
+         call assertEqual(first%pair%faces(i)%nodes, second%pair%faces(i)%nodes, 'the same nodes')
+      end do
+      call assertGreaterThan(first%pair%energy%dissipation, 1000.0_wp, 'it slid')
+   end subroutine test_history
+
+   subroutine test_uinter()
+      type(rough_law) :: law
+      type(uinter_law) :: through
+      type(motion) :: direct, called
+      type(blocks) :: b
+      real(wp) :: worst, largest
+      integer :: i
+
+      law%properties = pair_properties()
+      call new_uinter_law(through, law%properties)
+      b = new_blocks([2, 2], [0.0_wp, 0.0_wp], [60.0_wp, 60.0_wp], [4, 3], [-31.0_wp, -10.0_wp], &
+         [50.0_wp, 70.0_wp], 0.02_wp)
+      call new_motion(direct, b, law)
+      call new_motion(called, b, through)
+      worst = 0.0_wp
+      largest = 0.0_wp
+      do i = 1, 20
+         call advance(direct, winding_path(b, 0.04_wp*i))
+         call advance(called, winding_path(b, 0.04_wp*i))
+         worst = max(worst, maxval(abs(direct%forces - called%forces)))
+         largest = max(largest, maxval(abs(direct%forces)))
+      end do
+      call assertGreaterThan(largest, 100.0_wp, 'there are forces')
+      call assertLessThan(worst/largest, 1.0e-12_wp, 'forces')
+      call assertEqual(direct%pair%energy%dissipation, called%pair%energy%dissipation, &
+         tolerance=1.0e-12_wp*direct%pair%energy%dissipation, message='dissipation')
+      call assertEqual(direct%pair%energy%coupling, called%pair%energy%coupling, &
+         tolerance=1.0e-12_wp*direct%pair%energy%dissipation, message='coupling')
+   end subroutine test_uinter
+
+end module test_solid_contact_history
