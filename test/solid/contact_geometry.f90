@@ -129,8 +129,8 @@ contains
       call assertEqual(0.0_wp, area, 0.0_wp, 'nothing shared')
    end subroutine test_clip
 
-   !> A cell of 6 mm moves over a rim: its coverage is the share of it inside, though facets are 2 mm
-   !> wide; at a corner it is the product.
+   !> A cell of 6 mm moves over a rim: its coverage is the share of it inside, though facets are
+   !> 2 mm wide; at a corner it is the product.
    subroutine test_coverage()
       real(wp), parameter :: edges(3, 2) = reshape([6.0_wp, 0.0_wp, 0.0_wp, 0.0_wp, 6.0_wp, &
          0.0_wp], [3, 2])

@@ -1,15 +1,16 @@
 !> Contact goes on from a checkpoint, and through UINTER.
 module test_solid_contact_history
-   use asperity, only: wp
+   use asperity, only: error_type, wp
    use asperity_solid_contact_history, only: history_size, pack_history, unpack_history
-   use asperity_solid_contact_pair, only: forget_pattern
+   use asperity_solid_contact_pair, only: begin_increment, forget_pattern
    use asperity_solid_contact_rough, only: rough_law
    use asperity_solid_contact_uinter, only: new_uinter_law, uinter_law
    use contact_blocks, only: blocks, new_blocks
    use contact_cases, only: pair_properties
-   use contact_motion, only: advance, motion, new_motion, winding_path
-   use funit, only: assertEqual, assertGreaterThan, assertLessThan, assertTrue, TestMethod, &
-      TestSuite
+   use contact_forces, only: pair_forces
+   use contact_motion, only: advance, motion, moved_master, new_motion, winding_path
+   use funit, only: assertEqual, assertFalse, assertGreaterThan, assertLessThan, assertTrue, &
+      TestMethod, TestSuite
    implicit none
    private
    public :: suite_contact_history
@@ -21,6 +22,8 @@ contains
 
       suite = TestSuite('contact history')
       call suite%addTest(TestMethod('a checkpoint bit for bit', test_history))
+      call suite%addTest(TestMethod('an increment cut back bit for bit', test_cut_back))
+      call suite%addTest(TestMethod('nodes are met when they are needed', test_nodes))
       call suite%addTest(TestMethod('the same through UINTER', test_uinter))
    end function suite_contact_history
 
@@ -55,6 +58,67 @@ contains
       end do
       call assertGreaterThan(first%pair%energy%dissipation, 1000.0_wp, 'it slid')
    end subroutine test_history
+
+   !> Trials far astray, then the increment anew.
+   subroutine test_cut_back()
+      type(rough_law) :: law
+      type(motion) :: first, second
+      type(blocks) :: b
+      type(error_type), allocatable :: error
+      real(wp), allocatable :: forces(:, :)
+      integer :: i
+
+      law%properties = pair_properties()
+      b = new_blocks([3, 3], [0.0_wp, 0.0_wp], [60.0_wp, 60.0_wp], [4, 5], [-31.0_wp, -10.0_wp], &
+         [50.0_wp, 70.0_wp], 0.08_wp)
+      call new_motion(first, b, law)
+      call new_motion(second, b, law)
+      allocate (forces(3, size(b%nodes, 2)))
+      do i = 1, 12
+         call advance(first, winding_path(b, 0.02_wp*i))
+         if (mod(i, 3) == 1) then
+            call begin_increment(second%pair, second%x, error)
+            call pair_forces(second%pair, moved_master(b, [40.0_wp, -25.0_wp, -3.0_wp], &
+               [0.3_wp, 1.5_wp, -0.2_wp]), forces)
+         end if
+         call advance(second, winding_path(b, 0.02_wp*i))
+         call assertTrue(all(abs(first%forces - second%forces) <= 0.0_wp), 'the same forces')
+      end do
+      call assertTrue(all(abs(pack_history(first%pair) - pack_history(second%pair)) <= 0.0_wp), &
+         'the same history')
+   end subroutine test_cut_back
+
+   !> A face knows the nodes of the facets within the search distance and of their neighbours; it
+   !> says so when they are more, and can forget them.
+   subroutine test_nodes()
+      type(rough_law) :: law
+      type(motion) :: m
+      type(blocks) :: b
+      real(wp), parameter :: still(3) = 0.0_wp
+
+      law%properties = pair_properties()
+      b = new_blocks([1, 1], [0.0_wp, 0.0_wp], [10.0_wp, 10.0_wp], [9, 9], [-40.0_wp, -40.0_wp], &
+         [50.0_wp, 50.0_wp], -4.0_wp)
+      call new_motion(m, b, law)
+      associate (face => m%pair%faces(1), pair => m%pair)
+         call advance(m, moved_master(b, [0.0_wp, 0.0_wp, 0.5_wp], still))
+         call assertEqual(4, size(face%nodes), 'past the search distance')
+         call assertFalse(pair%has_grown, 'none was met')
+         call advance(m, moved_master(b, [0.0_wp, 0.0_wp, -2.0_wp], still))
+         call assertTrue(pair%has_grown, 'some were met')
+         call assertEqual(4 + 12, size(face%nodes), 'a facet and its neighbours')
+         pair%has_grown = .false.
+         ! over the four about a node
+         call advance(m, moved_master(b, [2.0_wp, 1.0_wp, -2.0_wp], still))
+         call advance(m, moved_master(b, [2.0_wp, 1.0_wp, -4.1_wp], still))
+         call assertTrue(pair%has_grown, 'more were met')
+         call forget_pattern(pair)
+         call assertEqual(4, size(face%nodes), 'forgotten')
+         call advance(m, moved_master(b, [2.0_wp, 1.0_wp, -4.1_wp], still))
+         call assertTrue(size(face%nodes) > 16, 'and met again')
+         call assertGreaterThan(maxval(m%forces), 1.0_wp, 'there are forces')
+      end associate
+   end subroutine test_nodes
 
    subroutine test_uinter()
       type(rough_law) :: law

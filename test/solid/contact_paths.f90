@@ -102,8 +102,8 @@ contains
    end subroutine test_fade
 
    !> Press, slide, lift far in one step, drag in the gap, and close again on a slanting way: the
-   !> elastic slip is the motion after closing, in one step and in a hundred, and the first contact of
-   !> fresh points is no other.
+   !> elastic slip is the motion after closing, in one step and in a hundred, for points that are
+   !> fresh and for those that have a past.
    subroutine test_closing()
       type(hard_law) :: hard
       type(rough_law) :: rough
@@ -166,7 +166,8 @@ contains
          associate (cells => m%pair%faces(1)%cells)
             slip = cells(1)%start%elastic_slip(1)
             do i = 1, size(cells)
-               call assertEqual([slip, 0.0_wp], cells(i)%start%elastic_slip, 1.0e-12_wp, 'all alike')
+               call assertEqual([slip, 0.0_wp], cells(i)%start%elastic_slip, 1.0e-12_wp, &
+                  'all alike')
             end do
          end associate
       end subroutine close
