@@ -43,6 +43,7 @@ contains
       integer :: i, j, panel, corner, next
 
       stream = random_stream(seed)
+      write (*, '(5x, a, i0)') 'seed ', seed
       law%properties = pair_properties()
       law%properties%friction_coefficient = 0.0_wp
       ! one facet over all: a kink between facets would spoil the quadrature

@@ -43,6 +43,7 @@ contains
       integer :: i, k
 
       stream = random_stream(seed)
+      write (*, '(5x, a, i0)') 'seed ', seed
       worst = 0.0_wp
       do i = 1, 50
          ! seen from below, clockwise
@@ -89,6 +90,7 @@ contains
       integer :: i, facet, expected(2)
 
       stream = random_stream(seed + 1)
+      write (*, '(5x, a, i0)') 'seed ', seed + 1
       b = new_blocks([1, 1], [0.0_wp, 0.0_wp], [1.0_wp, 1.0_wp], [7, 5], [0.0_wp, 0.0_wp], &
          [70.0_wp, 50.0_wp], -0.5_wp)
       call new_contact_surface(surface, 'master', b%nodes, b%master, error)

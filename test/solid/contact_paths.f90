@@ -1,6 +1,6 @@
 !> Contact on paths: balance, rims, closing after a gap.
 module test_solid_contact_paths
-   use asperity, only: error_type, wp
+   use asperity, only: contact_response, contact_state, error_type, wp
    use asperity_contact_properties, only: close_pressure_ratio
    use asperity_contact_state, only: status_open
    use asperity_law_normal_inverse, only: separation_for_pressure
@@ -30,6 +30,8 @@ contains
       suite = TestSuite('contact paths')
       call suite%addTest(TestMethod('forces and moments balance', test_balance))
       call suite%addTest(TestMethod('a rim fades linearly', test_fade))
+      call suite%addTest(TestMethod('pressure and energy of hard contact', test_hard))
+      call suite%addTest(TestMethod('shear turns with the faces', test_turning))
       call suite%addTest(TestMethod('no shear before closing', test_closing))
    end function suite_contact_paths
 
@@ -100,6 +102,59 @@ contains
          call begin_increment(m%pair, m%x, error)
       end do
    end subroutine test_fade
+
+   !> The pressure is the derivative of the energy, and its own is the tangent; 40 MPa at 0.05 mm.
+   subroutine test_hard()
+      real(wp), parameter :: step = 1.0e-5_wp, none(2) = 0.0_wp
+      real(wp), parameter :: overclosures(5) = [-0.01_wp, 0.005_wp, 0.0199_wp, 0.0201_wp, 0.05_wp]
+      real(wp), parameter :: pressures(5) = [0.0_wp, 0.625_wp, 9.90025_wp, 10.1_wp, 40.0_wp]
+      type(hard_law) :: law
+      type(contact_response) :: low, at, high
+      type(error_type), allocatable :: error
+      integer :: i
+
+      law%properties = pair_properties()
+      do i = 1, size(overclosures)
+         call law%update(contact_state(), overclosures(i) - step, none, low, error)
+         call law%update(contact_state(), overclosures(i), none, at, error)
+         call law%update(contact_state(), overclosures(i) + step, none, high, error)
+         call assertEqual(pressures(i), at%traction(1), 1.0e-12_wp, 'pressure')
+         call assertEqual(pressures(i), (high%normal_energy - low%normal_energy)/(2.0_wp*step), &
+            1.0e-6_wp, 'energy')
+         call assertEqual(at%tangent(1, 1), (high%traction(1) - low%traction(1))/(2.0_wp*step), &
+            1.0e-6_wp, 'tangent')
+      end do
+   end subroutine test_hard
+
+   !> Press and slide, then turn both bodies by half a radian in one increment: the shear of the
+   !> next one has turned too.
+   subroutine test_turning()
+      type(rough_law) :: law
+      type(motion) :: m
+      type(blocks) :: b
+      type(error_type), allocatable :: error
+      real(wp), allocatable :: forces(:, :)
+      real(wp), parameter :: c = cos(0.5_wp), s = sin(0.5_wp)
+      real(wp), parameter :: turn(3, 3) = reshape([c, s, 0.0_wp, -s, c, 0.0_wp, 0.0_wp, 0.0_wp, &
+         1.0_wp], [3, 3])
+
+      law%properties = pair_properties()
+      b = new_blocks([2, 2], [0.0_wp, 0.0_wp], [60.0_wp, 60.0_wp], [4, 3], [-31.0_wp, -10.0_wp], &
+         [50.0_wp, 70.0_wp], 0.05_wp)
+      call new_motion(m, b, law)
+      call advance(m, moved_master(b, [0.1_wp, 0.05_wp, -0.03_wp], still))
+      ! with cells cut as they will be
+      call advance(m, m%x)
+      forces = m%forces
+      call assertGreaterThan(maxval(abs(forces(1, :))), 10.0_wp, 'there is shear')
+      call advance(m, matmul(turn, m%x))
+      call assertEqual(0.0_wp, maxval(abs(m%forces - forces)), &
+         tolerance=1.0e-9_wp*maxval(abs(forces)), message='directions are those of the start')
+      call begin_increment(m%pair, m%x, error)
+      call pair_forces(m%pair, m%x, m%forces)
+      call assertEqual(0.0_wp, maxval(abs(m%forces - matmul(turn, forces))), &
+         tolerance=1.0e-9_wp*maxval(abs(forces)), message='then they turn')
+   end subroutine test_turning
 
    !> Press, slide, lift far in one step, drag in the gap, and close again on a slanting way: the
    !> elastic slip is the motion after closing, in one step and in a hundred, for points that are

@@ -62,6 +62,7 @@ contains
       integer :: i, j, n, partly, sticking, slipping
 
       stream = random_stream(seed)
+      write (*, '(5x, a, i0)') 'seed ', seed
       ! the master ends within the slave, at a width of cells that differs from its own
       b = new_blocks([3, 3], [0.0_wp, 0.0_wp], [60.0_wp, 60.0_wp], [4, 5], [7.0_wp, 3.0_wp], &
          [52.0_wp, 70.0_wp], 0.12_wp)

@@ -10,7 +10,7 @@ module asperity_solid_contact_hard
    private
    public :: hard_law
 
-   !> Penalty by default, MPa/mm: 0.05 mm of overclosure at 50 MPa. Ten times more changes the peak
+   !> Penalty by default, MPa/mm: 0.06 mm of overclosure at 50 MPa. Ten times more changes the peak
    !> force of the joint by 0.2 % and takes half as many iterations again
    real(wp), parameter, public :: default_penalty = 1000.0_wp
    !> Overclosure up to which the pressure rises as its square by default, mm: a kink there would

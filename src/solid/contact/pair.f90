@@ -10,9 +10,9 @@ module asperity_solid_contact_pair
    use asperity_solid_contact_energy, only: add_increment, contact_energy, recut_energy
    use asperity_solid_contact_face, only: contact_face, forget_facets, freeze_axes, &
       new_contact_face
+   use asperity_solid_contact_geometry_surface, only: contact_surface, new_contact_surface
    use asperity_solid_contact_law, only: solid_law
    use asperity_solid_contact_rays, only: find_middles, meet_facets, start_rays
-   use asperity_solid_contact_geometry_surface, only: contact_surface, new_contact_surface
    implicit none
    private
    public :: contact_pair, new_contact_pair, begin_increment, update_cell, accept, &

@@ -1,8 +1,8 @@
 !> Rays of the samples of a face: gaps, coverage and slip of its cells.
 module asperity_solid_contact_rays
    use asperity_base_kinds, only: wp
-   use asperity_solid_contact_geometry_coverage, only: find_coverage
    use asperity_solid_contact_face, only: contact_face, meet_facet
+   use asperity_solid_contact_geometry_coverage, only: find_coverage
    use asperity_solid_contact_geometry_facet, only: facet_shape
    use asperity_solid_contact_geometry_surface, only: contact_surface, nearest_facet, project
    implicit none

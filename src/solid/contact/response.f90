@@ -39,7 +39,13 @@ contains
          if (present(tangent)) call give_shape(tangent, 3*n, 3*n)
          do i = 1, size(face%cells)
             if (.not. face%cells(i)%trial%traction(1) > 0.0_wp) cycle
-            call add_cell_response(face, face%cells(i), pair%master, positions, forces, tangent)
+            ! flang 19 does not pass on the absence of what is allocatable
+            if (present(tangent)) then
+               call add_cell_response(face, face%cells(i), pair%master, positions, forces, &
+                  tangent)
+            else
+               call add_cell_response(face, face%cells(i), pair%master, positions, forces)
+            end if
          end do
       end associate
    end subroutine face_response
