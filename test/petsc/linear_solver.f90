@@ -1,0 +1,172 @@
+!> The solver of solids: factors, GMRES with factors of another matrix, what it refuses.
+module test_petsc_linear_solver
+   use, intrinsic :: ieee_arithmetic, only: ieee_quiet_nan, ieee_value
+   use asperity, only: error_type, wp
+   use asperity_solid_engine_linear_solver, only: linear_solver
+   use funit, only: assertEqual, assertFalse, assertLessThan, assertTrue, TestMethod, TestSuite
+   implicit none
+   private
+   public :: suite_linear_solver
+
+   !> Cells along the side of the square
+   integer, parameter :: side = 12
+
+contains
+
+   function suite_linear_solver() result(suite)
+      type(TestSuite) :: suite
+
+      suite = TestSuite('linear solver')
+      call suite%addTest(TestMethod('factors solve', test_factors))
+      call suite%addTest(TestMethod('old factors and GMRES solve what has changed', test_iterate))
+      call suite%addTest(TestMethod('GMRES says that it gives up', test_gives_up))
+      call suite%addTest(TestMethod('small pivots are no zeros', test_small))
+      call suite%addTest(TestMethod('singular and NaN are refused', test_refused))
+   end function suite_linear_solver
+
+   !> Convection and diffusion on a square: unsymmetric, of a symmetric pattern.
+   subroutine fill(solver, convection, scale)
+      type(linear_solver), intent(inout) :: solver
+      real(wp), intent(in) :: convection, scale
+      integer, allocatable :: row_start(:), columns(:)
+      real(wp), allocatable :: values(:)
+      type(error_type), allocatable :: error
+      integer :: i, j, n
+
+      allocate (row_start(side*side + 1), columns(0), values(0))
+      n = 0
+      do j = 0, side - 1
+         do i = 0, side - 1
+            row_start(i + side*j + 1) = size(columns)
+            call add(i, j - 1, -1.0_wp)
+            call add(i - 1, j, -1.0_wp - convection)
+            call add(i, j, 4.0_wp)
+            call add(i + 1, j, -1.0_wp + convection)
+            call add(i, j + 1, -1.0_wp)
+         end do
+      end do
+      row_start(side*side + 1) = size(columns)
+      if (.not. associated(solver%values)) then
+         call solver%set_pattern(row_start, columns, error)
+         call assertFalse(allocated(error))
+      end if
+      solver%values = scale*values
+
+   contains
+
+      subroutine add(k, l, value)
+         integer, intent(in) :: k, l
+         real(wp), intent(in) :: value
+
+         if (min(k, l) < 0 .or. max(k, l) >= side) return
+         columns = [columns, k + side*l]
+         values = [values, value]
+      end subroutine add
+
+   end subroutine fill
+
+   !> Matrix times vector.
+   function times(solver, x) result(y)
+      type(linear_solver), intent(in) :: solver
+      real(wp), intent(in) :: x(:)
+      real(wp) :: y(size(x))
+      integer :: i, k
+
+      y = 0.0_wp
+      do i = 1, solver%n
+         do k = solver%row_start(i) + 1, solver%row_start(i + 1)
+            y(i) = y(i) + solver%values(k)*x(solver%columns(k) + 1)
+         end do
+      end do
+   end function times
+
+   subroutine test_factors()
+      type(linear_solver) :: solver
+      type(error_type), allocatable :: error
+      real(wp) :: x(side*side), b(side*side)
+      integer :: i
+
+      call fill(solver, 0.5_wp, 1.0_wp)
+      call solver%factorise(error)
+      call assertFalse(allocated(error))
+      b = [(sin(real(i, wp)), i=1, side*side)]
+      call solver%solve(b, x, error)
+      call assertFalse(allocated(error))
+      call assertLessThan(norm2(times(solver, x) - b), 1.0e-12_wp*norm2(b))
+      call solver%release()
+   end subroutine test_factors
+
+   subroutine test_iterate()
+      type(linear_solver) :: solver
+      type(error_type), allocatable :: error
+      real(wp) :: x(side*side), b(side*side)
+      logical :: has_converged
+
+      call fill(solver, 0.5_wp, 1.0_wp)
+      call solver%factorise(error)
+      call fill(solver, 0.4_wp, 1.1_wp)
+      b = 1.0_wp
+      call solver%iterate(b, x, 1.0e-3_wp, has_converged, error)
+      call assertFalse(allocated(error))
+      call assertTrue(has_converged)
+      call assertLessThan(norm2(times(solver, x) - b), 1.01e-3_wp*norm2(b))
+      call assertEqual(1, solver%n_factorisations)
+      call solver%release()
+   end subroutine test_iterate
+
+   subroutine test_gives_up()
+      type(linear_solver) :: solver
+      type(error_type), allocatable :: error
+      real(wp) :: x(side*side), b(side*side)
+      logical :: has_converged
+      integer :: i
+
+      call fill(solver, 0.9_wp, 1.0_wp)
+      call solver%factorise(error)
+      call fill(solver, -0.9_wp, 1.0_wp)
+      do i = 1, side*side
+         solver%values(solver%row_start(i) + 1) = 3.0_wp*(-1)**i
+      end do
+      b = [(cos(3.0_wp*i), i=1, side*side)]
+      call solver%iterate(b, x, 1.0e-9_wp, has_converged, error)
+      call assertFalse(allocated(error))
+      call assertFalse(has_converged)
+      call solver%release()
+   end subroutine test_gives_up
+
+   !> PETSc's own LU takes pivots below 2.2e-14 for zero, and returns what is not finite.
+   subroutine test_small()
+      type(linear_solver) :: solver
+      type(error_type), allocatable :: error
+      real(wp) :: x(side*side), b(side*side)
+
+      call fill(solver, 0.5_wp, 1.0e-18_wp)
+      call solver%factorise(error)
+      call assertFalse(allocated(error))
+      b = 1.0e-18_wp
+      call solver%solve(b, x, error)
+      call assertLessThan(norm2(times(solver, x) - b), 1.0e-12_wp*norm2(b))
+      call solver%release()
+   end subroutine test_small
+
+   subroutine test_refused()
+      type(linear_solver) :: solver
+      type(error_type), allocatable :: error
+
+      call fill(solver, 0.5_wp, 0.0_wp)
+      call solver%factorise(error)
+      call assertTrue(allocated(error))
+      call assertFalse(solver%has_factors)
+      call fill(solver, 0.5_wp, 1.0_wp)
+      solver%values(7) = ieee_value(1.0_wp, ieee_quiet_nan)
+      call solver%factorise(error)
+      call assertTrue(allocated(error))
+      if (.not. allocated(error)) return
+      call assertTrue(index(error%message, 'not numbers') > 0)
+      call fill(solver, 0.5_wp, 1.0_wp)
+      call solver%factorise(error)
+      call assertFalse(allocated(error))
+      call solver%release()
+   end subroutine test_refused
+
+end module test_petsc_linear_solver
