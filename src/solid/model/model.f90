@@ -1,0 +1,160 @@
+!> A tenon joint as a solid: mesh, wood, contact, what holds and loads it, and what its points
+!> remember.
+module asperity_solid_model_model
+   use asperity_base_error, only: error_type
+   use asperity_base_kinds, only: wp
+   use asperity_deck_tenon_comments, only: holding_stiffness
+   use asperity_deck_tenon_deck, only: tenon_deck
+   use asperity_replay_tenon_settings, only: tenon_face_arm
+   use asperity_solid_contact_pair, only: contact_pair, new_contact_pair
+   use asperity_solid_element_brick, only: brick, new_brick
+   use asperity_solid_material_material, only: material_point, new_solid_material, solid_material
+   use asperity_solid_mesh_joint, only: new_solid_mesh, solid_mesh
+   use asperity_solid_model_equations, only: number_equations
+   use asperity_solid_model_interface, only: new_interface_law
+   use asperity_solid_contact_law, only: solid_law
+   use asperity_solid_model_settings, only: check_solid_settings, solid_settings
+   implicit none
+   private
+   public :: solid_model, new_solid_model
+
+   !> The joint and its history.
+   type :: solid_model
+      !> Settings of the analysis, and whether contact is hard
+      type(solid_settings) :: settings
+      logical :: is_hard = .false.
+      !> Nodes, elements, sets
+      type(solid_mesh) :: mesh
+      !> Number of each displacement, and of unknowns
+      integer, allocatable :: numbers(:, :)
+      integer :: n_unknowns = 0
+      !> Wood of column and beam
+      type(solid_material) :: wood(2)
+      !> Elements of one shape and wood, and which of them each element is
+      type(brick), allocatable :: shapes(:)
+      integer, allocatable :: shape_of(:)
+      !> Faces: above, below, side
+      type(contact_pair), allocatable :: pairs(:)
+      !> Points of the elements at the start of the increment, and as found last
+      type(material_point), allocatable :: points(:, :), trial_points(:, :)
+      !> Strain by which the beam swells across, in full
+      real(wp) :: swelling = 0.0_wp
+      !> Half of the column's load, N; of the axial spring, N/mm, zero where the node is held; the
+      !> spring that holds the open joint, N/mm
+      real(wp) :: column_load = 0.0_wp, axial_stiffness = 0.0_wp, holding_stiffness = 0.0_wp
+      !> Force that is small against those of the joint, N: residuals below are none
+      real(wp) :: small_force = 0.0_wp
+      !> Distance of the load from the column face, mm
+      real(wp) :: arm = 0.0_wp
+      !> Where the load point turns, mm, from 0
+      real(wp), allocatable :: turns(:)
+   end type solid_model
+
+   !> Edges of two elements of one shape differ by no more, mm
+   real(wp), parameter :: same_shape = 1.0e-7_wp
+   !> A small force over the strength of the bearing face
+   real(wp), parameter :: small_share = 1.0e-4_wp
+
+contains
+
+   !> Make the model of a deck. `error` is set when it cannot be.
+   subroutine new_solid_model(model, deck, settings, error)
+      !> Result
+      type(solid_model), intent(out) :: model
+      !> The joint, as its input deck has it
+      type(tenon_deck), intent(in) :: deck
+      !> Settings of the analysis
+      type(solid_settings), intent(in) :: settings
+      !> Set when a value is refused
+      type(error_type), allocatable, intent(out) :: error
+
+      call check_solid_settings(settings, error)
+      if (allocated(error)) return
+      model%settings = settings
+      model%is_hard = deck%choice%contact == 'hard'
+      call new_solid_mesh(model%mesh, deck, error)
+      if (allocated(error)) return
+      call number_equations(model%mesh, deck%settings%axial_rule == 'fixed', model%numbers, &
+         model%n_unknowns)
+      associate (wood => deck%settings%wood)
+         ! the column's grain is along z and the beam's along x; R lies along y and z
+         call new_solid_material(model%wood(1), wood, 3, 2, .true., error)
+         if (.not. allocated(error)) &
+            call new_solid_material(model%wood(2), wood, 1, 3, .false., error)
+      end associate
+      if (.not. allocated(error)) call find_shapes(model, error)
+      if (.not. allocated(error)) call find_contact(model, deck, error)
+      if (allocated(error)) return
+      allocate (model%points(8, size(model%mesh%elements, 2)), &
+         model%trial_points(8, size(model%mesh%elements, 2)))
+      associate (s => deck%settings)
+         model%swelling = deck%swelling
+         model%column_load = 0.5_wp*s%column_load
+         if (s%axial_rule == 'spring') model%axial_stiffness = 0.5_wp*s%axial_stiffness
+         model%holding_stiffness = holding_stiffness
+         model%small_force = small_share*0.5_wp*s%wood%compression_strengths(2)*s%width*s%length
+         model%arm = tenon_face_arm(s)
+         model%turns = deck%turns
+      end associate
+   end subroutine new_solid_model
+
+   !> Elements of equal edges share their matrices.
+   subroutine find_shapes(model, error)
+      type(solid_model), intent(inout) :: model
+      type(error_type), allocatable, intent(out) :: error
+      type(brick), allocatable :: shapes(:), more(:)
+      integer, allocatable :: part_of(:)
+      real(wp) :: corners(3, 8)
+      integer :: i, j, n
+
+      associate (mesh => model%mesh)
+         allocate (model%shape_of(size(mesh%elements, 2)), shapes(16), part_of(16))
+         n = 0
+         do i = 1, size(mesh%elements, 2)
+            corners = mesh%nodes(:, mesh%elements(:, i)) &
+               - spread(mesh%nodes(:, mesh%elements(1, i)), 2, 8)
+            do j = n, 1, -1
+               if (part_of(j) /= mesh%part(i)) cycle
+               if (maxval(abs(shapes(j)%corners - corners)) < same_shape) exit
+            end do
+            if (j == 0) then
+               if (n == size(shapes)) then
+                  allocate (more(2*n))
+                  more(:n) = shapes
+                  call move_alloc(more, shapes)
+                  part_of = [part_of, part_of]
+               end if
+               n = n + 1
+               j = n
+               part_of(n) = mesh%part(i)
+               call new_brick(shapes(n), corners, model%wood(mesh%part(i))%stiffness, error)
+               if (allocated(error)) return
+            end if
+            model%shape_of(i) = j
+         end do
+      end associate
+      allocate (model%shapes(n))
+      model%shapes = shapes(:n)
+   end subroutine find_shapes
+
+   !> Faces of the mortise against those of the tenon.
+   subroutine find_contact(model, deck, error)
+      type(solid_model), intent(inout) :: model
+      type(tenon_deck), intent(in) :: deck
+      type(error_type), allocatable, intent(out) :: error
+      character(len=8), parameter :: names(3) = [character(len=8) :: 'upper', 'lower', 'side']
+      class(solid_law), allocatable :: law
+      integer :: i
+
+      allocate (model%pairs(merge(3, 2, deck%has_sides)))
+      do i = 1, size(model%pairs)
+         call new_interface_law(law, merge(deck%sides%properties, deck%faces%properties, i == 3), &
+            model%is_hard, model%settings)
+         call new_contact_pair(model%pairs(i), names(i), model%mesh%nodes, &
+            model%mesh%mortise(i)%facets, model%mesh%tenon(i)%facets, model%settings%cells, law, &
+            error)
+         if (allocated(error)) return
+      end do
+   end subroutine find_contact
+
+end module asperity_solid_model_model

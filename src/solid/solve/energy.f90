@@ -1,0 +1,93 @@
+!> Energy of a solid joint: what the loads put in, and where it is.
+module asperity_solid_solve_energy
+   use asperity_base_kinds, only: wp
+   use asperity_solid_contact_pair, only: contact_energy, energies
+   use asperity_solid_material_material, only: elastic_energy_density, material_point
+   use asperity_solid_model_model, only: solid_model
+   implicit none
+   private
+   public :: energy_ledger, add_increment
+
+   !> Sums since the beam was fitted, of the half joint, J/1000.
+   type :: energy_ledger
+      !> Work of the moved load and of the column's
+      real(wp) :: work = 0.0_wp
+      !> Stored in wood, springs and contact, above what was stored at first
+      real(wp) :: stored = 0.0_wp
+      !> Lost to plastic strain of the wood, and to friction
+      real(wp) :: plastic = 0.0_wp, friction = 0.0_wp
+      !> Put into elastic slip by changes of pressure, and taken along by points that leave the faces
+      real(wp) :: coupling = 0.0_wp, edge = 0.0_wp
+      !> Work less all the rest: falls with the increments
+      real(wp) :: balance = 0.0_wp
+      !> What the next increment begins from
+      logical :: has_begun = .false.
+      real(wp) :: stored_at_first = 0.0_wp, load_force = 0.0_wp, load_place = 0.0_wp, &
+         head_place = 0.0_wp, contact_at_first(3) = 0.0_wp
+   end type energy_ledger
+
+contains
+
+   !> Add an increment, or begin where there was none. `start` are the points of the elements before
+   !> it.
+   subroutine add_increment(ledger, model, start, displacement, load_force)
+      !> The ledger
+      type(energy_ledger), intent(inout) :: ledger
+      !> The joint at the end of the increment
+      type(solid_model), intent(in) :: model
+      !> Points of the elements at its start
+      type(material_point), intent(in) :: start(:, :)
+      !> Displacements at its end, mm
+      real(wp), intent(in) :: displacement(:, :)
+      !> Force at the load, N
+      real(wp), intent(in) :: load_force
+      type(contact_energy) :: contact, of_pair
+      real(wp) :: stored, load_place, head_place
+      integer :: i, j
+
+      contact = contact_energy()
+      do i = 1, size(model%pairs)
+         of_pair = energies(model%pairs(i))
+         contact%normal = contact%normal + of_pair%normal
+         contact%tangential = contact%tangential + of_pair%tangential
+         contact%dissipation = contact%dissipation + of_pair%dissipation
+         contact%coupling = contact%coupling + of_pair%coupling
+         contact%edge = contact%edge + of_pair%edge
+      end do
+      stored = contact%normal + contact%tangential &
+         + 0.5_wp*model%axial_stiffness*displacement(1, model%mesh%axial_node)**2 &
+         + 0.5_wp*model%holding_stiffness*displacement(3, model%mesh%hold_node)**2
+      load_place = displacement(3, model%mesh%load(1))
+      head_place = displacement(3, model%mesh%head(1))
+      do j = 1, size(model%points, 2)
+         associate (shape => model%shapes(model%shape_of(j)), wood => model%wood(model%mesh%part(j)))
+            do i = 1, 8
+               associate (now => model%points(i, j), then => start(i, j))
+                  stored = stored + shape%weights(i)*elastic_energy_density(wood, now%stress)
+                  if (ledger%has_begun) ledger%plastic = ledger%plastic + 0.5_wp*shape%weights(i) &
+                     *dot_product(now%stress + then%stress, now%plastic_strain - then%plastic_strain)
+               end associate
+            end do
+         end associate
+      end do
+      if (.not. ledger%has_begun) then
+         ledger%stored_at_first = stored
+         ledger%contact_at_first = [contact%dissipation, contact%coupling, contact%edge]
+         ledger%has_begun = .true.
+      else
+         ledger%work = ledger%work &
+            + 0.5_wp*(load_force + ledger%load_force)*(load_place - ledger%load_place) &
+            - model%column_load*(head_place - ledger%head_place)
+      end if
+      ledger%stored = stored - ledger%stored_at_first
+      ledger%friction = contact%dissipation - ledger%contact_at_first(1)
+      ledger%coupling = contact%coupling - ledger%contact_at_first(2)
+      ledger%edge = contact%edge - ledger%contact_at_first(3)
+      ledger%balance = ledger%work - ledger%stored - ledger%plastic - ledger%friction &
+         + ledger%coupling - ledger%edge
+      ledger%load_force = load_force
+      ledger%load_place = load_place
+      ledger%head_place = head_place
+   end subroutine add_increment
+
+end module asperity_solid_solve_energy

@@ -1,0 +1,101 @@
+!> What is told of every increment of a solid joint.
+module asperity_solid_solve_record
+   use asperity_base_kinds, only: wp
+   use asperity_contact_state, only: status_slip, status_stick
+   use asperity_solid_model_model, only: solid_model
+   use asperity_solid_solve_energy, only: energy_ledger
+   implicit none
+   private
+   public :: increment_record, new_record, joint_rotation
+
+   !> Most pairs of faces
+   integer, parameter, public :: most_pairs = 3
+
+   !> One increment; forces and energies are those of the whole joint.
+   type :: increment_record
+      !> Number of the stroke, from 1, and iterations
+      integer :: stroke = 0, iterations = 0
+      !> Displacement of the load, mm; force, N; rotation of the beam at the column face, rad; pull-out
+      !> there, mm
+      real(wp) :: displacement = 0.0_wp, force = 0.0_wp, rotation = 0.0_wp, pull_out = 0.0_wp
+      !> Energies, J
+      real(wp) :: work = 0.0_wp, stored = 0.0_wp, plastic = 0.0_wp, friction = 0.0_wp, &
+         coupling = 0.0_wp, edge = 0.0_wp, balance = 0.0_wp
+      !> Share of the wood's points that yield, and largest equivalent plastic strain
+      real(wp) :: yielding = 0.0_wp, plastic_strain = 0.0_wp
+      !> Of each pair: normal force, N; friction force along the beam (sides: along and up), N; largest
+      !> pressure, MPa; area that sticks and that slips, mm^2
+      real(wp) :: normal_force(most_pairs) = 0.0_wp, largest_pressure(most_pairs) = 0.0_wp, &
+         stick_area(most_pairs) = 0.0_wp, slip_area(most_pairs) = 0.0_wp, &
+         friction_energy(most_pairs) = 0.0_wp
+   end type increment_record
+
+contains
+
+   !> The record of the present state.
+   pure function new_record(model, displacement, ledger, n_yielding, stroke, iterations) &
+         result(record)
+      !> The joint, and its displacements, mm
+      type(solid_model), intent(in) :: model
+      real(wp), intent(in) :: displacement(:, :)
+      !> Its energies
+      type(energy_ledger), intent(in) :: ledger
+      !> How many points yield; stroke and iterations
+      integer, intent(in) :: n_yielding, stroke, iterations
+      type(increment_record) :: record
+      real(wp), parameter :: halves = 2.0_wp, joule = 1.0e3_wp
+      integer :: i, j, k
+
+      record%stroke = stroke
+      record%iterations = iterations
+      record%displacement = displacement(3, model%mesh%load(1))
+      record%force = halves*ledger%load_force
+      call joint_rotation(model, displacement, record%rotation, record%pull_out)
+      record%work = halves*ledger%work/joule
+      record%stored = halves*ledger%stored/joule
+      record%plastic = halves*ledger%plastic/joule
+      record%friction = halves*ledger%friction/joule
+      record%coupling = halves*ledger%coupling/joule
+      record%edge = halves*ledger%edge/joule
+      record%balance = halves*ledger%balance/joule
+      record%yielding = real(n_yielding, wp)/size(model%points)
+      record%plastic_strain = maxval(model%points%equivalent_strain)
+      do i = 1, size(model%pairs)
+         do j = 1, size(model%pairs(i)%faces)
+            do k = 1, size(model%pairs(i)%faces(j)%cells)
+               associate (cell => model%pairs(i)%faces(j)%cells(k))
+                  if (.not. cell%coverage > 0.0_wp) cycle
+                  record%normal_force(i) = record%normal_force(i) &
+                     + halves*cell%area*cell%coverage*cell%pressure
+                  record%largest_pressure(i) = max(record%largest_pressure(i), cell%pressure)
+                  if (cell%status == status_stick) record%stick_area(i) = record%stick_area(i) &
+                     + halves*cell%area*cell%coverage
+                  if (cell%status == status_slip) record%slip_area(i) = record%slip_area(i) &
+                     + halves*cell%area*cell%coverage
+               end associate
+            end do
+         end do
+      end do
+   end function new_record
+
+   !> Rotation of the beam's section at the column face, positive where the load point rises, by least
+   !> squares, rad, and its mean displacement out of the mortise, mm.
+   pure subroutine joint_rotation(model, displacement, rotation, pull_out)
+      !> The joint, and its displacements, mm
+      type(solid_model), intent(in) :: model
+      real(wp), intent(in) :: displacement(:, :)
+      !> Rotation, rad
+      real(wp), intent(out) :: rotation
+      !> Pull-out, mm
+      real(wp), intent(out) :: pull_out
+      real(wp) :: height(size(model%mesh%section))
+
+      associate (nodes => model%mesh%section)
+         height = model%mesh%nodes(3, nodes)
+         height = height - sum(height)/size(height)
+         pull_out = sum(displacement(1, nodes))/size(nodes)
+         rotation = -dot_product(displacement(1, nodes), height)/dot_product(height, height)
+      end associate
+   end subroutine joint_rotation
+
+end module asperity_solid_solve_record
