@@ -3,16 +3,17 @@
 module asperity_solid_model_model
    use asperity_base_error, only: error_type
    use asperity_base_kinds, only: wp
-   use asperity_deck_tenon_comments, only: holding_stiffness
+   use asperity_deck_tenon_sets, only: holding_stiffness
    use asperity_deck_tenon_deck, only: tenon_deck
    use asperity_replay_tenon_settings, only: tenon_face_arm
    use asperity_solid_contact_pair, only: contact_pair, new_contact_pair
    use asperity_solid_element_brick, only: brick, new_brick
    use asperity_solid_material_material, only: material_point, new_solid_material, solid_material
-   use asperity_solid_mesh_joint, only: new_solid_mesh, solid_mesh
+   use asperity_solid_mesh_joint, only: face_side, new_solid_mesh, solid_mesh
    use asperity_solid_model_equations, only: number_equations
    use asperity_solid_model_interface, only: new_interface_law
    use asperity_solid_contact_law, only: solid_law
+   use asperity_wood_properties, only: wood_properties
    use asperity_solid_model_settings, only: check_solid_settings, solid_settings
    implicit none
    private
@@ -76,7 +77,7 @@ contains
       if (allocated(error)) return
       call number_equations(model%mesh, deck%settings%axial_rule == 'fixed', model%numbers, &
          model%n_unknowns)
-      associate (wood => deck%settings%wood)
+      associate (wood => wood_properties())
          ! the column's grain is along z and the beam's along x; R lies along y and z
          call new_solid_material(model%wood(1), wood, 3, 2, .true., error)
          if (.not. allocated(error)) &
@@ -92,7 +93,7 @@ contains
          model%column_load = 0.5_wp*s%column_load
          if (s%axial_rule == 'spring') model%axial_stiffness = 0.5_wp*s%axial_stiffness
          model%holding_stiffness = holding_stiffness
-         model%small_force = small_share*0.5_wp*s%wood%compression_strengths(2)*s%width*s%length
+         model%small_force = small_share*0.5_wp*s%bearing_strength*s%width*s%length
          model%arm = tenon_face_arm(s)
          model%turns = deck%turns
       end associate
@@ -148,8 +149,11 @@ contains
 
       allocate (model%pairs(merge(3, 2, deck%has_sides)))
       do i = 1, size(model%pairs)
-         call new_interface_law(law, merge(deck%sides%properties, deck%faces%properties, i == 3), &
-            model%is_hard, model%settings)
+         if (i == face_side) then
+            call new_interface_law(law, deck%sides%properties, model%is_hard, model%settings)
+         else
+            call new_interface_law(law, deck%faces%properties, model%is_hard, model%settings)
+         end if
          call new_contact_pair(model%pairs(i), names(i), model%mesh%nodes, &
             model%mesh%mortise(i)%facets, model%mesh%tenon(i)%facets, model%settings%cells, law, &
             error)

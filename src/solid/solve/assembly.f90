@@ -177,12 +177,12 @@ contains
             if (wants_tangent) then
                call brick_response(shape, model%wood(part), positions(:, nodes), &
                   eigenstrain(:, part), model%points(:, i), model%trial_points(:, i), at_nodes, &
-                  n_yielding, is_inverted, tangent)
+                  n_yielding, tangent, is_inverted)
                call add_block(system, model, nodes, system%places(i)%at, tangent)
             else
                call brick_response(shape, model%wood(part), positions(:, nodes), &
                   eigenstrain(:, part), model%points(:, i), model%trial_points(:, i), at_nodes, &
-                  n_yielding, is_inverted)
+                  n_yielding, inverted=is_inverted)
             end if
             if (is_inverted) then
                system%is_inverted = .true.

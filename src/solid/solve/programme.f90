@@ -5,6 +5,7 @@ module asperity_solid_solve_programme
    use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
    use asperity_solid_contact_pair, only: forget_facets
+   use asperity_solid_material_material, only: material_point
    use asperity_solid_model_model, only: solid_model
    use asperity_solid_model_settings, only: easy_iterations, few_iterations, fit_increments, &
       growth, large_amplitude, shortest_increment, shrinkage
@@ -200,25 +201,13 @@ contains
       type(increment_type), intent(inout) :: increment
       real(wp), intent(in) :: last_motion
       type(error_type), allocatable, intent(out) :: error
+      type(material_point), allocatable :: points(:, :)
 
-      associate (start => run%model%points)
-         if (run%strokes_done >= 0) then
-            block
-               use asperity_solid_material_material, only: material_point
-               type(material_point), allocatable :: points(:, :)
-
-               points = start
-               call solve_increment(increment, run%model, run%system, run%displacement, &
-                  run%before, last_motion, error)
-               if (.not. allocated(error) .and. increment%is_solved) &
-                  call add_increment(run%ledger, run%model, points, run%displacement, &
-                  run%system%load_force)
-            end block
-         else
-            call solve_increment(increment, run%model, run%system, run%displacement, run%before, &
-               last_motion, error)
-         end if
-      end associate
+      points = run%model%points
+      call solve_increment(increment, run%model, run%system, run%displacement, run%before, &
+         last_motion, error)
+      if (.not. allocated(error) .and. increment%is_solved .and. run%strokes_done >= 0) &
+         call add_increment(run%ledger, run%model, points, run%displacement, run%system%load_force)
       run%iterations = run%iterations + increment%iterations
    end subroutine try
 

@@ -2,6 +2,7 @@
 module asperity_solid_solve_record
    use asperity_base_kinds, only: wp
    use asperity_contact_state, only: status_slip, status_stick
+   use asperity_solid_contact_pair, only: contact_energy, energies
    use asperity_solid_model_model, only: solid_model
    use asperity_solid_solve_energy, only: energy_ledger
    implicit none
@@ -23,8 +24,8 @@ module asperity_solid_solve_record
          coupling = 0.0_wp, edge = 0.0_wp, balance = 0.0_wp
       !> Share of the wood's points that yield, and largest equivalent plastic strain
       real(wp) :: yielding = 0.0_wp, plastic_strain = 0.0_wp
-      !> Of each pair: normal force, N; friction force along the beam (sides: along and up), N; largest
-      !> pressure, MPa; area that sticks and that slips, mm^2
+      !> Of each pair: normal force, N; largest pressure, MPa; area that sticks and that slips, mm^2;
+      !> energy lost to friction, J
       real(wp) :: normal_force(most_pairs) = 0.0_wp, largest_pressure(most_pairs) = 0.0_wp, &
          stick_area(most_pairs) = 0.0_wp, slip_area(most_pairs) = 0.0_wp, &
          friction_energy(most_pairs) = 0.0_wp
@@ -43,6 +44,7 @@ contains
       !> How many points yield; stroke and iterations
       integer, intent(in) :: n_yielding, stroke, iterations
       type(increment_record) :: record
+      type(contact_energy) :: contact
       real(wp), parameter :: halves = 2.0_wp, joule = 1.0e3_wp
       integer :: i, j, k
 
@@ -61,16 +63,19 @@ contains
       record%yielding = real(n_yielding, wp)/size(model%points)
       record%plastic_strain = maxval(model%points%equivalent_strain)
       do i = 1, size(model%pairs)
+         contact = energies(model%pairs(i))
+         record%friction_energy(i) = halves*contact%dissipation/joule
          do j = 1, size(model%pairs(i)%faces)
             do k = 1, size(model%pairs(i)%faces(j)%cells)
                associate (cell => model%pairs(i)%faces(j)%cells(k))
                   if (.not. cell%coverage > 0.0_wp) cycle
                   record%normal_force(i) = record%normal_force(i) &
-                     + halves*cell%area*cell%coverage*cell%pressure
-                  record%largest_pressure(i) = max(record%largest_pressure(i), cell%pressure)
-                  if (cell%status == status_stick) record%stick_area(i) = record%stick_area(i) &
+                     + halves*cell%area*cell%coverage*cell%trial%traction(1)
+                  record%largest_pressure(i) = max(record%largest_pressure(i), &
+                     cell%trial%traction(1))
+                  if (cell%trial%status == status_stick) record%stick_area(i) = record%stick_area(i) &
                      + halves*cell%area*cell%coverage
-                  if (cell%status == status_slip) record%slip_area(i) = record%slip_area(i) &
+                  if (cell%trial%status == status_slip) record%slip_area(i) = record%slip_area(i) &
                      + halves*cell%area*cell%coverage
                end associate
             end do
