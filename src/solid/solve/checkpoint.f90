@@ -1,0 +1,67 @@
+!> A run kept between two strokes, on a unit opened for unformatted stream access. What is read goes
+!> on as the run that was not interrupted, bit for bit: every stroke begins without a pattern,
+!> factors or increments before it.
+module asperity_solid_solve_checkpoint
+   use asperity_base_kinds, only: wp
+   use asperity_solid_contact_pair, only: pack_history, unpack_history
+   use asperity_solid_solve_programme, only: solid_run
+   implicit none
+   private
+   public :: write_run, read_run
+
+contains
+
+   !> Write a run.
+   subroutine write_run(unit, run, status)
+      !> The unit
+      integer, intent(in) :: unit
+      !> The run, between two strokes
+      type(solid_run), intent(in) :: run
+      !> Not zero on failure, as iostat
+      integer, intent(out) :: status
+      integer :: i
+
+      write (unit, iostat=status) run%strokes_done, run%increments, run%iterations, run%cutbacks, &
+         size(run%displacement), size(run%records)
+      if (status == 0) write (unit, iostat=status) run%displacement, run%before, run%ledger, &
+         run%model%points, run%records
+      do i = 1, size(run%model%pairs)
+         if (status /= 0) return
+         associate (history => pack_history(run%model%pairs(i)))
+            write (unit, iostat=status) size(history), history
+         end associate
+      end do
+   end subroutine write_run
+
+   !> Read a run of the same joint, which is at its beginning.
+   subroutine read_run(unit, run, status)
+      !> The unit
+      integer, intent(in) :: unit
+      !> The run
+      type(solid_run), intent(inout) :: run
+      !> Not zero on failure, as iostat; above zero where what is read is of another joint
+      integer, intent(out) :: status
+      real(wp), allocatable :: history(:)
+      integer :: i, n, n_displacements, n_records
+
+      read (unit, iostat=status) run%strokes_done, run%increments, run%iterations, run%cutbacks, &
+         n_displacements, n_records
+      if (status /= 0) return
+      status = 1
+      if (n_displacements /= size(run%displacement) .or. n_records < 0) return
+      deallocate (run%records)
+      allocate (run%records(n_records), stat=status)
+      if (status == 0) read (unit, iostat=status) run%displacement, run%before, run%ledger, &
+         run%model%points, run%records
+      do i = 1, size(run%model%pairs)
+         if (status == 0) read (unit, iostat=status) n
+         if (status /= 0) return
+         status = 1
+         history = pack_history(run%model%pairs(i))
+         if (n /= size(history)) return
+         read (unit, iostat=status) history
+         if (status == 0) call unpack_history(run%model%pairs(i), history)
+      end do
+   end subroutine read_run
+
+end module asperity_solid_solve_checkpoint
