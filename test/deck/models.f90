@@ -305,7 +305,7 @@ contains
       choice%contact = 'hard'
       call make(deck, choice, s, error)
       call assertEqual(0.1_wp, deck%sizes%gap_below, tolerance=1.0e-15_wp)
-      call assertEqual(0.2_wp/100.0_wp, deck%sizes%side_overlap, tolerance=1.0e-15_wp)
+      call assertEqual(s%side_pressure/100.0_wp, deck%sizes%side_overlap, tolerance=1.0e-15_wp)
       s%side_pressure = 0.0_wp
       call make(deck, choice, s, error)
       call assertFalse(deck%has_sides)

@@ -41,7 +41,8 @@ contains
       type(tenon_settings) :: settings
 
       settings = tenon_settings(contact=contact, axial_rule='force', axial_force=force, &
-         amplitudes=[8.0_wp, 16.0_wp], points=50, side_points=10, displacement_increment=increment)
+         side_pressure=0.2_wp, amplitudes=[8.0_wp, 16.0_wp], points=50, side_points=10, &
+         displacement_increment=increment)
    end function driven_joint
 
    !> A cell counts as far as it lies in the mortise, X from -length to 0: at the mouth, where the
