@@ -14,6 +14,9 @@ from .files.mesh import new_mesh
 Point = namedtuple("Point", "step increment time pair node x y z ux uy uz area opening slip_1 "
                             "slip_2 pressure shear_1 shear_2 state")
 
+# What a face bears, named as in the tables of `asperity tenon`
+FaceRow = namedtuple("FaceRow", "face largest_pressure normal_force area_open area_stick area_slip")
+
 # A point slips from this share of friction times pressure: ccx writes six figures of each
 SLIPPING = 0.999
 # MPa; a rough face never quite ends, and asperity's law counts as open some way below this
@@ -104,6 +107,22 @@ class Results:
                                   pressure, shear1, shear2,
                                   state(pressure, math.hypot(shear1, shear2), mu)))
         return rows
+
+
+def face_rows(points):
+    """A row for each contact pair of some points; stick and slip are nan where friction is unknown."""
+    rows = []
+    for pair in dict.fromkeys(p.pair for p in points):
+        mine = [p for p in points if p.pair == pair]
+        area = dict.fromkeys(("open", "stick", "slip"), 0.0)
+        for p in mine:
+            area[p.state] = area.get(p.state, 0.0) + p.area
+        if "closed" in area:
+            area["stick"] = area["slip"] = math.nan
+        rows.append(FaceRow(pair, max(p.pressure for p in mine),
+                            sum(p.pressure*p.area for p in mine), area["open"], area["stick"],
+                            area["slip"]))
+    return rows
 
 
 def parts_of(place):

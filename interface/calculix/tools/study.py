@@ -120,6 +120,12 @@ def print_table(header, rows):
     print()
 
 
+def print_faces(header, rows):
+    """Rows of faces, [([text, ...], faces.FaceRow)], with the header of the texts before them."""
+    print_table(list(map(tables.heading, [*header, *rows[0][1]._fields])),
+                [[*texts, row.face, *(f"{value:.5g}" for value in row[1:])] for texts, row in rows])
+
+
 def curves(path, series, title, labels, zero=True):
     """A picture of curves: series is [(name, x, y, style)], style 'line', 'dots' or 'dashes'."""
     script, plots = [], []

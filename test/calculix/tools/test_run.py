@@ -8,6 +8,7 @@ usage: test_run.py [FOLDER of the interface]      prints `N passed, N failed` at
 import csv
 import importlib
 import json
+import math
 import os
 import pty
 import shutil
@@ -541,9 +542,17 @@ def test_contact():
                                        "slip_2 (mm),pressure (MPa),shear_1 (MPa),shear_2 (MPa),"
                                        "state\n"),
           f"{r.text}{table[4:]}")
-    check("contact: summary", "TOP: 3 of 4 points closed, 2 slip, largest pressure 2 MPa, "
-          "force 1.5 N"
-          in r.out, r.text)
+    # quarters of a mm^2 with 2 MPa: one open, one stick, two slip
+    check("contact: a row a face", "step 1, increment 2" in r.out and [
+        line.split() for line in r.out.splitlines() if line.split()[:1] in (["face"], ["TOP"])][2:]
+          == [["face", "largest_pressure", "(MPa)", "normal_force", "(N)", "area_open", "(mm^2)",
+               "area_stick", "(mm^2)", "area_slip", "(mm^2)"],
+              ["TOP", "2", "1.5", "0.25", "0.25", "0.5"]], r.text)
+    points = [faces.Point(*[0]*3, "TOP", 1, *[0.0]*6, 0.5, *[0.0]*3, 3.0, 0.0, 0.0, state)
+              for state in ("open", "closed")]
+    row = faces.face_rows(points)[0]
+    check("contact: stick and slip are unknown without friction", row[:4] == ("TOP", 3.0, 3.0, 0.5)
+          and math.isnan(row.area_stick) and math.isnan(row.area_slip), row)
     for name, nodes in (("numbers", "11,\n12,\n13,\n14,\n"), ("a set", "corners\n")):
         write("c/n.inp", "*NSET,NSET=CORNERS\n11,12,13,14\n" + read("c/c.inp").replace(
             "*SURFACE, NAME=TOP\nHIGH, S1\n", f"*SURFACE, TYPE=NODE, NAME=TOP\n{nodes}"))

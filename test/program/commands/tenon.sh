@@ -83,6 +83,32 @@ check 'tenon: open points carry nothing' csv t_points.csv '
    if (c["status"] == "open" ? c["pressure"] > 6e-7 : c["pressure"] < 2e-7) fail(c["status"] " " c["pressure"])'
 check 'tenon: friction is within mu p' csv t_points.csv '
    t = sqrt(c["shear_1"]^2 + c["shear_2"]^2); if (t > 0.5*c["pressure"]*(1 + 1e-9)) fail(t)'
+# rows by face: from the points of the last two steps, the sides both together
+faces_of() { # file of points
+   awk -F, -v OFS=, -v OFMT=%.17g 'NR > 1 { face = $4 ~ /^side/ ? "sides" : $4; at = $2; key = at "," face "," $1
+         if (!(at in seen)) { seen[at] = 1; order[++steps] = at }
+         if ($9 > 0 && $10 > most[key]) most[key] = $10
+         force[key] += $9*$10; area[key, $6] += $9; there[key] = 1 }
+      END { split("upper lower sides", faces, " "); split("hard rough", models, " ")
+         for (i = 3; i <= 4; i++) for (j = 1; j <= 3; j++) for (k = 1; k <= 2; k++) {
+            key = order[i] "," faces[j] "," models[k]
+            print faces[j], models[k], most[key], force[key], area[key, "open"] + 0, area[key, "stick"] + 0,
+               area[key, "slip"] + 0 } }' "$1"
+}
+faces_of t_points.csv >faces.csv
+check 'tenon: rows of two steps, three faces and two models' test "$(rows faces.csv)" -eq 11
+i=0
+for name in face model largest_pressure normal_force area_open area_stick area_slip; do
+   i=$((i + 1))
+   check "tenon: $name of each face" awk -F, -v list="$(member faces $name)" -v i=$i '
+      BEGIN { gsub(/[" ]/, "", list); n = split(list, x, ",") }
+      i < 3 ? x[NR] != $i : (x[NR] - $i)^2 > 1e-12*(1 + $i^2) { print x[NR], $i; bad = 1 }
+      END { exit bad || n != NR || n != 12 }' faces.csv
+done
+check 'tenon: rows of faces are listed' grep -Eq '^ +-48[.]0  lower  rough  +[0-9.]+  +[0-9.]+' out
+run tenon "${small[@]}" --side-pressure 0 --shoulders --json -
+check 'tenon: shoulders have rows, sides without pressure none' sh -c '
+   grep "^\"face\"" out | grep "upper_shoulder.*lower_shoulder" | grep -v sides'
 run tenon "${small[@]}" --record 3,20 --points - --csv t2.csv
 check 'tenon: points of steps asked for' \
    sh -c 'test "$(cut -d, -f2 out | sed 1d | sort -n -u | tr "\n" " ")" = "3 20 "'
@@ -388,7 +414,7 @@ if command -v gnuplot >/dev/null; then
    run tenon "${small[@]}" --report r.html --plot r.svg --csv r.csv
    check 'report' is_quiet
    check 'report: complete' sh -c 'tail -n 1 r.html | grep -q "^</body></html>$" && head -n 1 r.html | grep -q "^<!DOCTYPE html>"'
-   check 'report: all pictures' test "$(grep -c '</svg>' r.html)" -eq 10
+   check 'report: all pictures' test "$(grep -c '</svg>' r.html)" -eq 12
    check 'report: every picture draws' sh -c 'test "$(grep -c "title>" r.html)" -gt 30'
    # names of namespaces are no addresses that anything loads
    check 'report: needs nothing else' sh -c '

@@ -6,7 +6,8 @@ from .whole_file import whole_file
 
 UNITS = {"displacement": "mm", "force": "N", "wall_time": "s", "cpu_time": "s", "area": "mm^2",
          **dict.fromkeys(("x", "y", "z", "ux", "uy", "uz", "opening", "slip_1", "slip_2"), "mm"),
-         **dict.fromkeys(("pressure", "shear_1", "shear_2"), "MPa")}
+         "normal_force": "N", **dict.fromkeys(("area_open", "area_stick", "area_slip"), "mm^2"),
+         **dict.fromkeys(("largest_pressure", "pressure", "shear_1", "shear_2"), "MPa")}
 
 
 def heading(name):

@@ -9,6 +9,7 @@ module asperity_program_commands_tenon_command
    use asperity_program_commands_plots, only: picture_title
    use asperity_program_commands_tenon_compare_models, only: check_moment, hard, joint_type, &
       legends, rough, run_joint, steps_to_record
+   use asperity_program_commands_tenon_face_rows, only: face_table, joint_face_rows
    use asperity_program_commands_tenon_failure, only: keep_failed_step
    use asperity_program_commands_tenon_history, only: follow_history, history_type, read_history
    use asperity_program_commands_tenon_joint_keys, only: declare_replay_case, tenon_case
@@ -173,6 +174,7 @@ contains
       report%more = [ &
          named_table('totals', 'Whole programme', &
          totals_table(joints)), &
+         named_table('faces', 'Faces', face_table(joint_face_rows(joints))), &
          named_table('cycles', 'Cycles', cycles_table(joints), 12), &
          named_table('skeleton', '', skeleton_table(joints))]
       report%points = points_table(joints)

@@ -16,7 +16,8 @@ module asperity_program_commands_tenon_compare_models
    use asperity_replay_tenon_step, only: tenon_step
    implicit none
    private
-   public :: joint_type, run_joint, check_moment, largest_cycle, loop_joules, steps_to_record
+   public :: joint_type, run_joint, check_moment, largest_cycle, loop_joules, steps_to_record, &
+      last_kept_steps
 
    !> Contact models, in the order of tables
    integer, parameter, public :: hard = 1, rough = 2
@@ -33,6 +34,9 @@ module asperity_program_commands_tenon_compare_models
 
    !> Way back after a turn over the amplitude at which the contact is looked at
    real(wp), parameter :: turned = 0.02_wp
+
+   !> Steps whose contact is shown face by face
+   integer, parameter :: most_shown = 2
 
    !> Replay of one model.
    type :: joint_type
@@ -198,6 +202,22 @@ contains
       if (other > zero) steps = [steps, other]
       if (last > other) steps = [steps, last]
    end function steps_to_record
+
+   !> Steps whose contact is shown: the last two of those whose points were kept, which are the turn
+   !> of the largest loop and just after it unless others were asked for.
+   pure function last_kept_steps(joint) result(steps)
+      !> Replay of one model
+      type(joint_type), intent(in) :: joint
+      integer, allocatable :: steps(:)
+      integer :: i
+
+      allocate (steps(0))
+      do i = size(joint%points), 1, -1
+         if (size(steps) == most_shown) exit
+         if (any(steps == joint%points(i)%step)) cycle
+         steps = [joint%points(i)%step, steps]
+      end do
+   end function last_kept_steps
 
    !> First step from one on at which a displacement of some sign is back at zero or past it.
    pure integer function next_zero(displacement, from, its_sign)

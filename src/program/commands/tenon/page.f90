@@ -49,6 +49,8 @@ contains
       if (beside_paper) call add_list(b, paper_cautions)
       call add_html_table(b, report%table_of('totals'), 'Energies and pull-out over the whole '// &
          'programme; initial stiffness of the negative side')
+      call add_html_table(b, report%table_of('faces'), 'Contact of each face, at the last turn '// &
+         'of the largest loop and just after it (Figs 31 to 34); both sides together')
       call add_remarks(b, report)
 
       call b%line('<h2>Pictures</h2>')

@@ -5,7 +5,7 @@ module asperity_program_commands_tenon_plots
    use asperity_contact_state, only: status_open, status_slip, status_stick, &
       status_unset
    use asperity_program_commands_tenon_compare_models, only: joint_type, largest_cycle, &
-      legends, loop_joules
+      last_kept_steps, legends, loop_joules
    use asperity_program_plot_figure, only: as_line, as_line_and_points, as_points, block, box, &
       cross, dashed, disc, figure_type, panel_type, solid
    use asperity_program_plot_palette, only: black, blue, red, sky
@@ -15,8 +15,8 @@ module asperity_program_commands_tenon_plots
    private
    public :: joint_pictures
 
-   !> Largest number of points of a line, steps whose contact states are shown
-   integer, parameter :: most_points = 4000, most_states = 2
+   !> Largest number of points of a line, cycles that are called the first
+   integer, parameter :: most_points = 4000, first_cycles = 4
    !> Of either model
    integer, parameter :: colours(2) = [blue, red], strokes(2) = [solid, dashed], &
       marks(2) = [box, disc]
@@ -28,7 +28,7 @@ contains
       !> Both models
       type(joint_type), intent(in) :: joints(:)
       type(figure_type), allocatable :: pictures(:)
-      type(panel_type) :: p(8)
+      type(panel_type) :: p(11)
       integer, allocatable :: peaks(:)
       integer :: i, j
 
@@ -39,8 +39,11 @@ contains
          panel_type('cycle', 'energy (J)', 'Energy of the loops'), &
          panel_type('cycle', 'energy (J)', 'Dissipation by friction'), &
          panel_type('rotation (rad)', 'normal force (kN)', 'Upper face, largest loop'), &
-         panel_type('rotation (rad)', 'pull-out (mm)', 'Pull-out, largest loop')]
-      p([1, 2, 3, 7, 8])%zero_lines = .true.
+         panel_type('rotation (rad)', 'normal force (kN)', 'Lower face, largest loop'), &
+         panel_type('rotation (rad)', 'pull-out (mm)', 'Pull-out, largest loop'), &
+         panel_type('step', 'displacement (mm)', 'Programme'), &
+         panel_type('rotation (rad)', 'moment (kN m)', 'Moment, first loops')]
+      p([1, 2, 3, 7, 8, 9, 10, 11])%zero_lines = .true.
       p(5:6)%x%whole = .true.
       p(4:6)%y%low = 0.0_wp
       do i = 1, size(joints)
@@ -55,7 +58,11 @@ contains
                      loops%cycles(max(1, j))%last - 1:stride))
                   call draw(p(2), i, as_line, (s%rotation), kilonewton_metre*s%moment)
                   call draw(p(7), i, as_line, (s%rotation), 1.0e-3_wp*s%face_normal(1))
-                  call draw(p(8), i, as_line, (s%rotation), (s%pull_out))
+                  call draw(p(8), i, as_line, (s%rotation), 1.0e-3_wp*s%face_normal(2))
+                  call draw(p(9), i, as_line, (s%rotation), (s%pull_out))
+               end associate
+               associate (s => steps(:loops%cycles(min(first_cycles, size(loops%cycles)))%last - 1))
+                  call draw(p(11), i, as_line, (s%rotation), kilonewton_metre*s%moment)
                end associate
             end if
             peaks = pack([(j, j=1, size(loops%cycles))], &
@@ -72,6 +79,9 @@ contains
             end associate
          end associate
       end do
+      associate (steps => joints(1)%steps(::1 + ubound(joints(1)%steps, 1)/most_points))
+         call p(10)%add(real(steps%step, wp), (steps%displacement), '', black, as_line)
+      end associate
       ! one legend, as colours tell the models apart
       do i = 1, size(joints)
          call p(3)%add((joints(i)%loops%skeleton%yield_displacement), &
@@ -79,19 +89,22 @@ contains
             i == 1)), colours(i), as_points, mark=cross)
       end do
       pictures = [ &
-         figure_type('Moment of both models over the whole programme (the paper''s Fig. 25).', &
+         figure_type('Displacement of the load point over the steps of the programme (the '// &
+         'paper''s Fig. 22).', p(10:10)), &
+         figure_type('Moment of both models over the whole programme (Fig. 25).', &
          p(1:1)), &
          figure_type('The first loop of the largest amplitude (Fig. 26). The joint runs '// &
          'against the friction of its sides while the gap closes that the indented wood has '// &
          'left: that pinches the loop.', p(2:2)), &
+         figure_type('The first loops, four at most (Fig. 27).', p(11:11)), &
          figure_type('Peaks of the first cycle of each amplitude; crosses are the yield points '// &
          'of equal energy (Fig. 28).', p(3:3)), &
          figure_type('Secant stiffness of every cycle, mean of both sides (Fig. 29).', p(4:4)), &
          figure_type('Area of all moment-rotation loops up to each cycle (Fig. 30).', p(5:5)), &
          figure_type('Dissipated by friction on all faces up to each cycle (Fig. 35).', p(6:6)), &
-         figure_type('Normal force of the upper face in the first loop of the largest '// &
-         'amplitude (Fig. 34).', p(7:7)), &
-         figure_type('Pull-out of the tenon at the column face in the same loop.', p(8:8)), &
+         figure_type('Normal force of the upper and of the lower face in the first loop of the '// &
+         'largest amplitude (Fig. 34).', p(7:8)), &
+         figure_type('Pull-out of the tenon at the column face in the same loop.', p(9:9)), &
          figure_type('Contact along the upper face (pressure drawn upwards) and the lower face '// &
          '(drawn downwards): open, sticking and slipping points (Figs 31 to 33) at two '// &
          'displacements of the load point. The column face is at 0.', state_panels(joints))]
@@ -115,7 +128,7 @@ contains
       integer, allocatable :: steps(:)
       integer :: i, j
 
-      allocate (steps, source=state_steps(joints(1)))
+      allocate (steps, source=last_kept_steps(joints(1)))
       allocate (panels(size(steps)*size(joints)))
       do j = 1, size(steps)
          do i = 1, size(joints)
@@ -147,19 +160,5 @@ contains
       call panel%add(points(which)%x, merge(points(which)%pressure, -points(which)%pressure, &
          points(which)%face == 1), legend, colour, as_points, mark=mark)
    end subroutine draw_state
-
-   !> Steps whose contact states are shown: the last of those kept.
-   pure function state_steps(joint) result(steps)
-      type(joint_type), intent(in) :: joint
-      integer, allocatable :: steps(:)
-      integer :: i
-
-      allocate (steps(0))
-      do i = size(joint%points), 1, -1
-         if (size(steps) == most_states) exit
-         if (any(steps == joint%points(i)%step)) cycle
-         steps = [joint%points(i)%step, steps]
-      end do
-   end function state_steps
 
 end module asperity_program_commands_tenon_plots
