@@ -116,6 +116,10 @@ if(ASPERITY_BUILD_PROGRAM)
       add_test(NAME program_${name}_tests COMMAND bash test/program/run_tests.sh
          $<TARGET_FILE:asperity_program> ${name} WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
    endforeach()
+   if(Python3_FOUND)
+      add_test(NAME paper_tests COMMAND ${Python3_EXECUTABLE} test/docs/test_paper.py
+         $<TARGET_FILE:asperity_program> WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
+   endif()
 endif()
 
 if(ASPERITY_BUILD_C)

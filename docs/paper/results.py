@@ -1,0 +1,135 @@
+"""Results of a joint in one form for the plane replay, the solid and CalculiX.
+
+A number has a quantity, a face (or nothing), a displacement of the load point in mm, and a value under
+hard contact and one under the rough law. Of cycles the first at each amplitude counts, and the negative
+side, as in the paper's Table 5.
+"""
+
+import csv
+import json
+import math
+import os
+import subprocess
+import tempfile
+
+COLUMNS = ["quantity", "face", "displacement", "hard", "rough"]
+
+
+class Joint:
+    """Numbers by quantity and face: [(displacement, hard, rough)], small displacements first."""
+
+    def __init__(self, rows):
+        self.rows = rows
+
+    def series(self, quantity, face=""):
+        found = sorted(((u, hard, rough) for q, f, u, hard, rough in self.rows
+                        if (q, f) == (quantity, face)), key=lambda row: abs(row[0]))
+        if not found:
+            raise KeyError(quantity)
+        return found
+
+    def last(self, quantity, face=""):
+        """(hard, rough) at the largest displacement."""
+        return self.series(quantity, face)[-1][1:]
+
+    def ratios(self, quantity, face=""):
+        """[(displacement, rough over hard)] where hard contact has something."""
+        return [(u, rough/hard) for u, hard, rough in self.series(quantity, face) if hard != 0.0]
+
+    def add_penalty(self, stiffness, soft):
+        """Beside hard contact that gives: `soft` has it under `hard`."""
+        for name, quantity, face in (("moment", "negative_moment", ""),
+                                     ("pressure", "largest_pressure", "lower")):
+            self.rows += [(f"{name}_penalty_{stiffness}", "", u, other[1], rough) for (u, _, rough), other
+                          in zip(self.series(quantity, face), soft.series(quantity, face))]
+
+
+class Program:
+    """`asperity`, and what it answered."""
+
+    def __init__(self, path):
+        self.path, self.known = os.path.abspath(path), {}
+
+    def run(self, *arguments):
+        """The JSON of a command, which is run once."""
+        if arguments not in self.known:
+            done = subprocess.run([self.path, *arguments, "--json", "-"], capture_output=True, text=True,
+                                  check=False)
+            if done.returncode:
+                raise SystemExit(f"asperity {' '.join(arguments)}: {done.stderr}")
+            self.known[arguments] = json.loads(done.stdout)
+        return self.known[arguments]
+
+    def text(self, *arguments):
+        """What a command prints."""
+        return subprocess.run([self.path, *arguments], capture_output=True, text=True, check=True).stdout
+
+    def points(self, *arguments):
+        """Rows of `--points`."""
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "points.csv")
+            subprocess.run([self.path, *arguments, "--points", path], capture_output=True, check=True)
+            with open(path, encoding="ascii") as file:
+                return [{name.partition(" (")[0]: value for name, value in row.items()}
+                        for row in csv.DictReader(file)]
+
+
+def first_cycles(table, arm):
+    """{amplitude: (first, last)} of cycles of about the same amplitude, places in the table."""
+    found = {}
+    for i, rotation in enumerate(table["rotation"]):
+        found.setdefault(round(rotation*arm, 3), [i, i])[1] = i
+    return found
+
+
+def from_json(answer):
+    """The form of `asperity tenon --json`, and of `asperity solid --json`, whose names are the same."""
+    cycles, data, rows = answer["cycles"], answer.get("data", {}), []
+    both = lambda table, name, i: (table[f"{name}_hard"][i], table[f"{name}_rough"][i])
+    amplitudes = first_cycles(cycles, answer["settings"]["arm"])
+    for amplitude, (first, last) in amplitudes.items():
+        for name in ("secant_stiffness", "negative_moment", "energy", "pinching"):
+            rows.append((name, "", amplitude, *both(cycles, name, first)))
+        rows.append(("cumulative_energy", "", amplitude, *both(cycles, "cumulative_energy", last)))
+        of = {model: [k for k, m in enumerate(data.get("model", [])) if m == model] for model in
+              ("hard", "rough")}
+        for name, at, pick in (("positive_moment", "moment", max), ("peak_force", "normal_upper", max)):
+            if at in data:
+                rows.append((name, "", amplitude, *(pick(
+                    data[at][k] for k in of[model] if data["cycle"][k] == cycles["cycle"][first])
+                    for model in of)))
+        if "friction_dissipation" in data:
+            rows.append(("friction_dissipation", "", amplitude, *(max(
+                data["friction_dissipation"][k] for k in of[model]
+                if data["cycle"][k] <= cycles["cycle"][last]) for model in of)))
+    largest = max(amplitudes)
+    for table in ("totals", "summary"):
+        names = [name for name, values in answer[table].items() if isinstance(values[-1], float)]
+        rows += [(name, "", largest, *answer[table][name][-2:]) for name in names]
+    faces = answer["faces"]
+    for name in ("largest_pressure", "normal_force", "area_open", "area_stick", "area_slip"):
+        values = {}
+        for i, face in enumerate(faces["face"]):
+            values.setdefault((face, faces["displacement"][i]), {})[faces["model"][i]] = faces[name][i]
+        rows += [(name, face, u, v["hard"], v["rough"]) for (face, u), v in values.items()]
+    return [row for row in rows if None not in row]
+
+
+def read(path):
+    """(Joint, the command that made it) of a file that `keep` wrote, or nothing."""
+    if not os.path.exists(path):
+        return None, ""
+    with open(path, encoding="ascii") as file:
+        command = file.readline()[1:].strip()
+        rows = [(row["quantity"], row["face"], *(float(row[name]) for name in COLUMNS[2:]))
+                for row in csv.DictReader(file)]
+    return Joint(rows), command
+
+
+def write(file, rows, command):
+    """Numbers with the command that made them, six figures."""
+    file.write(f"# {command}\n")
+    writer = csv.writer(file, lineterminator="\n")
+    writer.writerow(COLUMNS)
+    writer.writerows([q, f, *(f"{v:.6g}" if math.isfinite(v) else "" for v in values)]
+                     for q, f, *values in rows)
