@@ -7,14 +7,17 @@ module asperity_solid_contact_face
    use asperity_solid_small_matrices, only: cross, invert
    implicit none
    private
-   public :: contact_face, new_contact_face, freeze_axes, meet_facet, forget_facets, cell_place
+   public :: contact_face, new_contact_face, freeze_axes, meet_facet, met_facets, keep_facets, &
+      cell_place
 
    !> A slave facet.
    type :: contact_face
       !> Nodes of the slave facet, then those of every master facet met
       integer, allocatable :: nodes(:)
-      !> Master facets met, and which of the nodes are their corners
+      !> Master facets met and their neighbours, which of the nodes are their corners, and which were
+      !> met since some were forgotten
       integer, allocatable :: facets(:), corners(:, :)
+      logical, allocatable :: is_met(:)
       !> Cells, and their samples one after the other
       type(contact_cell), allocatable :: cells(:)
       type(contact_sample), allocatable :: samples(:)
@@ -43,7 +46,8 @@ contains
       integer :: i
 
       face%nodes = nodes
-      allocate (face%facets(0), face%corners(4, 0), face%samples(0), face%cells(cells*cells))
+      allocate (face%facets(0), face%corners(4, 0), face%is_met(0), face%samples(0), &
+         face%cells(cells*cells))
       x = positions(:, nodes)
       a(:, :2) = matmul(x, facet_slopes([0.0_wp, 0.0_wp]))
       a(:, 3) = cross(a(:, 1), a(:, 2))
@@ -101,11 +105,16 @@ contains
       integer, intent(in) :: facet
       !> Set to true when it was new
       logical, intent(inout) :: has_grown
-      integer :: neighbour
+      integer :: neighbour, place
 
       if (facet == 0) return
-      if (any(face%facets == facet)) return
+      place = findloc(face%facets, facet, 1)
+      if (place > 0) then
+         face%is_met(place) = .true.
+         return
+      end if
       call add_facet(face, master, facet, has_grown)
+      face%is_met(size(face%is_met)) = .true.
       do neighbour = 1, 4
          call add_facet(face, master, master%neighbours(neighbour, facet), has_grown)
       end do
@@ -128,17 +137,42 @@ contains
          corners(k) = size(face%nodes)
       end do
       face%facets = [face%facets, facet]
+      face%is_met = [face%is_met, .false.]
       face%corners = reshape([face%corners, corners], [4, size(face%facets)])
    end subroutine add_facet
 
-   !> Forget all master facets met, so that those of the past no longer fill the matrix.
-   pure subroutine forget_facets(face)
+   !> Master facets met since some were forgotten, rising.
+   pure function met_facets(face) result(list)
+      !> The face
+      type(contact_face), intent(in) :: face
+      integer, allocatable :: list(:)
+      integer :: facet
+
+      allocate (list(0))
+      do facet = 1, maxval(face%facets)
+         if (any(face%facets == facet .and. face%is_met)) list = [list, facet]
+      end do
+   end function met_facets
+
+   !> Keep some master facets and their neighbours and forget all others, so that those of the past
+   !> no longer fill the matrix. The same list gives the same nodes in the same order.
+   pure subroutine keep_facets(face, master, list)
       !> The face
       type(contact_face), intent(inout) :: face
+      !> The master surface
+      type(contact_surface), intent(in) :: master
+      !> The facets
+      integer, intent(in) :: list(:)
+      logical :: has_grown
+      integer :: i
 
       face%nodes = face%nodes(:4)
       face%facets = face%facets(:0)
+      face%is_met = face%is_met(:0)
       face%corners = face%corners(:, :0)
-   end subroutine forget_facets
+      do i = 1, size(list)
+         call meet_facet(face, master, list(i), has_grown)
+      end do
+   end subroutine keep_facets
 
 end module asperity_solid_contact_face

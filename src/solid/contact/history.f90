@@ -6,10 +6,11 @@ module asperity_solid_contact_history
    use asperity_contact_state, only: contact_state
    use asperity_solid_contact_cell, only: contact_cell
    use asperity_solid_contact_energy, only: contact_energy
-   use asperity_solid_contact_pair, only: contact_pair, forget_pattern
+   use asperity_solid_contact_face, only: keep_facets, met_facets
+   use asperity_solid_contact_pair, only: contact_pair
    implicit none
    private
-   public :: history_size, pack_history, unpack_history
+   public :: history_size, pack_history, unpack_history, pack_facets, unpack_facets
 
    !> Numbers of a cell, and of a pair
    integer, parameter :: of_cell = 17, of_pair = 5
@@ -47,7 +48,7 @@ contains
       end do
    end function pack_history
 
-   !> Go on from numbers of `pack_history`, and forget the pattern.
+   !> Go on from numbers of `pack_history`.
    pure subroutine unpack_history(pair, numbers)
       !> A pair of the same surfaces and cells
       type(contact_pair), intent(inout) :: pair
@@ -63,8 +64,38 @@ contains
             n = n + of_cell
          end do
       end do
-      call forget_pattern(pair)
    end subroutine unpack_history
+
+   !> Master facets that each face has met since some were forgotten: how many, and which.
+   pure function pack_facets(pair) result(list)
+      !> The pair
+      type(contact_pair), intent(in) :: pair
+      integer, allocatable :: list(:)
+      integer :: i
+
+      allocate (list(0))
+      do i = 1, size(pair%faces)
+         associate (met => met_facets(pair%faces(i)))
+            list = [list, size(met), met]
+         end associate
+      end do
+   end function pack_facets
+
+   !> Keep the facets of a list of `pack_facets` and forget all others.
+   pure subroutine unpack_facets(pair, list)
+      !> A pair of the same surfaces
+      type(contact_pair), intent(inout) :: pair
+      !> The list
+      integer, intent(in) :: list(:)
+      integer :: i, n
+
+      n = 1
+      do i = 1, size(pair%faces)
+         call keep_facets(pair%faces(i), pair%master, list(n + 1:n + list(n)))
+         n = n + 1 + list(n)
+      end do
+      pair%has_grown = .true.
+   end subroutine unpack_facets
 
    pure function cell_numbers(cell) result(numbers)
       type(contact_cell), intent(in) :: cell

@@ -8,7 +8,7 @@ module asperity_solid_contact_pair
    use asperity_solid_contact_cell, only: contact_cell
    use asperity_solid_contact_cut, only: cut_face
    use asperity_solid_contact_energy, only: add_increment, contact_energy, recut_energy
-   use asperity_solid_contact_face, only: contact_face, forget_facets, freeze_axes, &
+   use asperity_solid_contact_face, only: contact_face, freeze_axes, keep_facets, met_facets, &
       new_contact_face
    use asperity_solid_contact_geometry_surface, only: contact_surface, new_contact_surface
    use asperity_solid_contact_law, only: solid_law
@@ -171,15 +171,16 @@ contains
       end do
    end subroutine accept
 
-   !> Forget the nodes met, before a new pattern of the matrix: the next increment meets those it
-   !> needs.
+   !> Forget the nodes that were not met since this was done last, before a new pattern of the
+   !> matrix: the next increments meet those they need.
    pure subroutine forget_pattern(pair)
       !> The pair
       type(contact_pair), intent(inout) :: pair
       integer :: i
 
       do i = 1, size(pair%faces)
-         call forget_facets(pair%faces(i))
+         call keep_facets(pair%faces(i), pair%master, met_facets(pair%faces(i)))
+         pair%faces(i)%is_met = .false.
       end do
       pair%has_grown = .true.
    end subroutine forget_pattern

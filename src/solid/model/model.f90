@@ -68,6 +68,7 @@ contains
       type(solid_settings), intent(in) :: settings
       !> Set when a value is refused
       type(error_type), allocatable, intent(out) :: error
+      type(wood_properties) :: wood
 
       call check_solid_settings(settings, error)
       if (allocated(error)) return
@@ -77,12 +78,10 @@ contains
       if (allocated(error)) return
       call number_equations(model%mesh, deck%settings%axial_rule == 'fixed', model%numbers, &
          model%n_unknowns)
-      associate (wood => wood_properties())
-         ! the column's grain is along z and the beam's along x; R lies along y and z
-         call new_solid_material(model%wood(1), wood, 3, 2, .true., error)
-         if (.not. allocated(error)) &
-            call new_solid_material(model%wood(2), wood, 1, 3, .false., error)
-      end associate
+      ! the column's grain is along z and the beam's along x; R lies along y and z
+      call new_solid_material(model%wood(1), wood, 3, 2, .true., error)
+      if (.not. allocated(error)) &
+         call new_solid_material(model%wood(2), wood, 1, 3, .false., error)
       if (.not. allocated(error)) call find_shapes(model, error)
       if (.not. allocated(error)) call find_contact(model, deck, error)
       if (allocated(error)) return

@@ -11,9 +11,9 @@ module asperity_solid_model_settings
    type :: solid_settings
       !> Contact points along each edge of a face; two are 1 % softer at 60 mm, five change nothing
       integer :: cells = 3
-      !> Pressure of hard contact over penetration, MPa/mm, beyond a soft start of `soft_closure`, mm:
+      !> Pressure of hard contact over penetration, MPa/mm, beyond a soft start of `soft_overclosure`, mm:
       !> 0.05 mm at 50 MPa; ten times as much changes the force by 0.3 %
-      real(wp) :: penalty = 1000.0_wp, soft_closure = 0.02_wp
+      real(wp) :: penalty = 1000.0_wp, soft_overclosure = 0.02_wp
       !> Whether every contact point is run through UINTER
       logical :: through_uinter = .false.
       !> Residual over the forces of contact and load at which an increment is solved
@@ -50,7 +50,7 @@ contains
          call check_range(error, 'contact_cells', real(s%cells, wp), 1.0_wp, 10.0_wp, '')
          if (.not. allocated(error)) call check_positive(error, 'penalty', s%penalty, 'MPa/mm')
          if (.not. allocated(error)) &
-            call check_range(error, 'soft_closure', s%soft_closure, 0.0_wp, 1.0_wp, ' mm')
+            call check_range(error, 'soft_overclosure', s%soft_overclosure, 0.0_wp, 1.0_wp, ' mm')
          if (.not. allocated(error)) &
             call check_range(error, 'tolerance', s%tolerance, 1.0e-10_wp, 0.1_wp, '')
          if (.not. allocated(error)) &

@@ -1,8 +1,8 @@
 !> Residual and tangent of the whole joint: elements, contact, springs, column load.
 module asperity_solid_solve_assembly
-   use asperity_base_error, only: error_type, fatal_error
+   use asperity_base_error, only: error_type
    use asperity_base_kinds, only: wp
-   use asperity_solid_contact_pair, only: face_response
+   use asperity_solid_contact_response, only: face_response
    use asperity_solid_element_brick, only: brick_response
    use asperity_solid_engine_linear_solver, only: linear_solver
    use asperity_solid_model_equations, only: moved
@@ -63,7 +63,8 @@ contains
             system%solver%values = 0.0_wp
             system%by_motion = 0.0_wp
          end if
-         call add_all(system, model, displacement, load, wants_tangent)
+         call add_all(system, model, displacement, load, wants_tangent, error)
+         if (allocated(error)) return
          if (.not. (wants_tangent .and. any(model%pairs%has_grown)) .or. system%is_inverted) exit
       end do
    end subroutine assemble
@@ -103,18 +104,20 @@ contains
    end subroutine renew_pattern
 
    !> All that acts.
-   subroutine add_all(system, model, displacement, load, wants_tangent)
+   subroutine add_all(system, model, displacement, load, wants_tangent, error)
       type(equation_system), intent(inout) :: system
       type(solid_model), intent(inout) :: model
       real(wp), intent(in) :: displacement(:, :)
       type(load_state), intent(in) :: load
       logical, intent(in) :: wants_tangent
+      type(error_type), allocatable, intent(out) :: error
       real(wp) :: positions(3, size(displacement, 2)), forces(3, size(displacement, 2))
       integer :: i, j
 
       positions = model%mesh%nodes + displacement
       forces = 0.0_wp
-      call add_contact(system, model, positions, forces, wants_tangent)
+      call add_contact(system, model, positions, forces, wants_tangent, error)
+      if (allocated(error)) return
       system%scale = norm2(forces)
       call add_elements(system, model, positions, load%swelling, forces, wants_tangent)
       call add_spring(1, model%mesh%axial_node, model%axial_stiffness)
@@ -195,12 +198,13 @@ contains
    end subroutine add_elements
 
    !> Slave faces.
-   subroutine add_contact(system, model, positions, forces, wants_tangent)
+   subroutine add_contact(system, model, positions, forces, wants_tangent, error)
       type(equation_system), intent(inout) :: system
       type(solid_model), intent(inout) :: model
       real(wp), intent(in) :: positions(:, :)
       real(wp), intent(inout) :: forces(:, :)
       logical, intent(in) :: wants_tangent
+      type(error_type), allocatable, intent(out) :: error
       real(wp), allocatable :: at_nodes(:, :), tangent(:, :)
       integer :: i, j, n
 
@@ -209,10 +213,11 @@ contains
          do j = 1, size(model%pairs(i)%faces)
             n = n + 1
             if (wants_tangent) then
-               call face_response(model%pairs(i), j, positions, at_nodes, tangent)
+               call face_response(model%pairs(i), j, positions, at_nodes, error, tangent)
             else
-               call face_response(model%pairs(i), j, positions, at_nodes)
+               call face_response(model%pairs(i), j, positions, at_nodes, error)
             end if
+            if (allocated(error)) return
             associate (nodes => model%pairs(i)%faces(j)%nodes)
                forces(:, nodes) = forces(:, nodes) + at_nodes
                if (.not. wants_tangent .or. model%pairs(i)%has_grown) cycle

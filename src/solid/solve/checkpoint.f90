@@ -3,7 +3,8 @@
 !> factors or increments before it.
 module asperity_solid_solve_checkpoint
    use asperity_base_kinds, only: wp
-   use asperity_solid_contact_pair, only: pack_history, unpack_history
+   use asperity_solid_contact_history, only: history_size, pack_facets, pack_history, &
+      unpack_facets, unpack_history
    use asperity_solid_solve_programme, only: solid_run
    implicit none
    private
@@ -27,8 +28,9 @@ contains
          run%model%points, run%records
       do i = 1, size(run%model%pairs)
          if (status /= 0) return
-         associate (history => pack_history(run%model%pairs(i)))
-            write (unit, iostat=status) size(history), history
+         associate (history => pack_history(run%model%pairs(i)), &
+               facets => pack_facets(run%model%pairs(i)))
+            write (unit, iostat=status) size(history), size(facets), history, facets
          end associate
       end do
    end subroutine write_run
@@ -42,7 +44,8 @@ contains
       !> Not zero on failure, as iostat; above zero where what is read is of another joint
       integer, intent(out) :: status
       real(wp), allocatable :: history(:)
-      integer :: i, n, n_displacements, n_records
+      integer, allocatable :: facets(:)
+      integer :: i, n, n_facets, n_displacements, n_records
 
       read (unit, iostat=status) run%strokes_done, run%increments, run%iterations, run%cutbacks, &
          n_displacements, n_records
@@ -54,13 +57,16 @@ contains
       if (status == 0) read (unit, iostat=status) run%displacement, run%before, run%ledger, &
          run%model%points, run%records
       do i = 1, size(run%model%pairs)
-         if (status == 0) read (unit, iostat=status) n
+         if (status == 0) read (unit, iostat=status) n, n_facets
          if (status /= 0) return
          status = 1
-         history = pack_history(run%model%pairs(i))
-         if (n /= size(history)) return
-         read (unit, iostat=status) history
-         if (status == 0) call unpack_history(run%model%pairs(i), history)
+         if (n /= history_size(run%model%pairs(i)) .or. n_facets < 0) return
+         allocate (history(n), facets(n_facets), stat=status)
+         if (status == 0) read (unit, iostat=status) history, facets
+         if (status /= 0) return
+         call unpack_history(run%model%pairs(i), history)
+         call unpack_facets(run%model%pairs(i), facets)
+         deallocate (history, facets)
       end do
    end subroutine read_run
 

@@ -1,7 +1,7 @@
 !> Energy of a solid joint: what the loads put in, and where it is.
 module asperity_solid_solve_energy
    use asperity_base_kinds, only: wp
-   use asperity_solid_contact_pair, only: contact_energy, energies
+   use asperity_solid_contact_energy, only: contact_energy
    use asperity_solid_material_material, only: elastic_energy_density, material_point
    use asperity_solid_model_model, only: solid_model
    implicit none
@@ -41,18 +41,19 @@ contains
       real(wp), intent(in) :: displacement(:, :)
       !> Force at the load, N
       real(wp), intent(in) :: load_force
-      type(contact_energy) :: contact, of_pair
+      type(contact_energy) :: contact
       real(wp) :: stored, load_place, head_place
       integer :: i, j
 
       contact = contact_energy()
       do i = 1, size(model%pairs)
-         of_pair = energies(model%pairs(i))
-         contact%normal = contact%normal + of_pair%normal
-         contact%tangential = contact%tangential + of_pair%tangential
-         contact%dissipation = contact%dissipation + of_pair%dissipation
-         contact%coupling = contact%coupling + of_pair%coupling
-         contact%edge = contact%edge + of_pair%edge
+         associate (of_pair => model%pairs(i)%energy)
+            contact%normal = contact%normal + of_pair%normal
+            contact%tangential = contact%tangential + of_pair%tangential
+            contact%dissipation = contact%dissipation + of_pair%dissipation
+            contact%coupling = contact%coupling + of_pair%coupling
+            contact%edge = contact%edge + of_pair%edge
+         end associate
       end do
       stored = contact%normal + contact%tangential &
          + 0.5_wp*model%axial_stiffness*displacement(1, model%mesh%axial_node)**2 &

@@ -57,7 +57,8 @@ contains
 
       start = displacement
       do i = 1, size(model%pairs)
-         call begin_increment(model%pairs(i), model%mesh%nodes + displacement)
+         call begin_increment(model%pairs(i), model%mesh%nodes + displacement, error)
+         if (allocated(error)) return
       end do
       increment%iterations = 0
       increment%is_solved = .false.

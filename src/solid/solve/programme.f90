@@ -4,7 +4,7 @@ module asperity_solid_solve_programme
    use asperity_base_error, only: error_type, fatal_error
    use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
-   use asperity_solid_contact_pair, only: forget_facets
+   use asperity_solid_contact_pair, only: forget_pattern
    use asperity_solid_material_material, only: material_point
    use asperity_solid_model_model, only: solid_model
    use asperity_solid_model_settings, only: easy_iterations, few_iterations, fit_increments, &
@@ -108,7 +108,7 @@ contains
       call run%system%solver%release()
       if (allocated(run%system%places)) deallocate (run%system%places)
       do i = 1, size(run%model%pairs)
-         call forget_facets(run%model%pairs(i))
+         call forget_pattern(run%model%pairs(i))
       end do
    end subroutine begin_anew
 
@@ -203,7 +203,7 @@ contains
       type(error_type), allocatable, intent(out) :: error
       type(material_point), allocatable :: points(:, :)
 
-      points = run%model%points
+      allocate (points, source=run%model%points)
       call solve_increment(increment, run%model, run%system, run%displacement, run%before, &
          last_motion, error)
       if (.not. allocated(error) .and. increment%is_solved .and. run%strokes_done >= 0) &

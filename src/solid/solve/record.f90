@@ -2,7 +2,6 @@
 module asperity_solid_solve_record
    use asperity_base_kinds, only: wp
    use asperity_contact_state, only: status_slip, status_stick
-   use asperity_solid_contact_pair, only: contact_energy, energies
    use asperity_solid_model_model, only: solid_model
    use asperity_solid_solve_energy, only: energy_ledger
    implicit none
@@ -44,7 +43,6 @@ contains
       !> How many points yield; stroke and iterations
       integer, intent(in) :: n_yielding, stroke, iterations
       type(increment_record) :: record
-      type(contact_energy) :: contact
       real(wp), parameter :: halves = 2.0_wp, joule = 1.0e3_wp
       integer :: i, j, k
 
@@ -63,8 +61,7 @@ contains
       record%yielding = real(n_yielding, wp)/size(model%points)
       record%plastic_strain = maxval(model%points%equivalent_strain)
       do i = 1, size(model%pairs)
-         contact = energies(model%pairs(i))
-         record%friction_energy(i) = halves*contact%dissipation/joule
+         record%friction_energy(i) = halves*model%pairs(i)%energy%dissipation/joule
          do j = 1, size(model%pairs(i)%faces)
             do k = 1, size(model%pairs(i)%faces(j)%cells)
                associate (cell => model%pairs(i)%faces(j)%cells(k))
