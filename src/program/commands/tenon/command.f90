@@ -6,9 +6,12 @@ module asperity_program_commands_tenon_command
    use asperity_base_memory, only: check_work
    use asperity_base_number_text, only: to_text
    use asperity_program_commands_command, only: command_type
+   use asperity_program_commands_joint_loops, only: hard, legends, rough
+   use asperity_program_commands_joint_tables, only: comparison_table, cycles_table, &
+      skeleton_table
    use asperity_program_commands_plots, only: picture_title
-   use asperity_program_commands_tenon_compare_models, only: check_moment, hard, joint_type, &
-      legends, rough, run_joint, steps_to_record
+   use asperity_program_commands_tenon_compare_models, only: check_moment, joint_type, &
+      run_joint, steps_to_record
    use asperity_program_commands_tenon_face_rows, only: face_table, joint_face_rows
    use asperity_program_commands_tenon_failure, only: keep_failed_step
    use asperity_program_commands_tenon_history, only: follow_history, history_type, read_history
@@ -19,8 +22,7 @@ module asperity_program_commands_tenon_command
    use asperity_program_commands_tenon_remarks, only: joint_remarks
    use asperity_program_commands_tenon_sweep, only: report_sweep
    use asperity_program_commands_tenon_sweeps_file, only: close_partial, partial_type
-   use asperity_program_commands_tenon_tables, only: comparison_table, cycles_table, points_table, &
-      skeleton_table, steps_table, totals_table
+   use asperity_program_commands_tenon_tables, only: points_table, steps_table, totals_table
    use asperity_program_input_key, only: kind_file, kind_picture, kind_sweep
    use asperity_program_input_key_list, only: key_list
    use asperity_program_report_report, only: named_table, report_type, turning_points

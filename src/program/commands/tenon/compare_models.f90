@@ -3,12 +3,9 @@ module asperity_program_commands_tenon_compare_models
    use, intrinsic :: iso_fortran_env, only: int64
    use asperity_base_error, only: error_type, fatal_error
    use asperity_base_kinds, only: wp
-   use asperity_base_no_value, only: is_none
    use asperity_base_number_text, only: to_text
-   use asperity_hysteresis_analysis, only: analyse_hysteresis, hysteresis_result, &
-      hysteresis_settings
+   use asperity_program_commands_joint_loops, only: analyse_loops, joint_loops, model_names, rough
    use asperity_program_commands_tenon_joint_keys, only: tenon_case
-   use asperity_program_report_units, only: joule, kilonewton_metre
    use asperity_replay_tenon_geometry, only: bearing_faces
    use asperity_replay_tenon_points, only: tenon_point
    use asperity_replay_tenon_run, only: run_tenon, tenon_progress
@@ -16,17 +13,7 @@ module asperity_program_commands_tenon_compare_models
    use asperity_replay_tenon_step, only: tenon_step
    implicit none
    private
-   public :: joint_type, run_joint, check_moment, largest_cycle, loop_joules, steps_to_record, &
-      last_kept_steps
-
-   !> Contact models, in the order of tables
-   integer, parameter, public :: hard = 1, rough = 2
-   character(len=5), parameter, public :: model_names(2) = [character(len=5) :: 'hard', 'rough']
-   !> The same for readers
-   character(len=12), parameter, public :: legends(2) = ['hard contact', 'rough law   ']
-
-   !> Reversals over the largest rotation that are rounding
-   real(wp), parameter :: exact = 1.0e-6_wp
+   public :: joint_type, run_joint, check_moment, steps_to_record, last_kept_steps
 
    !> Forces over strength times width times length up to which they are round-off: what the solver
    !> lets pass is below
@@ -39,21 +26,13 @@ module asperity_program_commands_tenon_compare_models
    integer, parameter :: most_shown = 2
 
    !> Replay of one model.
-   type :: joint_type
-      !> `hard` or `rough`
-      integer :: model = hard
+   type, extends(joint_loops) :: joint_type
       !> The joint at rest, then every step
       type(tenon_step), allocatable :: steps(:)
       !> Every contact point at the steps asked for
       type(tenon_point), allocatable :: points(:)
-      !> Whether upper or lower face or a shoulder touches in some step, and whether the joint has a
-      !> moment in some step
-      logical :: touches = .true., has_moment = .true.
-      !> Analysis of moment, kN m, against rotation, rad; samples are steps from 1. Without a moment
-      !> there is no cycle, and nothing is known
-      type(hysteresis_result) :: loops
-      !> Time of the replay, s
-      real(wp) :: seconds = 0.0_wp
+      !> Whether upper or lower face or a shoulder touches in some step
+      logical :: touches = .true.
    end type joint_type
 
 contains
@@ -73,7 +52,6 @@ contains
       !> Told after every step
       procedure(tenon_progress), optional :: shown
       type(tenon_settings) :: settings
-      type(hysteresis_settings) :: analysis
       integer(int64) :: began, ended, rate
       real(wp) :: least
       integer :: i
@@ -101,42 +79,9 @@ contains
          if (joint%touches) exit
          joint%touches = any(joint%steps(i)%face_normal(bearing_faces) > least)
       end do
-      if (.not. joint%has_moment) then
-         call leave_unknown(joint%loops)
-         return
-      end if
-      ! A programme has no noise; a recorded history may
-      ! Skeletons go through the tips of first cycles, as the paper's do; computed samples are no
-      ! outliers
-      analysis%peaks = 'displacement'
-      analysis%outliers = 'keep'
-      if (.not. allocated(settings%displacement)) &
-         analysis%threshold = exact*maxval(abs(joint%steps%rotation))
-      call analyse_hysteresis((joint%steps%rotation), kilonewton_metre*joint%steps%moment, &
-         joint%loops, error, analysis)
+      call analyse_loops(joint, (joint%steps%rotation), (joint%steps%moment), &
+         allocated(settings%displacement), error)
    end subroutine run_joint
-
-   !> Energy of loops of moment, kN m, against rotation, rad, in J; what is not known stays so.
-   pure elemental real(wp) function loop_joules(energy)
-      !> The energy, kN m
-      real(wp), intent(in) :: energy
-
-      loop_joules = energy
-      if (.not. is_none(energy)) loop_joules = energy*(joule/kilonewton_metre)
-   end function loop_joules
-
-   !> What is known of a record without a force: nothing.
-   pure subroutine leave_unknown(loops)
-      type(hysteresis_result), intent(inout) :: loops
-      integer :: side
-
-      allocate (loops%turning_points(0), loops%cycles(0))
-      do side = 1, size(loops%skeleton)
-         associate (skeleton => loops%skeleton(side))
-            allocate (skeleton%displacement(0), skeleton%force(0), skeleton%cycle(0))
-         end associate
-      end do
-   end subroutine leave_unknown
 
    !> `error` is set when neither model has a moment in any step: there is nothing to compare.
    subroutine check_moment(joints, error)
@@ -151,28 +96,6 @@ contains
          'clearance: neither hard nor rough contact carries a moment in any step', &
          subject='amplitudes')
    end subroutine check_moment
-
-   !> The first cycle that goes furthest, zero when there is none.
-   pure integer function largest_cycle(loops)
-      !> Analysis of a record
-      type(hysteresis_result), intent(in) :: loops
-      real(wp) :: reach, furthest
-      integer :: i, sample
-
-      largest_cycle = 0
-      furthest = 0.0_wp
-      do i = 1, size(loops%cycles)
-         reach = 0.0_wp
-         do sample = 1, 2
-            if (loops%cycles(i)%peak(sample) > 0) &
-               reach = max(reach, abs(loops%cycles(i)%displacement(sample)))
-         end do
-         ! more than rounding
-         if (.not. reach > furthest*(1.0_wp + 1.0e-9_wp)) cycle
-         furthest = reach
-         largest_cycle = i
-      end do
-   end function largest_cycle
 
    !> Steps that show the largest loop: its first peak, the return to zero, the other peak, and just
    !> after that turn. Those that it lacks are left out.

@@ -2,8 +2,8 @@
 module asperity_program_commands_tenon_face_rows
    use asperity_base_kinds, only: wp
    use asperity_contact_state, only: status_slip, status_stick
-   use asperity_program_commands_tenon_compare_models, only: joint_type, last_kept_steps, &
-      model_names
+   use asperity_program_commands_joint_loops, only: model_names
+   use asperity_program_commands_tenon_compare_models, only: joint_type, last_kept_steps
    use asperity_program_report_table, only: new_table, table_type
    use asperity_replay_tenon_geometry, only: lower, lower_shoulder, other_side, side, &
       tenon_face_names, upper, upper_shoulder

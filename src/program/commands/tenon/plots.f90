@@ -4,8 +4,8 @@ module asperity_program_commands_tenon_plots
    use asperity_base_number_text, only: to_text
    use asperity_contact_state, only: status_open, status_slip, status_stick, &
       status_unset
-   use asperity_program_commands_tenon_compare_models, only: joint_type, largest_cycle, &
-      last_kept_steps, legends, loop_joules
+   use asperity_program_commands_joint_loops, only: largest_cycle, legends, loop_joules
+   use asperity_program_commands_tenon_compare_models, only: joint_type, last_kept_steps
    use asperity_program_plot_figure, only: as_line, as_line_and_points, as_points, block, box, &
       cross, dashed, disc, figure_type, panel_type, solid
    use asperity_program_plot_palette, only: black, blue, red, sky

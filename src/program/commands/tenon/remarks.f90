@@ -4,7 +4,8 @@ module asperity_program_commands_tenon_remarks
    use asperity_base_number_text, only: to_text
    use asperity_hysteresis_analysis, only: negative_side, positive_side
    use asperity_program_commands_hysteresis_remarks, only: excess_words
-   use asperity_program_commands_tenon_compare_models, only: joint_type, legends
+   use asperity_program_commands_joint_loops, only: legends
+   use asperity_program_commands_tenon_compare_models, only: joint_type
    use asperity_program_system_strings, only: string_type
    use asperity_replay_tenon_run, only: tenon_warned_pull_out
    implicit none

@@ -5,8 +5,9 @@ module asperity_program_commands_tenon_sweep
    !$ use omp_lib, only: omp_get_max_threads
    use asperity_base_error, only: error_type
    use asperity_base_number_text, only: to_text
-   use asperity_program_commands_tenon_compare_models, only: check_moment, hard, joint_type, &
-      rough, run_joint
+   use asperity_program_commands_joint_loops, only: hard, rough
+   use asperity_program_commands_tenon_compare_models, only: check_moment, joint_type, &
+      run_joint
    use asperity_program_commands_tenon_history, only: follow_history, history_type
    use asperity_program_commands_tenon_joint_keys, only: declare_replay_case, tenon_case
    use asperity_program_commands_tenon_sweeps_cases, only: axis_type, combinations, new_axes, &
