@@ -6,13 +6,14 @@ module asperity_program_commands_tenon_command
    use asperity_base_memory, only: check_work
    use asperity_base_number_text, only: to_text
    use asperity_program_commands_command, only: command_type
+   use asperity_program_commands_joint_face_rows, only: face_table
    use asperity_program_commands_joint_loops, only: hard, legends, rough
    use asperity_program_commands_joint_tables, only: comparison_table, cycles_table, &
       skeleton_table
    use asperity_program_commands_plots, only: picture_title
    use asperity_program_commands_tenon_compare_models, only: check_moment, joint_type, &
       run_joint, steps_to_record
-   use asperity_program_commands_tenon_face_rows, only: face_table, joint_face_rows
+   use asperity_program_commands_tenon_face_rows, only: joint_face_rows
    use asperity_program_commands_tenon_failure, only: keep_failed_step
    use asperity_program_commands_tenon_history, only: follow_history, history_type, read_history
    use asperity_program_commands_tenon_joint_keys, only: declare_replay_case, tenon_case
