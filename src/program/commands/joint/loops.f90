@@ -25,8 +25,12 @@ module asperity_program_commands_joint_loops
       integer :: model = hard
       !> Whether the joint has a moment at all
       logical :: has_moment = .true.
-      !> Analysis of moment, kN m, against rotation, rad; sample 1 is the joint at rest. Without a
-      !> moment there is no cycle, and nothing is known
+      !> What is called its rotation in tables and pictures
+      character(len=8) :: rotation_name = 'rotation'
+      !> Rotation, rad, and moment, kN m, of the joint at rest and of every step
+      real(wp), allocatable :: rotation(:), moment(:)
+      !> Analysis of moment against rotation, whose samples those are. Without a moment there is no cycle,
+      !> and nothing is known
       type(hysteresis_result) :: loops
       !> Time that it took, s
       real(wp) :: seconds = 0.0_wp
@@ -34,10 +38,10 @@ module asperity_program_commands_joint_loops
 
 contains
 
-   !> Analyse moment against rotation, unless there is no moment. `error` is set when the record has
-   !> no cycle to analyse.
-   subroutine analyse_loops(joint, rotation, moment, has_noise, error)
-      !> The joint, with `has_moment`; its loops are set
+   !> Analyse moment against rotation, unless there is no moment. `error` is set when the record is
+   !> refused.
+   pure subroutine analyse_loops(joint, rotation, moment, has_noise, error)
+      !> The joint, with `has_moment`; record and loops are set
       class(joint_loops), intent(inout) :: joint
       !> Rotation, rad, and moment, N mm, of the joint at rest and of every step
       real(wp), intent(in) :: rotation(:), moment(:)
@@ -47,6 +51,8 @@ contains
       type(error_type), allocatable, intent(out) :: error
       type(hysteresis_settings) :: analysis
 
+      joint%rotation = rotation
+      joint%moment = kilonewton_metre*moment
       if (.not. joint%has_moment) then
          call leave_unknown(joint%loops)
          return
@@ -56,7 +62,7 @@ contains
       analysis%peaks = 'displacement'
       analysis%outliers = 'keep'
       if (.not. has_noise) analysis%threshold = exact*maxval(abs(rotation))
-      call analyse_hysteresis(rotation, kilonewton_metre*moment, joint%loops, error, analysis)
+      call analyse_hysteresis(joint%rotation, joint%moment, joint%loops, error, analysis)
    end subroutine analyse_loops
 
    !> What is known of a record without a force: nothing.

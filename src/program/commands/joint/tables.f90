@@ -100,7 +100,7 @@ contains
       end do
       table = new_table(columns=2 + 6*size(joints), rows=n, leading=2)
       call table%add_codes('cycle', column_counts, [(i, i=1, n)])
-      call table%add_numbers('rotation', 'rad', reach, 4)
+      call table%add_numbers(trim(joints(1)%rotation_name), 'rad', reach, 4)
       ! Parentheses make the copies that gfortran makes anyway, and would warn of when checking
       do j = 1, size(joints)
          call add('negative_moment', 'kN m', (cycles(:, j)%force(negative_side)), 3)
@@ -176,7 +176,7 @@ contains
       end do
       table = new_table(columns=3, rows=n)
       call table%add_texts('model', model)
-      call table%add_numbers('rotation', 'rad', rotation)
+      call table%add_numbers(trim(joints(1)%rotation_name), 'rad', rotation)
       call table%add_numbers('moment', 'kN m', moment)
    end function skeleton_table
 

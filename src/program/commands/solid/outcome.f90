@@ -33,7 +33,7 @@ module asperity_program_commands_solid_outcome
 contains
 
    !> What came out of a run that is done. `error` is set when its loops cannot be analysed.
-   subroutine new_outcome(outcome, run, snapshots, seconds, error)
+   pure subroutine new_outcome(outcome, run, snapshots, seconds, error)
       !> Result
       type(solid_outcome), intent(out) :: outcome
       !> The run
@@ -67,11 +67,12 @@ contains
    end subroutine new_outcome
 
    !> Loops of moment against displacement over arm, from the joint at rest.
-   subroutine find_loops(outcome, error)
+   pure subroutine find_loops(outcome, error)
       type(solid_outcome), intent(inout) :: outcome
       type(error_type), allocatable, intent(out) :: error
 
       associate (r => outcome%records)
+         outcome%rotation_name = 'drift'
          outcome%has_moment = any(abs(r%force) > outcome%small_force)
          call analyse_loops(outcome, [0.0_wp, r%displacement/outcome%arm], &
             [0.0_wp, outcome%arm*r%force], .false., error)

@@ -31,8 +31,8 @@ module asperity_program_commands_solid_snapshot
    type :: contact_value
       !> Number of its pair
       integer :: pair = 0
-      !> Place of its middle, undeformed, mm
-      real(wp) :: position(3) = 0.0_wp
+      !> Place of its middle, and how far it reaches along each axis, undeformed, mm
+      real(wp) :: position(3) = 0.0_wp, extent(3) = 0.0_wp
       !> Area, mm^2; share of it that has a surface opposite; gap, mm
       real(wp) :: area = 0.0_wp, coverage = 0.0_wp, gap = 0.0_wp
       !> Pressure and shear stresses, MPa
@@ -147,8 +147,9 @@ contains
             do k = 1, size(model%pairs(i)%faces(j)%cells)
                n = n + 1
                associate (cell => model%pairs(i)%faces(j)%cells(k))
-                  values(n) = contact_value(i, cell%position, cell%area, cell%coverage, cell%gap, &
-                     cell%trial%traction(1), cell%trial%traction(2:3), cell%trial%status)
+                  values(n) = contact_value(i, cell%position, sum(abs(cell%edges), 2), &
+                     cell%area, cell%coverage, cell%gap, cell%trial%traction(1), &
+                     cell%trial%traction(2:3), cell%trial%status)
                   ! what has no surface opposite has no gap
                   if (.not. cell%coverage > 0.0_wp) values(n)%gap = 0.0_wp
                end associate
