@@ -5,7 +5,8 @@ module asperity_program_plot_script
    use asperity_base_number_text, only: to_text
    use asperity_base_text_builder, only: growing_text
    use asperity_program_plot_figure, only: figure_type
-   use asperity_program_plot_panel_script, only: add_panel, label
+   use asperity_program_plot_panel_script, only: add_panel
+   use asperity_program_plot_series_script, only: label
    implicit none
    private
    public :: page_script, sheet_script
