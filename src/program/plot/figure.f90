@@ -24,8 +24,10 @@ module asperity_program_plot_figure
       enumerator :: as_band
       !> A colour, by `z`, at each point of a grid
       enumerator :: as_map
+      !> A rectangle about each point, coloured by `z` where there is one
+      enumerator :: as_boxes
    end enum
-   public :: as_line, as_points, as_line_and_points, as_bars, as_steps, as_band, as_map
+   public :: as_line, as_points, as_line_and_points, as_bars, as_steps, as_band, as_map, as_boxes
 
    !> Marks of points
    enum, bind(c)
@@ -52,8 +54,10 @@ module asperity_program_plot_figure
 
    !> What is drawn in one colour. Points with a coordinate `none` are left out.
    type :: series_type
-      !> Coordinates; `z` only of bands and maps
+      !> Coordinates; `z` only of bands, maps and boxes
       real(wp), allocatable :: x(:), y(:), z(:)
+      !> Width and height of each box
+      real(wp), allocatable :: sizes(:, :)
       !> What it is, empty for no legend
       character(len=:), allocatable :: legend
       !> How it is drawn
@@ -66,7 +70,7 @@ module asperity_program_plot_figure
    type :: panel_type
       !> Above it, empty for none; in its place when it has no point
       character(len=:), allocatable :: title, empty
-      !> Axes below, on the left, on the right, and of the colours of a map
+      !> Axes below, on the left, on the right, and of the colours of a map or of boxes
       type(axis_type) :: x, y, right, colours
       !> Left, bottom, width and height as parts of the sheet; zero for a place of the grid
       real(wp) :: place(4) = 0.0_wp
@@ -112,7 +116,7 @@ contains
    end function new_panel
 
    !> Append a series.
-   pure subroutine add(self, x, y, legend, colour, form, stroke, mark, right, z)
+   pure subroutine add(self, x, y, legend, colour, form, stroke, mark, right, z, sizes)
       !> The panel
       class(panel_type), intent(inout) :: self
       !> Coordinates
@@ -125,13 +129,16 @@ contains
       integer, intent(in), optional :: form, stroke, mark
       !> Whether it belongs to the axis on the right
       logical, intent(in), optional :: right
-      !> Lower edge of a band, height of a map
+      !> Lower edge of a band, height of a map, what boxes are coloured by
       real(wp), intent(in), optional :: z(:)
+      !> Width and height of each box
+      real(wp), intent(in), optional :: sizes(:, :)
       type(series_type) :: series
 
       allocate (series%x, source=x)
       allocate (series%y, source=y)
       if (present(z)) allocate (series%z, source=z)
+      if (present(sizes)) allocate (series%sizes, source=sizes)
       series%legend = legend
       series%colour = 1 + modulo(colour - 1, size(palette))
       if (present(form)) series%form = form

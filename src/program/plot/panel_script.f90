@@ -4,7 +4,7 @@ module asperity_program_plot_panel_script
    use asperity_base_no_value, only: is_none, none
    use asperity_base_number_text, only: to_text
    use asperity_base_text_builder, only: growing_text
-   use asperity_program_plot_figure, only: as_map, axis_type, panel_type, series_type
+   use asperity_program_plot_figure, only: as_boxes, as_map, axis_type, panel_type, series_type
    use asperity_program_plot_palette, only: grid_colour, map_palette, map_places, missing_colour, &
       zero_colour
    use asperity_program_plot_series_script, only: add_data, label, style
@@ -34,16 +34,18 @@ contains
       real(wp), intent(in) :: line
       !> Room for an axis on the right whether there is one or not
       logical, intent(in) :: right
-      logical :: is_map, there(size(panel%series))
+      logical :: is_flat, has_colours, there(size(panel%series))
       integer :: i
 
       there = [(has_points(panel%series(i), panel%y%logarithmic), i=1, size(panel%series))]
-      is_map = any(panel%series%form == as_map)
+      ! both axes have one scale
+      is_flat = any(panel%series%form == as_map .or. panel%series%form == as_boxes)
+      has_colours = panel%colours%label /= ''
       call b%line('reset')
       call b%line('set origin '//pair(place(1:2))//'; set size '// &
-         trim(merge('ratio -1', 'noratio ', is_map))//' '//pair(place(3:4)))
+         trim(merge('ratio -1', 'noratio ', is_flat))//' '//pair(place(3:4)))
       call b%line('set lmargin 10; set rmargin '//trim(merge('5 ', merge('10', '3 ', &
-         right .or. panel%right%label /= ''), is_map)))
+         right .or. panel%right%label /= ''), has_colours)))
       call add_heading(b, panel, there, place, letters, line)
       if (.not. any(there)) then
          call b%line('unset tics; unset key; set label 2 '//label(panel%empty)// &
@@ -51,7 +53,7 @@ contains
          call b%line('plot [0:1][0:1] -1 notitle')
          return
       end if
-      if (.not. is_map) call b%line('set grid back lt 1 lw 0.7 lc rgb "'//grid_colour//'"')
+      if (.not. is_flat) call b%line('set grid back lt 1 lw 0.7 lc rgb "'//grid_colour//'"')
       if (panel%zero_lines) call b%line('set xzeroaxis lt 1 lw 0.8 lc rgb "'//zero_colour// &
          '"; set yzeroaxis lt 1 lw 0.8 lc rgb "'//zero_colour//'"')
       ! gnuplot's own format begins with a blank, which shifts labels
@@ -63,7 +65,9 @@ contains
          call add_axis(b, 'y2', panel%right)
          call b%line('set ytics nomirror; set y2tics')
       end if
-      if (is_map) call add_colours(b, panel%colours)
+      if (any(panel%series%form == as_map)) call b%line('set object 1 rectangle from graph 0,0 '// &
+         'to graph 1,1 behind fillcolor rgb "'//missing_colour//'" fillstyle solid noborder')
+      if (has_colours) call add_colours(b, panel%colours)
       do i = 1, size(panel%series)
          if (there(i)) call add_data(b, panel%series(i), i)
       end do
@@ -145,10 +149,10 @@ contains
       type(panel_type), intent(in) :: panel
       integer, intent(in) :: most
       real(wp) :: low, high, lowest, largest, step
-      logical :: is_map
+      logical :: is_flat
       integer :: i
 
-      is_map = any(panel%series%form == as_map)
+      is_flat = any(panel%series%form == as_map .or. panel%series%form == as_boxes)
       low = none
       high = -none
       lowest = none
@@ -169,11 +173,11 @@ contains
          if (panel%x%whole) step = max(1.0_wp, step)
          call b%line('set xtics '//to_text(step, 4))
          ! maps have one scale
-         if (is_map) call b%line('set ytics '//to_text(step, 4))
+         if (is_flat) call b%line('set ytics '//to_text(step, 4))
       end if
       ! room for labels with an exponent
       if (largest < 1.0e-4_wp .or. largest >= 1.0e6_wp) call b%line('set lmargin 12')
-      if (is_map) then
+      if (is_flat) then
          call b%line('set autoscale xfix; set autoscale yfix')
       else if (.not. panel%y%logarithmic .and. is_none(panel%y%high)) then
          call b%line('set offsets '//merge('0.5,0.5', '0.0,0.0', panel%x%whole)// &
@@ -193,14 +197,12 @@ contains
       if (number <= 2.0_wp*power) round_number = 2.0_wp*power
    end function round_number
 
-   !> The colours of a map.
+   !> The colours of a map or of boxes.
    pure subroutine add_colours(b, axis)
       type(growing_text), intent(inout) :: b
       type(axis_type), intent(in) :: axis
       integer :: i
 
-      call b%line('set object 1 rectangle from graph 0,0 to graph 1,1 behind fillcolor rgb "'// &
-         missing_colour//'" fillstyle solid noborder')
       call b%add('set palette defined (')
       do i = 1, size(map_palette)
          if (i > 1) call b%add(', ')

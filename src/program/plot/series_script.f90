@@ -4,8 +4,8 @@ module asperity_program_plot_series_script
    use asperity_base_no_value, only: is_none
    use asperity_base_number_text, only: to_text
    use asperity_base_text_builder, only: growing_text
-   use asperity_program_plot_figure, only: as_band, as_bars, as_line, as_line_and_points, &
-      as_points, as_steps, series_type
+   use asperity_program_plot_figure, only: as_band, as_bars, as_boxes, as_line, &
+      as_line_and_points, as_points, as_steps, series_type
    use asperity_program_plot_palette, only: palette
    use asperity_program_system_strings, only: escaped
    implicit none
@@ -31,6 +31,9 @@ contains
       call b%line('$data'//to_text(which)//' << EOD')
       do i = 1, size(series%x)
          call b%add(number(series%x(i))//number(series%y(i)))
+         ! half of a box lies on each side
+         if (allocated(series%sizes)) &
+            call b%add(number(0.5_wp*series%sizes(1, i))//number(0.5_wp*series%sizes(2, i)))
          if (allocated(series%z)) call b%add(number(series%z(i)))
          call b%line()
       end do
@@ -66,6 +69,12 @@ contains
             text = '1:2 with histeps'//strokes
          case (as_band)
             text = '1:3:2 with filledcurves fillstyle solid 0.6 noborder'
+         case (as_boxes)
+            if (allocated(series%z)) then
+               text = '1:2:3:4:5 with boxxyerror fillstyle solid noborder lc palette notitle'
+               return
+            end if
+            text = '1:2:3:4 with boxxyerror fillstyle solid noborder'
          case default
             text = '1:2:3 with image notitle'
             return

@@ -101,39 +101,29 @@ contains
       table = new_table(columns=2 + 6*size(joints), rows=n, leading=2)
       call table%add_codes('cycle', column_counts, [(i, i=1, n)])
       call table%add_numbers(trim(joints(1)%rotation_name), 'rad', reach, 4)
-      ! Parentheses make the copies that gfortran makes anyway, and would warn of when checking
-      do j = 1, size(joints)
-         call add('negative_moment', 'kN m', (cycles(:, j)%force(negative_side)), 3)
-      end do
-      do j = 1, size(joints)
-         call add('secant_stiffness', 'kN m/rad', (cycles(:, j)%secant_stiffness), 1)
-      end do
-      do j = 1, size(joints)
-         call add('energy', 'J', loop_joules((cycles(:, j)%energy)), 1)
-      end do
-      do j = 1, size(joints)
-         call add('damping', '-', (cycles(:, j)%damping), 3)
-      end do
-      do j = 1, size(joints)
-         call add('pinching', '-', (cycles(:, j)%pinching), 3)
-      end do
-      do j = 1, size(joints)
-         call add('cumulative_energy', 'J', loop_joules((cycles(:, j)%cumulative_energy)), 1)
-      end do
-
-   contains
-
-      !> A column of one model.
-      pure subroutine add(quantity, unit, values, decimals)
-         character(len=*), intent(in) :: quantity, unit
-         real(wp), intent(in) :: values(:)
-         integer, intent(in) :: decimals
-
-         call table%add_numbers(quantity//'_'//trim(model_names(joints(j)%model)), unit, values, &
-            decimals)
-      end subroutine add
-
+      call add(table, joints, 'negative_moment', 'kN m', (cycles%force(negative_side)), 3)
+      call add(table, joints, 'secant_stiffness', 'kN m/rad', (cycles%secant_stiffness), 1)
+      call add(table, joints, 'energy', 'J', loop_joules((cycles%energy)), 1)
+      call add(table, joints, 'damping', '-', (cycles%damping), 3)
+      call add(table, joints, 'pinching', '-', (cycles%pinching), 3)
+      call add(table, joints, 'cumulative_energy', 'J', loop_joules((cycles%cumulative_energy)), 1)
    end function cycles_table
+
+   !> A column for each model.
+   pure subroutine add(table, joints, quantity, unit, values, decimals)
+      type(table_type), intent(inout) :: table
+      class(joint_loops), intent(in) :: joints(:)
+      character(len=*), intent(in) :: quantity, unit
+      !> Of every cycle and model
+      real(wp), intent(in) :: values(:, :)
+      integer, intent(in) :: decimals
+      integer :: i
+
+      do i = 1, size(joints)
+         call table%add_numbers(quantity//'_'//trim(model_names(joints(i)%model)), unit, &
+            values(:, i), decimals)
+      end do
+   end subroutine add
 
    !> How many cycles all models have that have any: one may have no moment, and so no cycles.
    pure integer function common_cycles(joints)

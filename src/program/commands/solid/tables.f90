@@ -1,7 +1,7 @@
 !> Tables of `asperity solid`: every increment, totals, and what each amplitude comes to.
 module asperity_program_commands_solid_tables
    use asperity_base_kinds, only: wp
-   use asperity_base_no_value, only: none
+   use asperity_base_no_value, only: is_none
    use asperity_hysteresis_analysis, only: hysteresis_cycle, negative_side, positive_side
    use asperity_program_commands_joint_loops, only: hard, loop_joules, model_names, rough
    use asperity_program_commands_joint_tables, only: ratio
@@ -172,38 +172,41 @@ contains
       end do
       table = new_table(columns=1 + 4*(size(outcomes) + merge(1, 0, size(outcomes) == 2)), rows=n)
       call table%add_numbers('amplitude', 'mm', outcomes(1)%arm*reach(cycles(:, 1)), 1)
-      call add('positive_force', 'kN', forces(positive_side), 2)
-      call add('negative_force', 'kN', forces(negative_side), 2)
-      call add('secant_stiffness', 'kN m/rad', cycles%secant_stiffness, 1)
-      call add('energy', 'J', loop_joules(cycles%energy), 1)
-
-   contains
-
-      !> One quantity of all models, and its ratio.
-      pure subroutine add(quantity, unit, values, decimals)
-         character(len=*), intent(in) :: quantity, unit
-         real(wp), intent(in) :: values(:, :)
-         integer, intent(in) :: decimals
-         integer :: k
-
-         do k = 1, size(outcomes)
-            call table%add_numbers(quantity//'_'//trim(model_names(outcomes(k)%model)), unit, &
-               values(:, k), decimals)
-         end do
-         if (size(outcomes) == 2) call table%add_numbers(quantity//'_to_hard', '-', &
-            ratio(values(:, rough), values(:, hard)), 3)
-      end subroutine add
-
-      !> Force of the load at the peaks, kN.
-      pure function forces(side)
-         integer, intent(in) :: side
-         real(wp) :: forces(n, size(outcomes))
-
-         forces = cycles%force(side)
-         where (forces < none) forces = forces/outcomes(1)%arm*1.0e3_wp
-      end function forces
-
+      call add(table, outcomes, 'positive_force', 'kN', &
+         kilonewtons((cycles%force(positive_side)), outcomes(1)%arm), 2)
+      call add(table, outcomes, 'negative_force', 'kN', &
+         kilonewtons((cycles%force(negative_side)), outcomes(1)%arm), 2)
+      call add(table, outcomes, 'secant_stiffness', 'kN m/rad', (cycles%secant_stiffness), 1)
+      call add(table, outcomes, 'energy', 'J', loop_joules((cycles%energy)), 1)
    end function amplitudes_table
+
+   !> One quantity of all models, and its ratio.
+   pure subroutine add(table, outcomes, quantity, unit, values, decimals)
+      type(table_type), intent(inout) :: table
+      type(solid_outcome), intent(in) :: outcomes(:)
+      character(len=*), intent(in) :: quantity, unit
+      !> Of every amplitude and model
+      real(wp), intent(in) :: values(:, :)
+      integer, intent(in) :: decimals
+      integer :: i
+
+      do i = 1, size(outcomes)
+         call table%add_numbers(quantity//'_'//trim(model_names(outcomes(i)%model)), unit, &
+            values(:, i), decimals)
+      end do
+      if (size(outcomes) == 2) call table%add_numbers(quantity//'_to_hard', '-', &
+         ratio(values(:, rough), values(:, hard)), 3)
+   end subroutine add
+
+   !> Force of the load, kN, of a moment, kN m; what is not known stays so.
+   pure elemental real(wp) function kilonewtons(moment, arm)
+      real(wp), intent(in) :: moment
+      !> Distance of the load, mm
+      real(wp), intent(in) :: arm
+
+      kilonewtons = moment
+      if (.not. is_none(moment)) kilonewtons = moment/(1.0e-3_wp*arm)
+   end function kilonewtons
 
    !> The first cycle of each amplitude, growing.
    pure function first_cycles(outcome) result(first)
