@@ -17,6 +17,8 @@ module asperity_program_plot_panel_script
    integer, parameter :: label_length = 7, margins = 13
    !> Characters that the sample of a legend takes with the blanks around it
    integer, parameter :: legend_sample = 8
+   !> Labels of ticks below boxes
+   integer, parameter :: most_on_boxes = 4
 
 contains
 
@@ -169,7 +171,9 @@ contains
       if (.not. is_none(panel%x%low)) low = panel%x%low
       if (.not. is_none(panel%x%high)) high = panel%x%high
       if (high > low) then
-         step = round_number((high - low)/real(most, wp))
+         ! the height may leave them less width than there is
+         step = round_number((high - low)/real(merge(min(most, most_on_boxes), most, &
+            any(panel%series%form == as_boxes)), wp))
          if (panel%x%whole) step = max(1.0_wp, step)
          call b%line('set xtics '//to_text(step, 4))
          ! maps have one scale

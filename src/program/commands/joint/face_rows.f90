@@ -54,8 +54,8 @@ contains
 
       table = new_table(columns=10, rows=size(rows), leading=3)
       call table%add_numbers('displacement', 'mm', (rows%displacement), 1)
-      call table%add_texts('face', rows%face)
-      call table%add_texts('model', rows%model)
+      call table%add_texts('face', (rows%face))
+      call table%add_texts('model', (rows%model))
       call table%add_numbers('largest_pressure', 'MPa', (rows%largest_pressure), 3)
       call table%add_numbers('pressure_to_hard', '-', to_hard(rows, (rows%largest_pressure)), 3)
       call table%add_numbers('normal_force', 'N', (rows%normal_force), 1)

@@ -44,7 +44,7 @@ contains
 
       cells = pack(snapshot%contact, snapshot%contact%pair == pair)
       row = new_face_row(snapshot%displacement, name, model, 2.0_wp*cells%area*cells%coverage, &
-         cells%pressure, cells%status)
+         (cells%pressure), (cells%status))
    end function row_of
 
 end module asperity_program_commands_solid_face_rows

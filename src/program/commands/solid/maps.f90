@@ -6,7 +6,8 @@ module asperity_program_commands_solid_maps
    use asperity_contact_state, only: status_open, status_slip, status_stick, status_unset
    use asperity_program_commands_joint_loops, only: legends
    use asperity_program_commands_solid_outcome, only: common_snapshots, solid_outcome
-   use asperity_program_commands_solid_snapshot, only: contact_value, solid_snapshot
+   use asperity_program_commands_solid_snapshot, only: contact_value, lower_peak, &
+      solid_snapshot, upper_peak
    use asperity_program_plot_figure, only: as_boxes, figure_type, panel_type
    use asperity_program_plot_palette, only: black, blue, red, sky
    use asperity_solid_mesh_joint, only: face_bottom, face_side
@@ -14,8 +15,10 @@ module asperity_program_commands_solid_maps
    private
    public :: map_pictures
 
-   !> States that are shown, the last of those kept
-   integer, parameter :: most_shown = 2
+   !> What is shown
+   integer, parameter :: states = 1, pressures = 2, strains = 3
+   !> States in which contact is shown, the last of those kept; those in which the wood is
+   integer, parameter :: most_shown = 2, peaks(2) = [upper_peak, lower_peak]
    !> Between the faces, over the height of the mortise
    real(wp), parameter :: gap = 0.05_wp
    !> What is seen of the wood about the mortise, over its height
@@ -30,51 +33,63 @@ contains
       !> The models
       type(solid_outcome), intent(in) :: outcomes(:)
       type(figure_type), allocatable :: pictures(:)
-      type(panel_type), allocatable :: states(:), pressures(:), strains(:)
-      integer, allocatable :: kinds(:)
-      integer :: i, j, n
+      integer, allocatable :: kinds(:), shown(:)
+      integer :: i
 
       allocate (kinds, source=common_snapshots(outcomes))
-      kinds = kinds(max(1, size(kinds) - most_shown + 1):)
       allocate (pictures(0))
       if (size(kinds) == 0) return
-      n = size(kinds)*size(outcomes)
-      allocate (states(n), pressures(n), strains(size(outcomes)))
+      shown = kinds(max(1, size(kinds) - most_shown + 1):)
+      pictures = [ &
+         figure_type('Open, sticking and slipping cells of the mortise, unfolded about the edges '// &
+         'of its side: the upper face is above the side, the lower one below it, the plane of '// &
+         'symmetry at the top and at the bottom, the column face on the right (Figs 31 and 32).', &
+         panels_of(outcomes, shown, states)), &
+         figure_type('Contact pressure of the same faces (Fig. 33).', &
+         panels_of(outcomes, shown, pressures))]
+      shown = pack(kinds, [(any(kinds(i) == peaks), i=1, size(kinds))])
+      if (size(shown) == 0) return
+      pictures = [pictures, figure_type('Equivalent plastic strain in the plane of symmetry, '// &
+         'the largest of each element, drawn undeformed (Fig. 23).', &
+         panels_of(outcomes, shown, strains))]
+   end function map_pictures
+
+   !> A panel for each model at each state, the models side by side.
+   pure function panels_of(outcomes, kinds, what) result(panels)
+      type(solid_outcome), intent(in) :: outcomes(:)
+      integer, intent(in) :: kinds(:)
+      !> `states`, `pressures` or `strains`
+      integer, intent(in) :: what
+      type(panel_type), allocatable :: panels(:)
+      integer :: i, j, n
+
+      allocate (panels(size(kinds)*size(outcomes)))
       n = 0
       do j = 1, size(kinds)
          do i = 1, size(outcomes)
             n = n + 1
             associate (snapshot => outcomes(i)%snapshots(findloc(outcomes(i)%snapshots%kind, &
                   kinds(j), 1)))
-               associate (title => trim(legends(outcomes(i)%model))//', load point at '// &
-                     to_text(snapshot%displacement, 4)//' mm')
-                  states(n) = face_panel(title)
-                  call draw_states(states(n), snapshot)
-                  pressures(n) = face_panel(title)
-                  call draw_pressure(pressures(n), snapshot, largest_pressure(outcomes, kinds))
-                  if (j == 1) call draw_strain(strains(i), title, outcomes(i), snapshot)
-               end associate
+               panels(n) = panel_type('x (mm)', 'unfolded (mm)', &
+                  trim(legends(outcomes(i)%model))//', load point at '// &
+                  to_text(snapshot%displacement, 4)//' mm')
+               panels(n)%empty = 'nothing is opposite'
+               select case (what)
+               case (states)
+                  call draw_states(panels(n), snapshot)
+               case (pressures)
+                  call draw_pressure(panels(n), snapshot)
+               case default
+                  call draw_strain(panels(n), outcomes(i), snapshot)
+               end select
             end associate
          end do
       end do
-      strains%colours%high = maxval(strains%colours%high)
-      pictures = [ &
-         figure_type('Open, sticking and slipping cells of the mortise''s faces, unfolded about '// &
-         'the upper and the lower edge of its side; the plane of symmetry is at the top and at '// &
-         'the bottom, the column face on the right (Figs 31 and 32).', states), &
-         figure_type('Contact pressure of the same faces (Fig. 33).', pressures), &
-         figure_type('Equivalent plastic strain in the plane of symmetry, the largest of each '// &
-         'element, drawn undeformed (Fig. 23).', strains)]
-   end function map_pictures
-
-   !> A panel of the unfolded faces.
-   pure function face_panel(title) result(panel)
-      character(len=*), intent(in) :: title
-      type(panel_type) :: panel
-
-      panel = panel_type('x (mm)', 'lower | side | upper face (mm)', title)
-      panel%empty = 'nothing is opposite'
-   end function face_panel
+      if (what == states) return
+      ! one scale for all, also where nothing is above zero
+      panels%colours%high = maxval(panels%colours%high)
+      if (.not. panels(1)%colours%high > 0.0_wp) panels%colours%high = 1.0_wp
+   end function panels_of
 
    !> Cells by their status.
    pure subroutine draw_states(panel, snapshot)
@@ -99,36 +114,26 @@ contains
    end subroutine add_status
 
    !> Cells coloured by their pressure.
-   pure subroutine draw_pressure(panel, snapshot, largest)
+   pure subroutine draw_pressure(panel, snapshot)
       type(panel_type), intent(inout) :: panel
       type(solid_snapshot), intent(in) :: snapshot
-      real(wp), intent(in) :: largest
       type(contact_value), allocatable :: cells(:)
 
       cells = pack(snapshot%contact, snapshot%contact%coverage > 0.0_wp)
-      panel%colours%label = 'pressure (MPa)'
-      panel%colours%low = 0.0_wp
-      panel%colours%high = largest
-      call add_cells(panel, cells, snapshot%contact, '', blue, cells%pressure)
+      call set_colours(panel, 'pressure (MPa)', (cells%pressure))
+      call add_cells(panel, cells, snapshot%contact, '', blue, (cells%pressure))
    end subroutine draw_pressure
 
-   !> Largest pressure of the states that are shown, MPa; something where there is none.
-   pure real(wp) function largest_pressure(outcomes, kinds)
-      type(solid_outcome), intent(in) :: outcomes(:)
-      integer, intent(in) :: kinds(:)
-      integer :: i, j
+   !> Colours from zero to the largest value.
+   pure subroutine set_colours(panel, label, values)
+      type(panel_type), intent(inout) :: panel
+      character(len=*), intent(in) :: label
+      real(wp), intent(in) :: values(:)
 
-      largest_pressure = 0.0_wp
-      do i = 1, size(outcomes)
-         do j = 1, size(outcomes(i)%snapshots)
-            associate (snapshot => outcomes(i)%snapshots(j))
-               if (any(kinds == snapshot%kind)) largest_pressure = max(largest_pressure, &
-                  maxval(snapshot%contact%pressure, mask=snapshot%contact%coverage > 0.0_wp))
-            end associate
-         end do
-      end do
-      if (.not. largest_pressure > 0.0_wp) largest_pressure = 1.0_wp
-   end function largest_pressure
+      panel%colours%label = label
+      panel%colours%low = 0.0_wp
+      panel%colours%high = max(0.0_wp, maxval(values))
+   end subroutine set_colours
 
    !> Cells as boxes where they are when the faces are unfolded: the side as it is, the upper face
    !> above it, the lower one below.
@@ -157,13 +162,12 @@ contains
             end if
          end associate
       end do
-      call panel%add(cells%position(1), place, legend, colour, as_boxes, z=z, sizes=sizes)
+      call panel%add((cells%position(1)), place, legend, colour, as_boxes, z=z, sizes=sizes)
    end subroutine add_cells
 
    !> Elements in the plane of symmetry about the mortise, coloured by their plastic strain.
-   pure subroutine draw_strain(panel, title, outcome, snapshot)
-      type(panel_type), intent(out) :: panel
-      character(len=*), intent(in) :: title
+   pure subroutine draw_strain(panel, outcome, snapshot)
+      type(panel_type), intent(inout) :: panel
       type(solid_outcome), intent(in) :: outcome
       type(solid_snapshot), intent(in) :: snapshot
       real(wp), dimension(size(snapshot%plastic_strain)) :: x, z, strain
@@ -189,11 +193,8 @@ contains
          sizes(:, n) = to - from
          strain(n) = snapshot%plastic_strain(i)
       end do
-      panel = panel_type('x (mm)', 'z (mm)', title)
-      panel%colours%label = 'plastic strain'
-      panel%colours%low = 0.0_wp
-      panel%colours%high = 1.0_wp
-      if (any(strain(:n) > 0.0_wp)) panel%colours%high = maxval(strain(:n))
+      panel%y%label = 'z (mm)'
+      call set_colours(panel, 'plastic strain', strain(:n))
       call panel%add(x(:n), z(:n), '', blue, as_boxes, z=strain(:n), sizes=sizes(:, :n))
    end subroutine draw_strain
 

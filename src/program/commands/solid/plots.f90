@@ -43,8 +43,8 @@ contains
             peaks = whole_cycles(outcomes(i))
             ! sample 1 is the joint at rest
             associate (ends => max(1, cycles(peaks)%last - 1))
-               call draw_model(p(1), model, as_line_and_points, real(peaks, wp), r(ends)%friction)
-               call draw_model(p(5), model, as_line_and_points, real(peaks, wp), r(ends)%plastic)
+               call draw_model(p(1), model, as_line_and_points, real(peaks, wp), (r(ends)%friction))
+               call draw_model(p(5), model, as_line_and_points, real(peaks, wp), (r(ends)%plastic))
             end associate
             j = max(1, largest_cycle(outcomes(i)%loops))
             associate (s => r(max(1, cycles(j)%first - 1):cycles(j)%last - 1), &

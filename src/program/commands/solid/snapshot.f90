@@ -120,7 +120,7 @@ contains
          snapshot%stroke = record%stroke
          snapshot%displacement = record%displacement
          allocate (snapshot%contact, source=contact_values(model))
-         allocate (snapshot%plastic_strain, source=maxval(model%points%equivalent_strain, 1))
+         allocate (snapshot%plastic_strain, source=maxval((model%points%equivalent_strain), 1))
          allocate (snapshot%stress(6, size(model%points, 2)))
          do i = 1, size(model%points, 2)
             snapshot%stress(:, i) = mean_stress(model, i)
