@@ -2,6 +2,7 @@
 module asperity_solid_solve_record
    use asperity_base_kinds, only: wp
    use asperity_contact_state, only: status_slip, status_stick
+   use asperity_law_validity, only: valid
    use asperity_solid_model_model, only: solid_model
    use asperity_solid_solve_energy, only: energy_ledger
    implicit none
@@ -28,6 +29,8 @@ module asperity_solid_solve_record
       real(wp) :: normal_force(most_pairs) = 0.0_wp, largest_pressure(most_pairs) = 0.0_wp, &
          stick_area(most_pairs) = 0.0_wp, slip_area(most_pairs) = 0.0_wp, &
          friction_energy(most_pairs) = 0.0_wp
+      !> Limits of the law that points have passed, flags
+      integer :: validity = valid
    end type increment_record
 
 contains
@@ -66,6 +69,7 @@ contains
             do k = 1, size(model%pairs(i)%faces(j)%cells)
                associate (cell => model%pairs(i)%faces(j)%cells(k))
                   if (.not. cell%coverage > 0.0_wp) cycle
+                  record%validity = ior(record%validity, cell%trial%validity)
                   record%normal_force(i) = record%normal_force(i) &
                      + halves*cell%area*cell%coverage*cell%trial%traction(1)
                   record%largest_pressure(i) = max(record%largest_pressure(i), &
