@@ -1,21 +1,14 @@
 !> What a page on the tenon joint says of its input: what the paper gives, what was chosen and why,
 !> what is assumed, and what cannot be compared.
 module asperity_program_commands_tenon_page_texts
+   use asperity_program_commands_joint_page, only: origin_type
    implicit none
    private
-   public :: origin_of
-
-   !> Where the default of a key comes from.
-   type :: origin_type
-      !> Name of the key
-      character(len=24) :: key
-      !> What the paper says, or why the value was chosen
-      character(len=150) :: words
-   end type origin_type
 
    character(len=*), parameter :: chosen = 'chosen: '
 
-   type(origin_type), parameter :: origins(*) = [ &
+   !> Where defaults come from
+   type(origin_type), parameter, public :: origins(*) = [ &
       origin_type('friction_coefficient', 'paper, Table 4'), &
       origin_type('critical_slip', 'paper, Table 4; probably a numerical setting of its program'), &
       origin_type('side_pair', 'paper: tangential on tangential at the sides'), &
@@ -94,20 +87,5 @@ module asperity_program_commands_tenon_page_texts
       'presses the edge in by more than 10 mm.', &
       'The paper''s own figures give its K a rotation of 0.116 to 0.122 rad, beyond the 0.096 '// &
       'rad of its energy curves.']
-
-contains
-
-   !> Where the default of a key comes from, empty when there is nothing to say.
-   pure function origin_of(key) result(words)
-      !> Name of the key
-      character(len=*), intent(in) :: key
-      character(len=:), allocatable :: words
-      integer :: i
-
-      words = ''
-      do i = 1, size(origins)
-         if (origins(i)%key == key) words = trim(origins(i)%words)
-      end do
-   end function origin_of
 
 end module asperity_program_commands_tenon_page_texts
