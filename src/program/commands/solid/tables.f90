@@ -6,7 +6,7 @@ module asperity_program_commands_solid_tables
    use asperity_program_commands_joint_loops, only: hard, loop_joules, model_names, rough
    use asperity_program_commands_joint_tables, only: ratio
    use asperity_program_commands_solid_outcome, only: solid_outcome
-   use asperity_program_report_table, only: column_counts, new_table, table_type
+   use asperity_program_report_table, only: column_counts, column_validity, new_table, table_type
    use asperity_program_report_units, only: kilonewton_metre
    use asperity_solid_solve_record, only: increment_record
    implicit none
@@ -44,7 +44,7 @@ contains
       end do
 
       associate (pairs => outcomes(1)%pairs, arm => outcomes(1)%arm)
-         table = new_table(columns=19 + 5*size(pairs), rows=n)
+         table = new_table(columns=20 + 5*size(pairs), rows=n)
          call table%add_texts('model', model)
          call table%add_codes('increment', column_counts, number)
          ! Parentheses make the copies that gfortran makes anyway, and would warn of when checking
@@ -82,6 +82,7 @@ contains
             call table%add_numbers('friction_dissipation_'//trim(pairs(j)), 'J', &
                (r%friction_energy(j)))
          end do
+         call table%add_codes('validity', column_validity, (r%validity))
       end associate
    end function increments_table
 
