@@ -8,6 +8,7 @@ module asperity_program_commands_registry
    use asperity_program_commands_pairs, only: pairs_command
    use asperity_program_commands_press, only: press_command
    use asperity_program_commands_shear, only: shear_command
+   use asperity_program_commands_solid_command, only: solid_command
    use asperity_program_commands_surface_command, only: surface_command
    use asperity_program_commands_table, only: table_command
    use asperity_program_commands_tenon_command, only: tenon_command
@@ -18,7 +19,7 @@ module asperity_program_commands_registry
    public :: command_entry, list_commands, find_command, all_keys, owners
 
    !> How many there are
-   integer, parameter, public :: n_commands = 10
+   integer, parameter, public :: n_commands = 11
 
    !> A command in a list.
    type :: command_entry
@@ -37,12 +38,13 @@ contains
       allocate (press_command :: list(2)%command)
       allocate (shear_command :: list(3)%command)
       allocate (tenon_command :: list(4)%command)
-      allocate (table_command :: list(5)%command)
-      allocate (shear_deck_command :: list(6)%command)
-      allocate (tenon_deck_command :: list(7)%command)
-      allocate (hysteresis_command :: list(8)%command)
-      allocate (surface_command :: list(9)%command)
-      allocate (pairs_command :: list(10)%command)
+      allocate (solid_command :: list(5)%command)
+      allocate (table_command :: list(6)%command)
+      allocate (shear_deck_command :: list(7)%command)
+      allocate (tenon_deck_command :: list(8)%command)
+      allocate (hysteresis_command :: list(9)%command)
+      allocate (surface_command :: list(10)%command)
+      allocate (pairs_command :: list(11)%command)
       do i = 1, size(list)
          call list(i)%command%describe()
       end do

@@ -3,6 +3,7 @@
 module asperity_solid_solve_increment
    use asperity_base_error, only: error_type
    use asperity_base_kinds, only: wp
+   use asperity_base_number_text, only: to_text
    use asperity_solid_contact_pair, only: accept, begin_increment
    use asperity_solid_model_equations, only: moved
    use asperity_solid_model_model, only: solid_model
@@ -30,6 +31,8 @@ module asperity_solid_solve_increment
       real(wp) :: residual = 0.0_wp
    end type increment_type
 
+   !> A joint without contact drifts for long before it rests: so many times the iterations
+   integer, parameter :: patience = 4
    !> Halvings of a step that does not reduce the residual
    integer, parameter :: most_halvings = 3
    !> A residual above the scale by this factor is not worth another iteration
@@ -84,8 +87,11 @@ contains
       real(wp), intent(inout) :: displacement(:, :)
       type(error_type), allocatable, intent(out) :: error
       real(wp) :: step(model%n_unknowns), right_side(model%n_unknowns), residual, last_residual
+      integer :: most_iterations
       logical :: is_prediction
 
+      most_iterations = model%settings%most_iterations
+      if (increment%is_direct) most_iterations = patience*most_iterations
       associate (settings => model%settings)
          is_prediction = increment%is_fresh
          last_residual = huge(1.0_wp)
@@ -115,8 +121,8 @@ contains
             else if (.not. increment%residual < lost) then
                increment%reason = 'the residual is far above all forces'
                return
-            else if (increment%iterations == settings%most_iterations) then
-               increment%reason = 'most_iterations do not do'
+            else if (increment%iterations >= most_iterations) then
+               increment%reason = 'no equilibrium after '//to_text(most_iterations)//' iterations'
                return
             end if
             right_side = -system%residual

@@ -11,7 +11,7 @@ module asperity_program_commands_deck_parts
    use asperity_program_system_strings, only: string_type
    implicit none
    private
-   public :: declare_law_table, declare_deck, declare_grading, fill_table, remark
+   public :: declare_law_table, declare_deck, fill_table, remark
 
 contains
 
@@ -60,19 +60,6 @@ contains
       call keys%real('search_distance', choice%search_distance, 'mm', &
          'clearance below which CalculiX with UINTER has contact springs')
    end subroutine declare_deck
-
-   !> Declare what makes the mesh of the joint finer at its rims.
-   pure subroutine declare_grading(choice, keys)
-      !> Choices of the deck
-      type(deck_choice), intent(inout) :: choice
-      !> The keys
-      type(key_list), intent(inout) :: keys
-
-      call keys%optional_real('rim_mesh_size', choice%rim_mesh_size, 'mm', &
-         'edge aimed at by the rims of mortise and tenon; mesh_size unless given')
-      call keys%real('mesh_growth', choice%mesh_growth, '', &
-         'ratio of neighbouring edges from rim_mesh_size to mesh_size')
-   end subroutine declare_grading
 
    !> One row for each part.
    pure subroutine fill_table(report, names, parts)

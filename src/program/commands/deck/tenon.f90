@@ -5,13 +5,14 @@ module asperity_program_commands_deck_tenon
    use asperity_base_number_text, only: to_text
    use asperity_deck_options, only: deck_choice
    use asperity_deck_tenon_deck, only: new_tenon_deck, tenon_deck
-   use asperity_deck_tenon_parts, only: default_mesh_size, default_tenon_sizes, tenon_sizes
+   use asperity_deck_tenon_parts, only: default_mesh_size, tenon_sizes
    use asperity_deck_tenon_text, only: write_tenon_deck
    use asperity_program_commands_command, only: command_type
-   use asperity_program_commands_deck_parts, only: declare_deck, declare_grading, &
+   use asperity_program_commands_deck_parts, only: declare_deck, &
       declare_law_table, fill_table, remark
    use asperity_program_commands_tenon_history, only: follow_history, history_type, read_history
    use asperity_program_commands_tenon_joint_keys, only: tenon_case
+   use asperity_program_commands_tenon_mesh_keys, only: declare_grading, declare_joint_sizes
    use asperity_program_commands_tenon_wood_keys, only: declare_wood
    use asperity_program_input_key, only: kind_file
    use asperity_program_input_key_list, only: key_list
@@ -27,8 +28,6 @@ module asperity_program_commands_deck_tenon
       type(tenon_case) :: case
       type(deck_choice) :: choice
       type(tenon_sizes) :: sizes
-      !> Interference at each side, mm, not allocated unless given
-      real(wp), allocatable :: side_interference
       !> Fewest increments of a stroke
       integer :: stroke_increments = 10
       !> Path of the deck
@@ -57,7 +56,6 @@ contains
       class(tenon_deck_command), intent(inout) :: self
       !> Its keys
       type(key_list), intent(inout) :: keys
-      type(tenon_sizes) :: usual
       integer :: mesh_size
 
       call self%case%declare_faces(keys)
@@ -66,27 +64,12 @@ contains
       call self%case%declare_hold(keys, is_replay=.false.)
       call declare_wood(self%case%joint, self%case%height_key, keys, is_replay=.false.)
       call self%case%declare_programme(keys)
-      usual = default_tenon_sizes(self%case%joint)
       self%choice%mesh_size = default_mesh_size(self%case%joint)
       call declare_deck(self%choice, keys, mesh_size)
       keys%last = mesh_size
       call keys%follows(self%case%height_key, 'a tenth of height')
       call declare_grading(self%choice, keys)
-      self%sizes%column_height = usual%column_height
-      call keys%real('column_height', self%sizes%column_height, 'mm', &
-         'height of the column; 10/3 of height unless given')
-      call keys%follows(self%case%height_key, '10/3 of height')
-      self%sizes%column_width = usual%column_width
-      call keys%real('column_width', self%sizes%column_width, 'mm', &
-         'width of the column across the beam; length unless given')
-      call keys%follows(self%case%length_key)
-      call keys%real('tail', self%sizes%tail, 'mm', 'length of the beam behind the column')
-      self%sizes%edge_relief = usual%edge_relief
-      call keys%real('edge_relief', self%sizes%edge_relief, 'mm', &
-         'no contact so near the edges of the mortise; a hundredth of height unless given')
-      call keys%follows(self%case%height_key, 'a hundredth of height')
-      call keys%optional_real('side_interference', self%side_interference, 'mm', &
-         'interference at each side; made for side_pressure unless given')
+      call declare_joint_sizes(self%sizes, self%case, keys)
       call keys%whole('stroke_increments', self%stroke_increments, &
          'fewest increments of a stroke; twice as many beyond 16 mm')
       call self%case%declare_reading(keys)
@@ -119,7 +102,6 @@ contains
       if (.not. allocated(error)) call follow_history(self%case%joint, history, error)
       if (allocated(error)) return
       call self%declare(report%keys)
-      if (allocated(self%side_interference)) self%sizes%side_interference = self%side_interference
       self%choice%command = command_text()
       call new_tenon_deck(model, self%choice, self%case%joint, self%sizes, self%stroke_increments, &
          self%case%properties, self%case%sides, error)

@@ -81,40 +81,51 @@ contains
       type(solid_outcome), intent(in) :: outcomes(:)
       logical, intent(in) :: beside_paper
       type(string_type), allocatable :: lines(:)
-      type(string_type) :: line
+      character(len=:), allocatable :: text, name
       integer :: i, side
 
-      line%text = 'A prediction, not a fit to a test: '
-      if (beside_paper) line%text = 'A prediction from chosen sizes, not a fit to the paper: '
-      line%text = line%text//'compare ratios to hard contact, not moments.'
-      lines = [line]
+      text = 'A prediction, not a fit to a test: '
+      if (beside_paper) text = 'A prediction from chosen sizes, not a fit to the paper: '
+      text = text//'compare ratios to hard contact, not moments.'
+      allocate (lines(0))
+      call add_line(lines, text)
       do i = 1, size(outcomes)
-         associate (name => trim(legends(outcomes(i)%model)), &
-               last => outcomes(i)%records(size(outcomes(i)%records)))
+         name = trim(legends(outcomes(i)%model))
+         associate (last => outcomes(i)%records(size(outcomes(i)%records)))
             if (.not. outcomes(i)%has_moment) then
-               line%text = name//': there is no moment in any increment'
-               lines = [lines, line]
+               text = name//': there is no moment in any increment'
+               call add_line(lines, text)
             end if
             if (last%plastic_strain > large_strain) then
-               line%text = name//': the wood''s plastic strain reaches '// &
+               text = name//': the wood''s plastic strain reaches '// &
                   to_text(last%plastic_strain, 2)//', which is past small strains; a smaller '// &
                   'mesh_size raises it'
-               lines = [lines, line]
+               call add_line(lines, text)
             end if
             if (abs(last%balance) > unbalanced*abs(last%work)) then
-               line%text = name//': '//to_text(last%balance, 3)//' of '//to_text(last%work, 4)// &
+               text = name//': '//to_text(last%balance, 3)//' of '//to_text(last%work, 4)// &
                   ' J of work are not accounted for; larger stroke_increments leave less'
-               lines = [lines, line]
+               call add_line(lines, text)
             end if
             do side = positive_side, negative_side
-               line%text = excess_words(outcomes(i)%loops%skeleton(side), 'kN m')
-               if (line%text == '') cycle
-               line%text = name//': the analysis has '//line%text// &
+               text = excess_words(outcomes(i)%loops%skeleton(side), 'kN m')
+               if (text == '') cycle
+               text = name//': the analysis has '//text// &
                   ' than its skeleton through the tips of first cycles'
-               lines = [lines, line]
+               call add_line(lines, text)
             end do
          end associate
       end do
    end function solid_remarks
+
+   !> One line more.
+   pure subroutine add_line(lines, text)
+      type(string_type), allocatable, intent(inout) :: lines(:)
+      character(len=*), intent(in) :: text
+      type(string_type) :: line
+
+      line%text = text
+      lines = [lines, line]
+   end subroutine add_line
 
 end module asperity_program_commands_solid_report

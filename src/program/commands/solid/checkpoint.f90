@@ -1,0 +1,129 @@
+!> The file from which a solid joint goes on after an interruption: one for each contact model,
+!> written after every stroke, whole or not at all.
+module asperity_program_commands_solid_checkpoint
+   use, intrinsic :: iso_fortran_env, only: int64
+   use asperity_base_error, only: error_type, fatal_error, file_error
+   use asperity_base_kinds, only: wp
+   use asperity_program_commands_solid_snapshot, only: solid_snapshot
+   use asperity_program_commands_solid_snapshots_file, only: read_snapshots, write_snapshots
+   use asperity_program_system_files, only: remove_file, rename_file
+   use asperity_solid_solve_checkpoint, only: read_run, write_run
+   use asperity_solid_solve_programme, only: solid_run
+   implicit none
+   private
+   public :: checkpoint_file, is_there
+
+   !> A checkpoint.
+   type :: checkpoint_file
+      !> Its path
+      character(len=:), allocatable :: path
+      !> Version and input, which tell one joint from another
+      character(len=:), allocatable :: head
+   contains
+      procedure :: save, load, remove
+   end type checkpoint_file
+
+   character(len=*), parameter :: part = '.part'
+
+contains
+
+   !> Whether there is a file.
+   logical function is_there(path)
+      !> Its path
+      character(len=*), intent(in) :: path
+
+      inquire (file=path, exist=is_there)
+   end function is_there
+
+   !> Write the file.
+   subroutine save(self, run, snapshots, seconds, error)
+      !> The file
+      class(checkpoint_file), intent(in) :: self
+      !> The run, between two strokes
+      type(solid_run), intent(in) :: run
+      !> What was looked at
+      type(solid_snapshot), intent(in) :: snapshots(:)
+      !> Time that it took, s
+      real(wp), intent(in) :: seconds
+      !> Set when it cannot be written
+      type(error_type), allocatable, intent(out) :: error
+      character(len=:), allocatable :: reason
+      character(len=256) :: message
+      integer :: unit, status, late_status
+
+      message = 'the disk may be full'
+      open (newunit=unit, file=self%path//part, access='stream', form='unformatted', &
+         status='replace', action='write', iostat=status, iomsg=message)
+      if (status == 0) then
+         write (unit, iostat=status, iomsg=message) len(self%head), self%head, seconds
+         if (status == 0) call write_run(unit, run, status)
+         if (status == 0) call write_snapshots(unit, snapshots, status)
+         close (unit, iostat=late_status)
+         if (status == 0) status = late_status
+         if (status == 0) then
+            call rename_file(self%path//part, self%path, reason)
+         else
+            call remove_file(self%path//part)
+         end if
+      end if
+      if (status /= 0) reason = trim(message)
+      if (allocated(reason)) call fatal_error(error, 'checkpoint '//self%path// &
+         ' cannot be written: '//reason, file_error)
+   end subroutine save
+
+   !> Read the file into a run at its beginning.
+   subroutine load(self, run, snapshots, seconds, error)
+      !> The file
+      class(checkpoint_file), intent(in) :: self
+      !> The run
+      type(solid_run), intent(inout) :: run
+      !> What was looked at
+      type(solid_snapshot), allocatable, intent(out) :: snapshots(:)
+      !> Time that it took, s
+      real(wp), intent(out) :: seconds
+      !> Set when it cannot be read or is of another joint
+      type(error_type), allocatable, intent(out) :: error
+      character(len=:), allocatable :: head
+      character(len=256) :: message
+      integer(int64) :: bytes
+      integer :: unit, status, length
+      logical :: is_ours
+
+      is_ours = .true.
+      seconds = 0.0_wp
+      message = 'it is not complete'
+      open (newunit=unit, file=self%path, access='stream', form='unformatted', status='old', &
+         action='read', iostat=status, iomsg=message)
+      if (status == 0) then
+         inquire (unit, size=bytes)
+         read (unit, iostat=status) length
+         if (status == 0) is_ours = length == len(self%head) .and. bytes > length
+         if (status == 0 .and. is_ours) then
+            allocate (character(len=length) :: head)
+            read (unit, iostat=status) head
+            if (status == 0) is_ours = head == self%head
+         end if
+         if (status == 0 .and. is_ours) read (unit, iostat=status) seconds
+         if (status == 0 .and. is_ours) call read_run(unit, run, status)
+         if (status == 0 .and. is_ours) &
+            call read_snapshots(unit, size(run%model%points, 2), snapshots, status)
+         close (unit)
+      end if
+      if (.not. is_ours) then
+         call fatal_error(error, 'checkpoint '//self%path//' is of another case or version: '// &
+            'run that one, or remove the file and begin without --resume', subject='checkpoint')
+      else if (status /= 0) then
+         call fatal_error(error, 'checkpoint '//self%path//' cannot be read: '//trim(message), &
+            file_error)
+      end if
+   end subroutine load
+
+   !> Remove the file.
+   subroutine remove(self)
+      !> The file
+      class(checkpoint_file), intent(in) :: self
+
+      call remove_file(self%path)
+   end subroutine remove
+
+end module asperity_program_commands_solid_checkpoint

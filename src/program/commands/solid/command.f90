@@ -1,0 +1,223 @@
+!> `asperity solid`: the tenon joint as a solid of plastic wood, through the whole programme, under
+!> hard contact and under the rough law.
+module asperity_program_commands_solid_command
+   use asperity_base_error, only: error_type, fatal_error
+   use asperity_base_kinds, only: wp
+   use asperity_base_number_text, only: to_text
+   use asperity_base_version, only: version
+   use asperity_deck_tenon_deck, only: tenon_deck
+   use asperity_program_commands_command, only: command_type
+   use asperity_program_commands_joint_loops, only: legends
+   use asperity_program_commands_solid_checkpoint, only: checkpoint_file, is_there
+   use asperity_program_commands_solid_keys, only: solid_case
+   use asperity_program_commands_solid_observer, only: new_observer, run_observer, seconds_of
+   use asperity_program_commands_solid_outcome, only: new_outcome, solid_outcome
+   use asperity_program_commands_solid_page, only: solid_page
+   use asperity_program_commands_solid_report, only: fill_report
+   use asperity_program_commands_tenon_history, only: follow_history, history_type, read_history
+   use asperity_program_commands_tenon_paper_joint, only: is_paper_joint
+   use asperity_program_input_key, only: kind_file, kind_picture
+   use asperity_program_input_key_list, only: key_list
+   use asperity_program_input_print_case, only: case_heading, case_text
+   use asperity_program_report_report, only: report_type
+   use asperity_program_system_progress, only: clear_steps, tell_terminal
+   use asperity_program_system_strings, only: newline, string_type
+   use asperity_replay_tenon_settings, only: complete_tenon_settings, tenon_settings
+   use asperity_solid_engine_linear_solver, only: start_engine, stop_engine
+   use asperity_solid_mesh_checks, only: mesh_remark
+   use asperity_solid_model_model, only: new_solid_model, solid_model
+   use asperity_solid_solve_programme, only: new_solid_run, run_programme, solid_run
+   implicit none
+   private
+   public :: solid_command
+
+   !> Runs the joint.
+   type, extends(command_type) :: solid_command
+      private
+      type(solid_case) :: case
+      !> Path of the page, and stem of the paths of checkpoints
+      character(len=:), allocatable :: page, checkpoint
+      !> Whether to go on from checkpoints
+      logical :: resumes = .false.
+      !> Checkpoints of the models, to be removed when the results are written
+      type(checkpoint_file), allocatable :: checkpoints(:)
+   contains
+      procedure :: describe, declare, check, run, finish
+   end type solid_command
+
+contains
+
+   !> What the command is.
+   pure subroutine describe(self)
+      !> The command
+      class(solid_command), intent(inout) :: self
+
+      self%name = 'solid'
+      self%summary = 'tenon joint as a solid of plastic wood, hard against rough'
+      self%usage = '[CASE.nml] [options]'
+      self%purpose = 'Finite-element analysis of the straight tenon joint, as the paper''s: '// &
+         'orthotropic, plastic wood under the whole cyclic programme, hard contact against the '// &
+         'rough law (Figs 19-35, Table 5). It takes the case of asperity tenon.'
+   end subroutine describe
+
+   !> Case, mesh, solver and outputs.
+   pure subroutine declare(self, keys)
+      !> The command
+      class(solid_command), intent(inout) :: self
+      !> Its keys
+      type(key_list), intent(inout) :: keys
+
+      call self%case%declare(keys)
+      call self%declare_outputs(keys, has_picture=.true.)
+      call keys%text('report', self%page, &
+         'write a page of case, tables and pictures, .html (needs gnuplot)', kind_picture)
+      call keys%text('checkpoint', self%checkpoint, 'stem of the files from which a run that '// &
+         'was interrupted goes on; solid unless given', kind_file)
+      call keys%request('resume', self%resumes, 'go on from the checkpoints of an earlier run')
+      call self%declare_requests(keys)
+   end subroutine declare
+
+   !> Check the case.
+   subroutine check(self, error)
+      !> The command
+      class(solid_command), intent(inout) :: self
+      !> Set when a value is refused
+      type(error_type), allocatable, intent(out) :: error
+
+      call self%case%joint%check(error, compiled=.true.)
+   end subroutine check
+
+   !> Run the models. `error` is set when a setting is refused, the engine is missing, or no
+   !> increment is small enough.
+   subroutine run(self, report, error)
+      !> The command
+      class(solid_command), intent(inout) :: self
+      !> Its tables are set
+      type(report_type), intent(inout) :: report
+      !> Set on failure
+      type(error_type), allocatable, intent(out) :: error
+      type(history_type) :: history
+
+      call read_history(history, self%case%joint, error)
+      if (.not. allocated(error)) call follow_history(self%case%joint%joint, history, error)
+      if (allocated(error)) return
+      call self%declare(report%keys)
+      report%faces = self%case%joint%faces%words()
+      call start_engine(error)
+      if (allocated(error)) return
+      call report_models(self, report, error)
+      call stop_engine()
+   end subroutine run
+
+   !> Remove the checkpoints.
+   subroutine finish(self)
+      !> The command
+      class(solid_command), intent(inout) :: self
+      integer :: i
+
+      do i = 1, size(self%checkpoints)
+         call self%checkpoints(i)%remove()
+      end do
+   end subroutine finish
+
+   !> Run what is asked for and report it.
+   subroutine report_models(self, report, error)
+      class(solid_command), intent(inout) :: self
+      type(report_type), intent(inout) :: report
+      type(error_type), allocatable, intent(out) :: error
+      character(len=5), parameter :: names(2) = [character(len=5) :: 'hard', 'rough']
+      type(solid_outcome), allocatable :: outcomes(:)
+      integer, allocatable :: models(:)
+      type(string_type) :: line
+      logical :: beside_paper
+      integer :: i
+
+      models = pack([1, 2], names == self%case%contact .or. self%case%contact == 'both')
+      allocate (outcomes(size(models)), self%checkpoints(size(models)))
+      if (self%checkpoint == '') self%checkpoint = 'solid'
+      do i = 1, size(models)
+         self%checkpoints(i)%path = self%checkpoint//'.'//trim(names(models(i)))//'.checkpoint'
+         self%checkpoints(i)%head = 'asperity '//version//newline// &
+            case_text(report%keys, case_heading('solid'))
+         if (self%resumes) cycle
+         if (.not. is_there(self%checkpoints(i)%path)) cycle
+         call fatal_error(error, self%checkpoints(i)%path//' is there, of a run that was '// &
+            'interrupted or is under way: go on from it with --resume, remove it, or name others '// &
+            'with --checkpoint', subject='checkpoint')
+         return
+      end do
+      line%text = ''
+      do i = 1, size(models)
+         call run_model(self, models(i), self%checkpoints(i), outcomes(i), line%text, error)
+         call clear_steps()
+         if (allocated(error)) return
+      end do
+      beside_paper = is_paper_joint(self%case%joint)
+      call fill_report(report, outcomes, beside_paper, error)
+      if (allocated(error)) return
+      if (line%text /= '') report%remarks = [report%remarks, line]
+      if (self%page /= '') report%page = page_of(self, report, beside_paper)
+   end subroutine report_models
+
+   !> Run one model.
+   subroutine run_model(self, which, checkpoint, outcome, remark, error)
+      class(solid_command), intent(in) :: self
+      integer, intent(in) :: which
+      type(checkpoint_file), intent(in) :: checkpoint
+      type(solid_outcome), intent(out) :: outcome
+      character(len=:), allocatable, intent(inout) :: remark
+      type(error_type), allocatable, intent(out) :: error
+      type(tenon_deck), allocatable :: deck
+      type(solid_model), allocatable :: model
+      type(solid_run), allocatable :: run
+      type(run_observer) :: observer
+
+      allocate (deck, model, run)
+      call self%case%deck_of(which == 1, deck, error)
+      if (.not. allocated(error)) call new_solid_model(model, deck, self%case%settings, error)
+      if (allocated(error)) return
+      if (remark == '') remark = trim(mesh_remark(deck))
+      call new_solid_run(run, model)
+      deallocate (deck, model)
+      call new_observer(observer, 'solid: '//trim(legends(which)), checkpoint)
+      if (self%resumes) call resume(checkpoint, run, observer, error)
+      if (allocated(error)) return
+      call run_programme(run, observer, error)
+      if (allocated(error)) then
+         if (run%strokes_done >= 0) error%message = error%message//'. It begins again from '// &
+            checkpoint%path//' with --resume'
+         return
+      end if
+      call new_outcome(outcome, run, observer%snapshots, seconds_of(observer), error)
+      call tell_terminal(observer%name//': '//to_text(run%increments)//' increments, '// &
+         to_text(run%iterations)//' iterations, '//to_text(seconds_of(observer), 3)//' s')
+   end subroutine run_model
+
+   !> Go on from a checkpoint, if there is one.
+   subroutine resume(checkpoint, run, observer, error)
+      type(checkpoint_file), intent(in) :: checkpoint
+      type(solid_run), intent(inout) :: run
+      type(run_observer), intent(inout) :: observer
+      type(error_type), allocatable, intent(out) :: error
+
+      if (is_there(checkpoint%path)) &
+         call checkpoint%load(run, observer%snapshots, observer%seconds_before, error)
+   end subroutine resume
+
+   !> The page.
+   function page_of(self, report, beside_paper) result(parts)
+      class(solid_command), intent(in) :: self
+      type(report_type), intent(in) :: report
+      logical, intent(in) :: beside_paper
+      type(string_type), allocatable :: parts(:)
+      type(solid_case) :: usual_case
+      type(key_list) :: usual
+      type(tenon_settings) :: joint
+
+      call usual_case%declare(usual)
+      joint = self%case%joint%joint
+      call complete_tenon_settings(joint)
+      parts = solid_page(report, joint, usual, beside_paper)
+   end function page_of
+
+end module asperity_program_commands_solid_command
