@@ -9,7 +9,7 @@ module asperity_program_commands_tenon_joint_keys
    use asperity_paper_pairs, only: find_pair, pair_preset
    use asperity_program_commands_faces, only: critical_slip, faces_type, friction_coefficient, &
       pair_values
-   use asperity_program_commands_tenon_wood_keys, only: declare_points, declare_wood
+   use asperity_program_commands_tenon_replay_keys, only: declare_points, declare_wood
    use asperity_program_input_key_list, only: key_list
    use asperity_program_record_keys, only: column_keys, format_keys
    use asperity_replay_tenon_check_settings, only: check_tenon_settings

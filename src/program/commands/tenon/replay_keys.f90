@@ -1,5 +1,5 @@
 !> Keys of the wood of a tenon joint, and of the points at which its replay knows it.
-module asperity_program_commands_tenon_wood_keys
+module asperity_program_commands_tenon_replay_keys
    use asperity_base_kinds, only: wp
    use asperity_program_input_key_list, only: key_list
    use asperity_replay_tenon_settings, only: complete_tenon_settings, tenon_settings
@@ -73,4 +73,4 @@ contains
       end associate
    end subroutine declare_points
 
-end module asperity_program_commands_tenon_wood_keys
+end module asperity_program_commands_tenon_replay_keys
