@@ -10,7 +10,7 @@ trap 'rm -rf "$folder"' EXIT
 echo '| changed | Mu hard, kN m | Mu rough, kN m | Mu rough:hard | energy hard, J | energy rough, J | energy rough:hard |'
 echo '|---|---|---|---|---|---|---|'
 for sweep in gap=mean_plane,first_touch friction_coefficient=0.1,0.3,0.4,0.6 \
-   critical_slip=0.1,1 clearance=0,0.25,1 bearing_depth=75,300 hardening=0,0.1 \
+   critical_slip=0.1,1 clearance=0,0.25,1 bearing_depth=75,300 hardening_across=0,0.1 \
    sigma=0.0297,0.1779,0.593 side_pressure=0,0.2,1 axial_stiffness=100,5000 length=250,450; do
    # ten times the roughness is no face that is known
    "$program" tenon "$here/base.nml" --accept-unphysical --sweep "$sweep" --csv "$folder/table.csv" >"$folder/log" \

@@ -17,8 +17,6 @@ module asperity_deck_options
       character(len=16) :: contact = 'uinter'
       !> `c3d8i`, `c3d8` or `c3d8r`
       character(len=16) :: element = 'c3d8i'
-      !> `elastic` or `plastic`
-      character(len=16) :: plasticity = 'elastic'
       !> What is written of all nodes in every increment: `contact` for displacement and contact,
       !> `all` for stress too
       character(len=16) :: field = 'contact'

@@ -7,6 +7,7 @@ module asperity_program_command_line
    use asperity_program_help, only: usage_text
    use asperity_program_input_key, only: given_as_option, option_name
    use asperity_program_input_key_list, only: key_list
+   use asperity_program_input_nearest_key, only: nearest_key
    use asperity_program_input_options, only: parse_option
    use asperity_program_system_strings, only: nearest_name, quoted, starts_with, string_type
    implicit none
@@ -216,7 +217,7 @@ contains
       do i = 1, line%keys%n
          names(i) = option_name(line%keys%rows(i)%name)
       end do
-      nearest = nearest_name(option, names)
+      nearest = nearest_key(option, names)
       if (nearest /= '') nearest = '; did you mean '//nearest//'?'
       call fatal_error(error, option//': unknown option of '//trim(line%command%name)//nearest)
    end subroutine refuse_option

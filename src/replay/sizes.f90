@@ -39,11 +39,23 @@ module asperity_replay_sizes
       size_range('shoulder_gap', 'mm', 0.01_wp, 9.0_wp), &
       size_range('bearing_depth', 'mm', 2.5_wp, 2400.0_wp), &
       size_range('column_depth', 'mm', 2.5_wp, 2400.0_wp), &
-      ! wood across the grain from 40 MPa, along it to 39 GPa; strength from 0.3 to 200 MPa
-      size_range('bearing_modulus', 'MPa', 40.0_wp, 39000.0_wp), &
-      size_range('column_modulus', 'MPa', 40.0_wp, 39000.0_wp), &
-      size_range('bearing_strength', 'MPa', 0.3_wp, 200.0_wp), &
-      size_range('column_strength', 'MPa', 0.3_wp, 200.0_wp), &
+      ! wood across the grain from 40 MPa, along it to 39 GPa; rolling shear of balsa from 10 MPa
+      size_range('young_modulus_l', 'MPa', 40.0_wp, 39000.0_wp), &
+      size_range('young_modulus_r', 'MPa', 40.0_wp, 39000.0_wp), &
+      size_range('young_modulus_t', 'MPa', 40.0_wp, 39000.0_wp), &
+      size_range('shear_modulus_lr', 'MPa', 4.0_wp, 3900.0_wp), &
+      size_range('shear_modulus_lt', 'MPa', 4.0_wp, 3900.0_wp), &
+      size_range('shear_modulus_rt', 'MPa', 4.0_wp, 3900.0_wp), &
+      ! strength from 0.3 MPa, in tension along the grain to some 250
+      size_range('compression_strength_l', 'MPa', 0.3_wp, 200.0_wp), &
+      size_range('compression_strength_r', 'MPa', 0.3_wp, 200.0_wp), &
+      size_range('compression_strength_t', 'MPa', 0.3_wp, 200.0_wp), &
+      size_range('tension_strength_l', 'MPa', 0.3_wp, 290.0_wp), &
+      size_range('tension_strength_r', 'MPa', 0.3_wp, 290.0_wp), &
+      size_range('tension_strength_t', 'MPa', 0.3_wp, 290.0_wp), &
+      size_range('shear_strength_lr', 'MPa', 0.3_wp, 200.0_wp), &
+      size_range('shear_strength_lt', 'MPa', 0.3_wp, 200.0_wp), &
+      size_range('shear_strength_rt', 'MPa', 0.3_wp, 200.0_wp), &
       ! from the weight of a specimen to what presses soft wood flat
       size_range('side_pressure', 'MPa', 0.005_wp, 4.9_wp), &
       size_range('normal_stress', 'MPa', 0.005_wp, 4.9_wp), &

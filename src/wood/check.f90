@@ -44,7 +44,11 @@ contains
       if (.not. allocated(error)) call check_energy(wood, error)
       if (.not. allocated(error)) call check_criterion(wood, error)
       if (.not. allocated(error) .and. allocated(wood%hardening_curve)) &
-         call check_curve(wood%hardening_curve, wood%compression_strengths(2), error)
+         call check_curve('hardening_curve', wood%hardening_curve, 'compression_strength_r', &
+         wood%compression_strengths(2), error)
+      if (.not. allocated(error) .and. allocated(wood%hardening_curve_along)) &
+         call check_curve('hardening_curve_along', wood%hardening_curve_along, &
+         'compression_strength_l', wood%compression_strengths(1), error)
    end subroutine check_wood_properties
 
    !> Refuse stresses that are not above zero, unless `error` is set.
@@ -114,37 +118,35 @@ contains
    end subroutine check_criterion
 
    !> Refuse points that are no curve of yield stress, which begins at the strength and never falls.
-   pure subroutine check_curve(curve, strength, error)
+   pure subroutine check_curve(name, curve, strength_name, strength, error)
+      character(len=*), intent(in) :: name, strength_name
       real(wp), intent(in) :: curve(:, :), strength
       type(error_type), allocatable, intent(inout) :: error
       integer :: i, n
 
       n = size(curve, 2)
       if (size(curve, 1) /= 2 .or. n < 1) then
-         call fatal_error(error, 'hardening_curve has no points: give pairs of plastic strain '// &
-            'and yield stress', subject='hardening_curve')
+         call fatal_error(error, name//' has no points: give pairs of plastic strain and yield '// &
+            'stress', subject=name)
          return
       end if
       do i = 1, n
-         call check_range(error, 'hardening_curve', curve(1, i), 0.0_wp, &
-            largest_strain, '')
-         if (.not. allocated(error)) &
-            call check_positive(error, 'hardening_curve', curve(2, i), 'MPa')
+         call check_range(error, name, curve(1, i), 0.0_wp, largest_strain, '')
+         if (.not. allocated(error)) call check_positive(error, name, curve(2, i), 'MPa')
          if (allocated(error)) return
       end do
       if (curve(1, 1) > 0.0_wp .or. abs(curve(2, 1) - strength) > curve_tolerance*strength) then
-         call fatal_error(error, 'hardening_curve begins at a plastic strain of '// &
-            to_text(curve(1, 1))//' and '//to_text(curve(2, 1))//' MPa: it must begin at 0 and '// &
-            'the strength across the grain, compression_strength_r = '//to_text(strength)//' MPa', &
-            subject='hardening_curve compression_strength_r')
+         call fatal_error(error, name//' begins at a plastic strain of '//to_text(curve(1, 1))// &
+            ' and '//to_text(curve(2, 1))//' MPa: it must begin at 0 and '//strength_name//' = '// &
+            to_text(strength)//' MPa', subject=name//' '//strength_name)
          return
       end if
       do i = 2, n
          if (curve(1, i) > curve(1, i - 1) .and. curve(2, i) >= curve(2, i - 1)) cycle
-         call fatal_error(error, 'hardening_curve goes from '//to_text(curve(2, i - 1))// &
+         call fatal_error(error, name//' goes from '//to_text(curve(2, i - 1))// &
             ' MPa at a plastic strain of '//to_text(curve(1, i - 1))//' to '// &
             to_text(curve(2, i))//' MPa at '//to_text(curve(1, i))//': strains must rise, and '// &
-            'stresses must not fall', subject='hardening_curve')
+            'stresses must not fall', subject=name)
          return
       end do
    end subroutine check_curve

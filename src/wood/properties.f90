@@ -8,6 +8,12 @@ module asperity_wood_properties
    private
    public :: wood_properties
 
+   !> Criteria of yield: none, so that wood is elastic; Mises' with one curve a part, for the
+   !> direction in which it is pressed; Hill's; crushing without interaction of L, R and T, tension
+   !> apart from compression
+   character(len=8), parameter, public :: criteria(*) = [character(len=8) :: 'none', 'mises', &
+      'hill', 'crushing']
+
    !> Values of Table 1 of the paper; what the paper does not give is chosen, with its reason.
    type :: wood_properties
       !> Young's moduli in L, R and T, MPa
@@ -33,7 +39,9 @@ module asperity_wood_properties
       !> Yield stress across the grain, MPa (second row), over plastic strain (first row), in place
       !> of the slope: rising strains from 0, where the stress is fc90; not allocated unless given
       real(wp), allocatable :: hardening_curve(:, :)
-      !> `none`, `mises`, `hill` or `crushing`
+      !> The same along the grain, from fc0: for `mises` alone, in a part that is pressed along it
+      real(wp), allocatable :: hardening_curve_along(:, :)
+      !> One of `criteria`
       character(len=8) :: criterion = 'crushing'
    end type wood_properties
 

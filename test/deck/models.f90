@@ -1,8 +1,7 @@
-!> Models of the decks: wood, fit of the sides, gaps, strokes, numbers as text, what is refused.
+!> Models of the decks: fit of the sides, gaps, strokes, numbers as text, what is refused.
 module test_deck_models
    use asperity, only: contact_properties, error_type, evaluate_normal_law, normal_response, wp
    use asperity_deck_cards_card_writer, only: writer_type
-   use asperity_deck_cards_wood_cards, only: check_wood, wood_type, write_wood
    use asperity_deck_mesh_cheek_interference, only: side_interference
    use asperity_deck_options, only: deck_choice
    use asperity_deck_shear_deck, only: new_shear_deck, shear_deck
@@ -11,6 +10,7 @@ module test_deck_models
    use asperity_deck_tenon_text, only: write_tenon_deck
    use asperity_replay_shear_settings, only: shear_settings
    use asperity_replay_tenon_settings, only: tenon_settings
+   use asperity_wood_properties, only: wood_properties
    use contact_cases, only: pair_properties
    use funit, only: assertEqual, assertFalse, assertLessThan, assertTrue, TestMethod, TestSuite
    use subjects, only: fits_subject
@@ -24,8 +24,6 @@ contains
       type(TestSuite) :: suite
 
       suite = TestSuite('models of decks')
-      call suite%addTest(TestMethod('wood', test_wood))
-      call suite%addTest(TestMethod('yield of wood', test_yield))
       call suite%addTest(TestMethod('numbers as text', test_numbers))
       call suite%addTest(TestMethod('comments', test_comments))
       call suite%addTest(TestMethod('side fit, rigid cheek', test_rigid_cheek))
@@ -36,78 +34,6 @@ contains
       call suite%addTest(TestMethod('strokes', test_strokes))
       call suite%addTest(TestMethod('refused', test_refused))
    end function suite_deck_models
-
-   !> Table 1 stores energy in every deformation; a ratio too large does not.
-   subroutine test_wood()
-      type(wood_type) :: wood
-      type(error_type), allocatable :: error
-
-      call check_wood(wood, error)
-      call assertFalse(allocated(error))
-      ! nu_RT alone: 1 is the limit for E_R = E_T
-      wood%poisson = [0.0_wp, 0.0_wp, 1.001_wp]
-      call check_wood(wood, error)
-      call assertTrue(allocated(error))
-      wood%poisson = [0.0_wp, 0.0_wp, 0.999_wp]
-      call check_wood(wood, error)
-      call assertFalse(allocated(error))
-      ! all three together: equal ratios of an isotropic wood reach the limit at 1/2
-      wood%modulus = 1000.0_wp
-      wood%poisson = 0.501_wp
-      call check_wood(wood, error)
-      call assertTrue(allocated(error))
-      wood%poisson = 0.499_wp
-      call check_wood(wood, error)
-      call assertFalse(allocated(error))
-      wood%shear(2) = 0.0_wp
-      call check_wood(wood, error)
-      call assertTrue(allocated(error))
-      wood = wood_type(strength_across=-1.0_wp)
-      call check_wood(wood, error)
-      call assertTrue(allocated(error))
-   end subroutine test_wood
-
-   !> Yield stress over plastic strain: across the grain for Hill's criterion of ABAQUS, which has
-   !> the ratio of strengths besides, along or across it for Mises' of CalculiX; none when elastic.
-   subroutine test_yield()
-      type(wood_type) :: wood
-      real(wp) :: rows(2, 2)
-
-      rows(:, 1) = [wood%strength_across, 0.0_wp]
-      rows(:, 2) = [wood%strength_across + wood%hardening_across*wood%modulus(2), 1.0_wp]
-      call check('abaqus', .false., rows)
-      call check('abaqus', .true., rows)
-      call check('calculix', .false., rows)
-      rows(:, 1) = [wood%strength_along, 0.0_wp]
-      rows(:, 2) = [wood%strength_along + wood%hardening_along*wood%modulus(1), 1.0_wp]
-      call check('calculix', .true., rows)
-   contains
-      subroutine check(solver, along, expected)
-         character(len=*), intent(in) :: solver
-         logical, intent(in) :: along
-         real(wp), intent(in) :: expected(2, 2)
-         type(deck_choice) :: choice
-         type(writer_type) :: deck
-         character(len=:), allocatable :: text
-         real(wp) :: found(4)
-         integer :: at, i
-
-         choice%solver = solver
-         choice%plasticity = 'plastic'
-         call write_wood(deck, choice, wood, 'WOOD', along)
-         text = deck%text()
-         at = index(text, '*PLASTIC'//new_line('a'))
-         call assertTrue(at > 0, solver//' yields')
-         if (at == 0) return
-         ! two lines; a text is one record
-         do i = at + 9, len(text)
-            if (text(i:i) == new_line('a')) text(i:i) = ','
-         end do
-         read (text(at + 9:), *) found
-         call assertEqual(reshape(expected, [4]), found, 1.0e-9_wp*maxval(expected), solver)
-         call assertTrue((index(text, '*POTENTIAL') > 0) .eqv. solver == 'abaqus', solver//', Hill')
-      end subroutine check
-   end subroutine test_yield
 
    !> Fields have up to 20 characters, eight numbers a line, and lose as little as that allows.
    subroutine test_numbers()
@@ -163,11 +89,12 @@ contains
    !> half the tenon alone give way. What is left goes with the fourth root of the stiffness: 1e-4
    !> of it.
    subroutine test_rigid_cheek()
-      type(wood_type) :: wood
+      type(wood_properties) :: wood
 
-      wood%modulus(1) = 1.0e16_wp
-      wood%shear = 1.0e16_wp
-      call assertEqual(0.07_wp + 0.2_wp*52.5_wp/wood%modulus(2), &
+      wood%young_moduli(1) = 1.0e16_wp
+      wood%young_moduli(3) = 300.0_wp
+      wood%shear_moduli = 1.0e16_wp
+      call assertEqual(0.07_wp + 0.2_wp*52.5_wp/300.0_wp, &
          side_interference(0.2_wp, 0.07_wp, wood, 105.0_wp, 300.0_wp, 300.0_wp), &
          tolerance=5.0e-5_wp)
    end subroutine test_rigid_cheek
@@ -175,7 +102,7 @@ contains
    !> A cheek over a mortise much longer than itself is, in its middle, free to move away from the
    !> tenon: pressure remains at the ends only, and the interference for a mean grows in proportion.
    subroutine test_free_cheek()
-      type(wood_type) :: wood
+      type(wood_properties) :: wood
       real(wp) :: once, twice
 
       once = side_interference(0.2_wp, 0.07_wp, wood, 105.0_wp, 1.0e5_wp, 300.0_wp)
@@ -188,13 +115,14 @@ contains
    subroutine test_cheek_differences()
       integer, parameter :: n = 2000, m = 500
       real(wp), parameter :: a = 150.0_wp, step = a/m, pressure = 0.2_wp, overclosure = 0.0739_wp
-      type(wood_type) :: wood
+      type(wood_properties) :: wood
       real(wp) :: bending, shear, k, springs, deflection(0:n), mean
 
-      bending = wood%modulus(1)*97.5_wp**3/12.0_wp
-      shear = 5.0_wp/6.0_wp*wood%shear(1)*97.5_wp
-      k = wood%modulus(2)/52.5_wp
-      springs = 1.0_wp/(overclosure/pressure + 52.5_wp/wood%modulus(2))
+      wood%young_moduli(3) = 300.0_wp
+      bending = wood%young_moduli(1)*97.5_wp**3/12.0_wp
+      shear = 5.0_wp/6.0_wp*wood%shear_moduli(1)*97.5_wp
+      k = wood%young_moduli(2)/52.5_wp
+      springs = 1.0_wp/(overclosure/pressure + 52.5_wp/300.0_wp)
       call solve(deflection)
       ! trapezoidal rule of springs*(1 - w) over the mortise, for an interference of 1
       mean = springs*(1.0_wp - (sum(deflection(1:m - 1)) &
@@ -261,6 +189,7 @@ contains
    subroutine test_discs()
       type(shear_deck) :: deck
       type(shear_settings) :: settings
+      type(wood_properties) :: wood
       type(deck_choice) :: choice
       type(contact_properties) :: pair
       type(normal_response) :: response
@@ -270,13 +199,13 @@ contains
       settings%displacement = [1.0_wp]
       choice%mesh_size = 10.0_wp
       choice%command = ''
-      call new_shear_deck(deck, choice, settings, 10.0_wp, .true., pair, error)
+      call new_shear_deck(deck, choice, settings, 10.0_wp, .true., wood, pair, error)
       call assertFalse(allocated(error))
       response = evaluate_normal_law(pair%normal, pair%initial_separation - deck%overclosure)
       call assertEqual(settings%normal_stress, response%pressure, tolerance=1.0e-12_wp)
       call assertEqual(-deck%overclosure, minval(deck%upper%nodes(3, :)), tolerance=1.0e-15_wp)
       choice%contact = 'hard'
-      call new_shear_deck(deck, choice, settings, 10.0_wp, .true., pair, error)
+      call new_shear_deck(deck, choice, settings, 10.0_wp, .true., wood, pair, error)
       call assertEqual(0.05_wp/100.0_wp, deck%overclosure, tolerance=1.0e-15_wp)
    end subroutine test_discs
 
@@ -288,6 +217,7 @@ contains
       type(error_type), allocatable :: error
 
       choice = joint_choice()
+      s%wood%criterion = 'none'
       s%clearance_below = 0.1_wp
       call make(deck, choice, s, error)
       call assertFalse(allocated(error))
@@ -360,11 +290,16 @@ contains
       s%shoulders = .true.
       call refused('shoulders = true is not in the deck')
       s = plain
+      s%column = 'rigid'
+      call refused('column = rigid is not in the deck')
+      s = plain
       s%accept_sizes = .true.
-      s%column_modulus = 0.0_wp
-      call refused('column_modulus = 0 is a rigid column')
-      s%column_modulus = 30.0_wp
-      call refused('moduli of 30.0 MPa along and 351.0 MPa across the grain do not go')
+      s%wood%young_moduli(1) = 30.0_wp
+      call refused('poisson_ratio_lr = 0.62 is not allowed')
+      s = plain
+      s%wood%shear_moduli(3) = 0.06716_wp
+      call refused('shear_modulus_rt = 0.06716 MPa is outside 4.0 to 3900.0 MPa: 0.06716 looks '// &
+         'like GPa, write 67.16')
       s = plain
       s%accept_sizes = .true.
       s%side_pressure = 12.2_wp

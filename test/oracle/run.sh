@@ -121,7 +121,7 @@ all_cases() {
       --plot joint.svg --report joint.html
    keep tenon-uinter tenon "${few[@]}" --through uinter --record 3,20 --points - --json joint.json
    keep tenon-shoulders tenon "${few[@]}" --shoulders --shoulder-gap 0.2 --gap first_touch \
-      --clearance-above 0.1 --column-modulus 0 --csv joint.csv
+      --clearance-above 0.1 --column rigid --csv joint.csv
    keep tenon-force tenon "${few[@]}" --axial-rule force --axial-force 200 --arm-datum column_axis \
       --cycles 1,2 --friction-rule dissipative --csv joint.csv
    keep tenon-history tenon --history data/records/protocol_comma.csv --decimal comma \
@@ -134,15 +134,17 @@ all_cases() {
    keep tenon-print-case tenon examples/tenon_joint/base.nml --amplitudes 1,4 --cycles 1,2 --print-case
 
    # Decks
-   local solver contact
+   local solver contact criterion
    for solver in calculix abaqus; do
+      criterion=mises
+      [[ $solver == abaqus ]] && criterion=hill
       for contact in uinter table hard; do
          keep "deck-shear-$solver-$contact" deck shear --mesh-size 10 --solver $solver \
             --contact $contact --inp shear.inp
          keep "deck-tenon-$solver-$contact" deck tenon --mesh-size 75 --amplitudes 2,5 --solver $solver \
             --contact $contact --inp tenon.inp
       done
-      keep "deck-tenon-$solver-plastic" deck tenon --mesh-size 75 --amplitudes 3 --plasticity plastic \
+      keep "deck-tenon-$solver-plastic" deck tenon --mesh-size 75 --amplitudes 3 --criterion $criterion \
          --field all --column-load 54000 --side-pressure 0 --tail 40 --solver $solver --inp -
    done
    keep deck-tenon-history deck tenon examples/calculix/joint.nml --mesh-size 60 \

@@ -83,7 +83,8 @@ contains
       call assertEqual(joint%length, number_of('tenon', 'length'), 0.0_wp)
       call assertEqual(joint%clearance_below, number_of('tenon', 'clearance_below'), 0.0_wp)
       call assertEqual(0.5_wp*joint%height, number_of('tenon', 'bearing_depth'), 0.0_wp)
-      call assertEqual(joint%column_strength, number_of('deck tenon', 'column_strength'), 0.0_wp)
+      call assertEqual(joint%wood%compression_strengths(1), &
+         number_of('deck tenon', 'compression_strength_l'), 0.0_wp)
       call assertEqual(press%peak, number_of('press', 'peak'), 0.0_wp)
    end subroutine test_defaults
 

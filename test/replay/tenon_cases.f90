@@ -6,11 +6,12 @@ module tenon_cases
    use asperity_replay_tenon_run, only: run_tenon
    use asperity_replay_tenon_settings, only: tenon_settings
    use asperity_replay_tenon_step, only: tenon_step
+   use asperity_wood_values, only: n_values, set_wood_values, value_names, wood_values
    use contact_cases, only: pair_properties
    use funit, only: assertEqual, assertFalse
    implicit none
    private
-   public :: plain_joint, face_pair, side_pair, scaled_pair, run_joint
+   public :: plain_joint, joint_with, face_pair, side_pair, scaled_pair, run_joint
 
 contains
 
@@ -19,8 +20,20 @@ contains
       type(tenon_settings) :: settings
 
       settings = tenon_settings(contact='hard', axial_rule='fixed', side_pressure=0.0_wp, &
-         extension=0.0_wp, column_modulus=0.0_wp)
+         extension=0.0_wp, column='rigid')
    end function plain_joint
+
+   !> The default joint with one property of its wood changed.
+   function joint_with(name, value) result(settings)
+      character(len=*), intent(in) :: name
+      real(wp), intent(in) :: value
+      type(tenon_settings) :: settings
+      real(wp) :: values(n_values)
+
+      values = wood_values(settings%wood)
+      values(findloc(value_names == name, .true., 1)) = value
+      call set_wood_values(settings%wood, values)
+   end function joint_with
 
    !> Upper and lower face, with another friction coefficient or rule.
    function face_pair(friction_coefficient, friction_rule) result(properties)

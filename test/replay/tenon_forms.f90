@@ -49,12 +49,12 @@ contains
          s%points = 400
          s%clearance_above = clearances(j)
          s%clearance_below = clearances(j)
-         s%bearing_strength = 100.0_wp
+         s%wood%criterion = 'none'
          s%displacement = [t*s%arm]
          s%displacement_increment = 0.05_wp*t*s%arm
          call run_joint(s, steps, face_pair(0.0_wp))
          if (anyExceptions()) return
-         k = s%bearing_modulus/(0.5_wp*s%height)
+         k = s%wood%young_moduli(2)/(0.5_wp*s%height)
          l2 = 0.5_wp*s%length
          h2 = 0.5_wp*s%height
          x0 = (h2*(1.0_wp - cos(t)) + clearances(j))/sin(t)
@@ -115,9 +115,9 @@ contains
       do i = 1, 5
          s = plain_joint()
          if (free(i)) s%axial_rule = 'free'
-         s%bearing_modulus = 1.0e3_wp*s%bearing_modulus
+         s%wood%young_moduli(2) = 1.0e3_wp*s%wood%young_moduli(2)
          s%accept_sizes = .true.
-         s%hardening = 0.0_wp
+         s%wood%hardening_across = 0.0_wp
          s%clearance_above = 0.0_wp
          s%clearance_below = 0.0_wp
          s%displacement = [10.0_wp]
@@ -139,7 +139,7 @@ contains
       logical, intent(in) :: free
       real(wp) :: q, a, b
 
-      q = s%bearing_strength*s%width
+      q = s%wood%compression_strengths(2)*s%width
       a = s%arm + 0.5_wp*s%length
       if (free) a = a + 0.5_wp*mu*s%height
       b = q*(0.25_wp*s%length**2 + 0.5_wp*mu*s%height*s%length)
@@ -156,7 +156,7 @@ contains
       do i = 1, 2
          s = plain_joint()
          s%contact = contacts(i)
-         s%hardening = 0.0_wp
+         s%wood%hardening_across = 0.0_wp
          s%points = 50
          s%displacement_increment = 2.0_wp
          call run_joint(s, steps)
@@ -325,20 +325,22 @@ contains
       s = plain_joint()
       s%contact = 'rough'
       s%amplitudes = [16.0_wp]
-      s%column_modulus = s%bearing_modulus
-      s%hardening = 0.02_wp
+      s%column = 'elastic'
+      s%wood%young_moduli(1) = s%wood%young_moduli(2)
+      s%wood%hardening_across = 0.02_wp
       call run_joint(s, steps)
-      s%column_modulus = 0.0_wp
+      s%column = 'rigid'
       s%bearing_depth = s%height
-      s%hardening = 0.04_wp
+      s%wood%hardening_across = 0.04_wp
       call run_joint(s, others)
       call assertEqual(others%moment, steps%moment, 1.0e-9_wp*maxval(steps%moment), 'elastic')
       s = plain_joint()
       s%amplitudes = [16.0_wp]
-      s%column_modulus = s%bearing_modulus
-      s%column_strength = s%bearing_strength
+      s%column = 'elastic'
+      s%wood%young_moduli(1) = s%wood%young_moduli(2)
+      s%wood%compression_strengths(1) = s%wood%compression_strengths(2)
       call run_joint(s, steps)
-      s%column_modulus = 0.0_wp
+      s%column = 'rigid'
       s%bearing_depth = s%height
       call run_joint(s, others)
       call assertEqual(others%moment, steps%moment, 1.0e-9_wp*maxval(steps%moment), 'both yield')

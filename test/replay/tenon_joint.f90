@@ -8,12 +8,13 @@ module test_replay_tenon_joint
    use asperity_replay_tenon_run, only: run_tenon
    use asperity_replay_tenon_settings, only: tenon_settings
    use asperity_replay_tenon_step, only: tenon_step
+   use asperity_wood_properties, only: wood_properties
    use extremes, only: largest_of
    use funit, only: anyExceptions, assertEqual, assertGreaterThan, assertLessThan, assertTrue, &
       TestMethod, TestSuite
    use measurements, only: record
    use subjects, only: fits_subject
-   use tenon_cases, only: face_pair, plain_joint, run_joint, scaled_pair, side_pair
+   use tenon_cases, only: face_pair, joint_with, plain_joint, run_joint, scaled_pair, side_pair
    implicit none
    private
    public :: suite_tenon_joint
@@ -353,12 +354,17 @@ contains
       call expect(tenon_settings(points=0), 'points = 0.0')
       call expect(tenon_settings(side_points=0), 'side_points = 0.0')
       call expect(tenon_settings(side_pressure=-1.0_wp), 'side_pressure = -1.0')
-      call expect(tenon_settings(bearing_modulus=0.0_wp), 'bearing_modulus = 0.0')
+      call expect(joint_with('young_modulus_r', 0.0_wp), 'young_modulus_r = 0.0')
+      call expect(joint_with('young_modulus_l', -1.0_wp), 'young_modulus_l = -1.0')
       call expect(tenon_settings(bearing_depth=0.0_wp), 'bearing_depth = 0.0')
-      call expect(tenon_settings(bearing_strength=0.0_wp), 'bearing_strength = 0.0')
-      call expect(tenon_settings(hardening=-0.1_wp), 'hardening = -0.1')
-      call expect(tenon_settings(column_modulus=-1.0_wp), 'column_modulus = -1.0')
-      call expect(tenon_settings(column_strength=0.0_wp), 'column_strength = 0.0')
+      call expect(joint_with('compression_strength_r', 0.0_wp), 'compression_strength_r = 0.0')
+      call expect(joint_with('compression_strength_l', 0.0_wp), 'compression_strength_l = 0.0')
+      call expect(joint_with('hardening_across', -0.1_wp), 'hardening_across = -0.1')
+      call expect(joint_with('hardening_along', -0.1_wp), 'hardening_along = -0.1')
+      call expect(tenon_settings(column='stiff'), &
+         "column = 'stiff' is unknown: it must be one of elastic, rigid")
+      call expect(tenon_settings(wood=wood_properties(criterion='tresca')), &
+         "criterion = 'tresca' is unknown: it must be one of none, mises")
       call expect(tenon_settings(displacement_increment=0.0_wp), 'displacement_increment = 0.0')
       call expect(tenon_settings(displacement_increment=1.0e-6_wp), &
          'displacement_increment = 1.0E-6')
@@ -406,12 +412,14 @@ contains
       call slip(tenon_settings(bearing_depth=0.15_wp), 'bearing_depth = 0.15 mm', metres//'150.0;')
       call slip(tenon_settings(column_depth=1.5e5_wp), 'column_depth = 150000.0 mm', &
          'looks like micrometres, write 150.0;')
-      call slip(tenon_settings(bearing_modulus=3.51e8_wp), 'bearing_modulus = 3.51E8 MPa', &
+      call slip(joint_with('young_modulus_r', 3.51e8_wp), 'young_modulus_r = 3.51E8 MPa', &
          'looks like Pa, write 351.0;')
-      call slip(tenon_settings(column_modulus=3.727_wp), 'column_modulus = 3.727 MPa', &
+      call slip(joint_with('young_modulus_l', 3.727_wp), 'young_modulus_l = 3.727 MPa', &
          '3.727 looks like GPa, write 3727.0;')
-      call slip(tenon_settings(bearing_strength=4700.0_wp), 'bearing_strength = 4700.0 MPa', &
-         'looks like kPa, write 4.7;')
+      call slip(joint_with('compression_strength_r', 4700.0_wp), &
+         'compression_strength_r = 4700.0 MPa', 'looks like kPa, write 4.7;')
+      call slip(joint_with('compression_strength_l', 5.01e7_wp), &
+         'compression_strength_l = 5.01E7 MPa', 'looks like Pa, write 50.1;')
       call slip(tenon_settings(side_pressure=2.0e5_wp), 'side_pressure = 200000.0 MPa', &
          'looks like Pa, write 0.2;')
       call slip(tenon_settings(column_load=54.0_wp), 'column_load = 54.0 N', &

@@ -48,7 +48,7 @@ contains
       case default
          allocate (uinter_law :: law)
       end select
-      s = tenon_settings(column_strength=6.0_wp)
+      s%wood%compression_strengths(1) = 6.0_wp
       call complete_tenon_settings(s)
       law%faces = face_pair(friction_rule=rule)
       law%sides = side_pair()

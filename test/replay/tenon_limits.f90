@@ -112,11 +112,14 @@ contains
    subroutine capped_law(law, strength)
       type(rough_law), intent(out) :: law
       real(wp), intent(in) :: strength
+      type(tenon_settings) :: s
       type(tenon_model) :: model
       type(error_type), allocatable :: error
 
-      call new_tenon_model(model, tenon_settings(hardening=0.0_wp, bearing_strength=strength, &
-         gap='first_touch'), face_pair(), side_pair(), error)
+      s%wood%hardening_across = 0.0_wp
+      s%wood%compression_strengths(2) = strength
+      s%gap = 'first_touch'
+      call new_tenon_model(model, s, face_pair(), side_pair(), error)
       call assertFalse(allocated(error), 'model')
       select type (rough => model%law)
       type is (rough_law)

@@ -70,11 +70,13 @@ contains
    end subroutine write_boundary
 
    !> Results of a step, and its end.
-   pure subroutine close_step(deck, choice, force_sets, gauges)
+   pure subroutine close_step(deck, choice, yields, force_sets, gauges)
       !> The deck
       class(writer_type), intent(inout) :: deck
       !> Choices of the deck
       type(deck_choice), intent(in) :: choice
+      !> Whether the wood yields
+      logical, intent(in) :: yields
       !> Sets whose sum of forces is written in every increment
       character(len=*), intent(in) :: force_sets(:)
       !> Sets whose displacements are
@@ -95,7 +97,7 @@ contains
          call deck%line('U')
          if (choice%field == 'all') then
             call deck%line('*EL FILE')
-            call deck%line(stresses(choice))
+            call deck%line(stresses(yields))
          end if
          call deck%line('*CONTACT FILE')
          call deck%line('CDIS, CSTR')
@@ -114,7 +116,7 @@ contains
          call deck%line('U')
          if (choice%field == 'all') then
             call deck%line('*ELEMENT OUTPUT')
-            call deck%line(stresses(choice))
+            call deck%line(stresses(yields))
          end if
          call deck%line('*CONTACT OUTPUT')
          call deck%line('CSTRESS, CDISP')
@@ -123,12 +125,12 @@ contains
    end subroutine close_step
 
    !> What is written of the elements.
-   pure function stresses(choice) result(names)
-      type(deck_choice), intent(in) :: choice
+   pure function stresses(yields) result(names)
+      logical, intent(in) :: yields
       character(len=:), allocatable :: names
 
       names = 'S'
-      if (choice%plasticity == 'plastic') names = 'S, PEEQ'
+      if (yields) names = 'S, PEEQ'
    end function stresses
 
 end module asperity_deck_cards_load_steps

@@ -1,80 +1,66 @@
 !> The wood of the decks: orthotropic elasticity, yield, local axes.
 module asperity_deck_cards_wood_cards
-   use asperity_base_checks, only: check_positive
    use asperity_base_error, only: error_type, fatal_error
    use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
    use asperity_deck_cards_card_writer, only: writer_type
    use asperity_deck_options, only: deck_choice, for_calculix
-   use asperity_paper_wood, only: poisson_ratios, shear_moduli, wood_strength_across, &
-      wood_strength_along, young_moduli
+   use asperity_wood_properties, only: wood_properties
    implicit none
    private
-   public :: wood_type, check_wood, write_wood, write_axes
-
-   !> Wood; 1 = L along the grain, 2 = R radial, 3 = T tangential. Values of Table 1 of the paper
-   !> but for the hardening, which is chosen.
-   type :: wood_type
-      !> Moduli in L, R and T, MPa
-      real(wp) :: modulus(3) = young_moduli
-      !> Poisson's ratios LR, LT, RT: strain in the second over that in the first direction, which
-      !> is pulled
-      real(wp) :: poisson(3) = poisson_ratios
-      !> Shear moduli LR, LT, RT, MPa
-      real(wp) :: shear(3) = shear_moduli
-      !> Strength in compression along and across the grain, MPa
-      real(wp) :: strength_along = wood_strength_along, &
-         strength_across = wood_strength_across
-      !> Slope of the stress over plastic strain, over the modulus; along and across the grain
-      real(wp) :: hardening_along = 0.02_wp, hardening_across = 0.02_wp
-   end type wood_type
+   public :: check_criterion, write_wood, write_axes
 
    !> Plastic strain up to which the yield stress is given
    real(wp), parameter :: largest_strain = 1.0_wp
 
 contains
 
-   !> `error` is set unless the elastic constants store energy in every deformation and the
-   !> strengths can be.
-   pure subroutine check_wood(wood, error)
+   !> `error` is set when the solver has no card for the wood's criterion of yield, or does not
+   !> follow its curve.
+   pure subroutine check_criterion(choice, wood, error)
+      !> Choices of the deck
+      type(deck_choice), intent(in) :: choice
       !> The wood
-      type(wood_type), intent(in) :: wood
-      !> Set when it cannot be
+      type(wood_properties), intent(in) :: wood
+      !> Set when it is refused
       type(error_type), allocatable, intent(out) :: error
-      real(wp) :: c(3, 3), minors(2)
 
-      if (.not. all([wood%modulus, wood%shear] > 0.0_wp)) then
-         call fatal_error(error, 'the moduli of the wood must be above zero')
-         return
+      if (wood%criterion == 'crushing') then
+         call fatal_error(error, 'criterion = crushing cannot be written: no card of ABAQUS or '// &
+            'CalculiX tells tension from compression in each direction of wood; take mises, or '// &
+            'with ABAQUS hill', subject='criterion')
+      else if (wood%criterion == 'hill' .and. for_calculix(choice)) then
+         call fatal_error(error, 'criterion = hill cannot be written for CalculiX, whose yield '// &
+            'beside nine elastic constants is that of Mises: take mises, or solver = abaqus', &
+            subject='criterion solver')
+      else if (wood%criterion == 'mises' .and. for_calculix(choice)) then
+         call check_curve(error, 'hardening_curve', wood%hardening_curve)
+         call check_curve(error, 'hardening_curve_along', wood%hardening_curve_along)
       end if
-      ! compliance, scaled to ones on the diagonal
-      c = 0.0_wp
-      c(1, 2) = wood%poisson(1)*sqrt(wood%modulus(2)/wood%modulus(1))
-      c(1, 3) = wood%poisson(2)*sqrt(wood%modulus(3)/wood%modulus(1))
-      c(2, 3) = wood%poisson(3)*sqrt(wood%modulus(3)/wood%modulus(2))
-      minors(1) = 1.0_wp - c(1, 2)**2
-      minors(2) = 1.0_wp - c(1, 2)**2 - c(1, 3)**2 - c(2, 3)**2 &
-         - 2.0_wp*c(1, 2)*c(1, 3)*c(2, 3)
-      if (.not. all(minors > 0.0_wp)) then
-         call fatal_error(error, 'moduli of '//to_text(wood%modulus(1), 6)// &
-            ' MPa along and '//to_text(wood%modulus(2), 6)//' MPa across the grain do not go '// &
-            'with the Poisson''s ratios of Table 1: the wood would give energy when it is deformed')
-         return
-      end if
-      call check_positive(error, 'strength along the grain', wood%strength_along, 'MPa')
-      if (.not. allocated(error)) &
-         call check_positive(error, 'strength across the grain', wood%strength_across, 'MPa')
-   end subroutine check_wood
+   end subroutine check_criterion
 
-   !> The material. For CalculiX, `along` says whether contact presses its parts along the grain,
-   !> as its yield knows one strength only.
+   !> Refuse a curve that CalculiX does not follow.
+   pure subroutine check_curve(error, name, curve)
+      type(error_type), allocatable, intent(inout) :: error
+      character(len=*), intent(in) :: name
+      !> Plastic strain and yield stress, MPa; not allocated for none
+      real(wp), allocatable, intent(in) :: curve(:, :)
+
+      if (allocated(error) .or. .not. allocated(curve)) return
+      if (size(curve, 2) > 2) call fatal_error(error, name//' has '//to_text(size(curve, 2))// &
+         ' points: beside nine elastic constants CalculiX takes the first two, and goes on in '// &
+         'their line; give two, or take solver = abaqus', subject=name//' solver')
+   end subroutine check_curve
+
+   !> The material, which is checked. For Mises' criterion, which has one strength,
+   !> `along` says whether contact presses its parts along the grain.
    pure subroutine write_wood(deck, choice, wood, name, along)
       !> The deck
       class(writer_type), intent(inout) :: deck
       !> Choices of the deck
       type(deck_choice), intent(in) :: choice
       !> The wood
-      type(wood_type), intent(in) :: wood
+      type(wood_properties), intent(in) :: wood
       !> Name of the material
       character(len=*), intent(in) :: name
       !> Whether it is pressed along the grain
@@ -82,37 +68,59 @@ contains
 
       call deck%line('*MATERIAL, NAME='//name)
       call deck%line('*ELASTIC, TYPE=ENGINEERING CONSTANTS')
-      call deck%reals([wood%modulus, wood%poisson, wood%shear])
-      if (choice%plasticity /= 'plastic') return
-      if (for_calculix(choice)) then
-         call deck%comment('Yield of CalculiX beside these elastic constants is that of Mises: '// &
-            'one strength in all directions, the same in tension and compression. The strength '// &
-            'is that in the direction in which contact presses; in others the wood yields too '// &
-            'early (beam, bent along the grain) or too late (column, pressed at the sides).')
-         call write_yield(deck, merge(wood%strength_along, wood%strength_across, along), &
-            merge(wood%hardening_along*wood%modulus(1), wood%hardening_across*wood%modulus(2), &
-            along))
-      else
+      call deck%reals([wood%young_moduli, wood%poisson_ratios, wood%shear_moduli])
+      if (wood%criterion == 'mises') then
+         if (for_calculix(choice)) call deck%comment('Yield of CalculiX beside these elastic '// &
+            'constants is that of Mises.')
+         call deck%comment('Mises'' criterion: one strength in all directions, the same in '// &
+            'tension and compression. The strength is that in the direction in which contact '// &
+            'presses; in others the wood yields too early (beam, bent along the grain) or too '// &
+            'late (column, pressed at the sides).')
+         call write_yield(deck, wood, along)
+      else if (wood%criterion == 'hill') then
          call deck%comment('Hill''s criterion, the same in tension and compression: reference '// &
-            'is the strength across the grain, R11 the strength along over that across the '// &
-            'grain (Table 1). The paper gives no strength in shear: R12, R13, R23 are chosen, '// &
-            'at shear strengths of fc90/sqrt(3).')
-         call write_yield(deck, wood%strength_across, wood%hardening_across*wood%modulus(2))
+            'is the strength in compression in R; ratios to it are those of the strengths in '// &
+            'compression, and in shear times sqrt(3). The paper gives no strength in shear.')
+         call write_yield(deck, wood, along=.false.)
          call deck%line('*POTENTIAL')
-         call deck%reals([wood%strength_along/wood%strength_across, 1.0_wp, 1.0_wp, 1.0_wp, &
-            1.0_wp, 1.0_wp])
+         associate (reference => wood%compression_strengths(2))
+            call deck%reals([wood%compression_strengths/reference, &
+               wood%shear_strengths/(reference/sqrt(3.0_wp))])
+         end associate
       end if
    end subroutine write_wood
 
-   !> Yield stress over plastic strain.
-   pure subroutine write_yield(deck, strength, slope)
+   !> Yield stress over plastic strain, by the curve or by the slope.
+   pure subroutine write_yield(deck, wood, along)
       class(writer_type), intent(inout) :: deck
-      real(wp), intent(in) :: strength, slope
+      type(wood_properties), intent(in) :: wood
+      logical, intent(in) :: along
+      real(wp), allocatable :: points(:, :)
+      integer :: i
 
+      if (along .and. allocated(wood%hardening_curve_along)) then
+         points = wood%hardening_curve_along
+      else if (.not. along .and. allocated(wood%hardening_curve)) then
+         points = wood%hardening_curve
+      else if (along) then
+         points = line(wood%compression_strengths(1), wood%hardening_along*wood%young_moduli(1))
+      else
+         points = line(wood%compression_strengths(2), wood%hardening_across*wood%young_moduli(2))
+      end if
       call deck%line('*PLASTIC')
-      call deck%reals([strength, 0.0_wp])
-      call deck%reals([strength + slope*largest_strain, largest_strain])
+      do i = 1, size(points, 2)
+         call deck%reals([points(2, i), points(1, i)])
+      end do
    end subroutine write_yield
+
+   !> A straight line of yield stress over plastic strain.
+   pure function line(strength, slope) result(points)
+      real(wp), intent(in) :: strength, slope
+      real(wp) :: points(2, 2)
+
+      points(:, 1) = [0.0_wp, strength]
+      points(:, 2) = [largest_strain, strength + slope*largest_strain]
+   end function line
 
    !> Local axes: the direction of the grain, and the radial one.
    pure subroutine write_axes(deck, name, grain, radial)

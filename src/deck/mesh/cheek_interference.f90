@@ -16,7 +16,7 @@
 !> The mean pressure is -V(a)/a, in proportion to the interference d.
 module asperity_deck_mesh_cheek_interference
    use asperity_base_kinds, only: wp
-   use asperity_deck_cards_wood_cards, only: wood_type
+   use asperity_wood_properties, only: wood_properties
    implicit none
    private
    public :: side_interference
@@ -31,8 +31,8 @@ contains
          column_width) result(interference)
       !> Mean pressure, MPa, and overclosure of contact at it, mm
       real(wp), intent(in) :: pressure, overclosure
-      !> The wood, with the grain along the column
-      type(wood_type), intent(in) :: wood
+      !> The wood: of the column, with R across its cheek, and of the tenon, with T across its width
+      type(wood_properties), intent(in) :: wood
       !> Width of the tenon, height of the mortise, width of the column, mm
       real(wp), intent(in) :: width, height, column_width
       complex(wp) :: s(2), at_end(2), shear_force(2), moment(2), rotation(2), matrix(2, 2), part(2)
@@ -40,10 +40,10 @@ contains
 
       a = 0.5_wp*height
       thickness = 0.5_wp*(column_width - width)
-      bending = wood%modulus(1)*thickness**3/12.0_wp
-      shear = shear_area*wood%shear(1)*thickness
-      foundation = wood%modulus(2)/(0.5_wp*width)
-      springs = 1.0_wp/(overclosure/pressure + 0.5_wp*width/wood%modulus(2))
+      bending = wood%young_moduli(1)*thickness**3/12.0_wp
+      shear = shear_area*wood%shear_moduli(1)*thickness
+      foundation = wood%young_moduli(2)/(0.5_wp*width)
+      springs = 1.0_wp/(overclosure/pressure + 0.5_wp*width/wood%young_moduli(3))
 
       s = springs/shear
       s(1) = s(1) + sqrt(s(1)**2 - 4.0_wp*springs/bending)

@@ -8,12 +8,13 @@ module asperity_deck_shear_deck
    use asperity_base_number_text, only: to_text
    use asperity_contact_properties, only: contact_properties
    use asperity_deck_cards_interaction, only: interaction_type, new_interaction, overclosure_for
-   use asperity_deck_cards_wood_cards, only: check_wood, wood_type
+   use asperity_deck_check_wood, only: check_wood
    use asperity_deck_mesh_disc, only: new_disc_mesh
    use asperity_deck_mesh_hexahedra, only: check_mesh_room, hex_mesh
    use asperity_deck_options, only: check_deck_choice, check_mesh_size, deck_choice, for_calculix
    use asperity_replay_shear_settings, only: check_shear_settings, shear_settings
    use asperity_replay_sizes, only: check_size
+   use asperity_wood_properties, only: wood_properties
    implicit none
    private
    public :: shear_deck, new_shear_deck
@@ -26,7 +27,7 @@ module asperity_deck_shear_deck
       !> Whether the grain of the upper disc is normal to the faces in contact
       logical :: upper_on_end = .true.
       !> Wood and contact
-      type(wood_type) :: wood
+      type(wood_properties) :: wood
       type(interaction_type) :: contact
       !> Overclosure of the faces as they are meshed, mm
       real(wp) :: overclosure = 0.0_wp
@@ -37,8 +38,8 @@ module asperity_deck_shear_deck
 contains
 
    !> Prepare the model. `error` is set when a value is refused.
-   pure subroutine new_shear_deck(deck, choice, settings, disc_height, upper_on_end, properties, &
-         error)
+   pure subroutine new_shear_deck(deck, choice, settings, disc_height, upper_on_end, wood, &
+         properties, error)
       !> Result
       type(shear_deck), intent(out) :: deck
       !> Choices of the deck
@@ -49,6 +50,8 @@ contains
       real(wp), intent(in) :: disc_height
       !> Whether the grain of the upper disc is normal to the faces in contact
       logical, intent(in) :: upper_on_end
+      !> Wood of both discs
+      type(wood_properties), intent(in) :: wood
       !> Contact of the faces
       type(contact_properties), intent(in) :: properties
       !> Set when a value is refused
@@ -57,13 +60,14 @@ contains
       deck%choice = choice
       deck%settings = settings
       deck%upper_on_end = upper_on_end
+      deck%wood = wood
       call check_deck_choice(choice, settings%accept_sizes, error)
       if (.not. allocated(error)) call check_shear_settings(settings, settings%displacement, error)
       if (.not. allocated(error)) call check_positive(error, 'disc_height', disc_height, 'mm')
       call check_size(error, 'disc_height', disc_height, settings%accept_sizes)
       call check_mesh_size(error, choice, 'disc_height', disc_height)
       call check_mesh_size(error, choice, 'diameter', settings%diameter)
-      if (.not. allocated(error)) call check_wood(deck%wood, error)
+      if (.not. allocated(error)) call check_wood(wood, settings%accept_sizes, error)
       if (.not. allocated(error)) call new_interaction(deck%contact, choice, 'WOOD', properties, &
          settings%normal_stress, error)
       if (.not. allocated(error)) call overclosure_for(deck%contact, choice, &

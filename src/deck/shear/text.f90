@@ -7,7 +7,7 @@ module asperity_deck_shear_text
    use asperity_deck_cards_interaction, only: write_interaction, write_pair
    use asperity_deck_cards_load_steps, only: close_step, open_step, step_type, write_boundary
    use asperity_deck_cards_mesh_writer, only: model_writer
-   use asperity_deck_cards_wood_cards, only: write_axes, write_wood
+   use asperity_deck_cards_wood_cards, only: check_criterion, write_axes, write_wood
    use asperity_deck_mesh_hexahedra, only: faces_in_box, hex_mesh, nodes_in_box
    use asperity_deck_options, only: element_kind
    use asperity_deck_shear_deck, only: shear_deck
@@ -29,10 +29,12 @@ contains
       type(shear_deck), intent(in) :: model
       !> The deck
       character(len=:), allocatable, intent(out) :: text
-      !> Set when there is not enough memory for it
+      !> Set when the solver has no card for the wood, or when there is not enough memory
       type(error_type), allocatable, intent(out) :: error
       type(model_writer) :: deck
 
+      call check_criterion(model%choice, model%wood, error)
+      if (allocated(error)) return
       call write_words(deck, model)
       call write_parts(deck, model)
       call write_supports(deck, model)
@@ -90,7 +92,7 @@ contains
       call deck%nodes(model%upper, nodes, 'UPPER_NODES')
       call deck%elements(model%upper, elements, nodes, kind, 'UPPER')
 
-      call deck%heading('wood: Table 1 of the paper; 1 = L, 2 = R, 3 = T')
+      call deck%heading('wood; 1 = L, 2 = R, 3 = T')
       call write_axes(deck, 'LOWER_AXES', x, z)
       if (model%upper_on_end) then
          call write_axes(deck, 'UPPER_AXES', z, x)
@@ -189,7 +191,7 @@ contains
       call open_step(deck, model%choice, step)
       call deck%line('*DSLOAD')
       call deck%line('CAP_FACE, P, '//to_text(model%settings%normal_stress))
-      call close_step(deck, model%choice, force_sets, gauges)
+      call close_step(deck, model%choice, model%wood%criterion /= 'none', force_sets, gauges)
       from = 0.0_wp
       do i = 1, size(model%settings%displacement)
          associate (to => model%settings%displacement(i), s => model%settings)
@@ -203,7 +205,7 @@ contains
             step%first = step%largest
             call open_step(deck, model%choice, step)
             call write_boundary(deck, 'BOTTOM', 1, to)
-            call close_step(deck, model%choice, force_sets, gauges)
+            call close_step(deck, model%choice, model%wood%criterion /= 'none', force_sets, gauges)
             from = to
          end associate
       end do

@@ -7,7 +7,7 @@ module asperity_deck_tenon_deck
    use asperity_base_number_text, only: to_text
    use asperity_contact_properties, only: contact_properties
    use asperity_deck_cards_interaction, only: interaction_type, new_interaction, overclosure_for
-   use asperity_deck_cards_wood_cards, only: check_wood, wood_type
+   use asperity_deck_check_wood, only: check_wood
    use asperity_deck_mesh_cheek_interference, only: side_interference
    use asperity_deck_mesh_hexahedra, only: check_mesh_room, hex_mesh
    use asperity_deck_options, only: check_deck_choice, deck_choice, for_calculix
@@ -29,8 +29,7 @@ module asperity_deck_tenon_deck
       type(tenon_sizes) :: sizes
       !> Fewest increments of a stroke; twice as many beyond 16 mm
       integer :: increments = 10
-      !> Wood of both parts, contact of upper and lower face, and of the sides
-      type(wood_type) :: wood
+      !> Contact of upper and lower face, and of the sides
       type(interaction_type) :: faces, sides
       !> Whether the sides touch, and the strain by which the beam swells between them
       logical :: has_sides = .true.
@@ -79,15 +78,10 @@ contains
          real(increments, wp), 1.0_wp, real(most_increments, wp), '')
       if (allocated(error)) return
 
-      associate (s => settings, wood => deck%wood)
-         wood%modulus = [s%column_modulus, s%bearing_modulus, s%bearing_modulus]
-         wood%strength_along = s%column_strength
-         wood%strength_across = s%bearing_strength
-         wood%hardening_along = s%column_hardening
-         wood%hardening_across = s%hardening
-         call check_wood(wood, error)
-         if (.not. allocated(error)) &
-            call new_interaction(deck%faces, choice, 'FACES', faces, s%bearing_strength, error)
+      associate (s => settings)
+         call check_wood(s%wood, s%accept_sizes, error)
+         if (.not. allocated(error)) call new_interaction(deck%faces, choice, 'FACES', faces, &
+            s%wood%compression_strengths(2), error)
          if (.not. allocated(error) .and. deck%has_sides) &
             call new_interaction(deck%sides, choice, 'SIDES', sides, s%side_pressure, error)
       end associate
@@ -114,9 +108,9 @@ contains
          call fatal_error(error, 'axial_rule = '//trim(settings%axial_rule)//' leaves the beam '// &
             'without axial hold: in three dimensions it then loses all contact while it passes '// &
             'zero; take spring or fixed', subject='axial_rule')
-      else if (.not. settings%column_modulus > 0.0_wp) then
-         call fatal_error(error, 'column_modulus = 0 is a rigid column, which the deck has '// &
-            'not: give the modulus along the grain in MPa', subject='column_modulus')
+      else if (settings%column == 'rigid') then
+         call fatal_error(error, 'column = rigid is not in the deck, whose column is of wood', &
+            subject='column')
       end if
    end subroutine check_joint
 
@@ -143,7 +137,7 @@ contains
          ! a datum far out in the law can make the overclosure negative
          overclosure = max(overclosure, 0.0_wp)
          if (.not. sizes%side_interference > 0.0_wp) sizes%side_interference = &
-            side_interference(s%side_pressure, overclosure, deck%wood, s%width, s%height, &
+            side_interference(s%side_pressure, overclosure, s%wood, s%width, s%height, &
             sizes%column_width)
          sizes%side_overlap = min(overclosure, sizes%side_interference)
          deck%swelling = (sizes%side_interference - sizes%side_overlap)/(0.5_wp*s%width)

@@ -6,7 +6,7 @@ module asperity_deck_tenon_text
    use asperity_deck_cards_interaction, only: write_interaction, write_pair
    use asperity_deck_cards_load_steps, only: close_step, open_step, step_type, write_boundary
    use asperity_deck_cards_mesh_writer, only: model_writer
-   use asperity_deck_cards_wood_cards, only: write_axes, write_wood
+   use asperity_deck_cards_wood_cards, only: check_criterion, write_axes, write_wood
    use asperity_deck_options, only: element_kind, for_calculix
    use asperity_deck_tenon_comments, only: write_words
    use asperity_deck_tenon_deck, only: tenon_deck, touching_displacement
@@ -29,10 +29,12 @@ contains
       type(tenon_deck), intent(in) :: model
       !> The deck
       character(len=:), allocatable, intent(out) :: text
-      !> Set when there is not enough memory for it
+      !> Set when the solver has no card for the wood, or when there is not enough memory
       type(error_type), allocatable, intent(out) :: error
       type(model_writer) :: deck
 
+      call check_criterion(model%choice, model%settings%wood, error)
+      if (allocated(error)) return
       call write_words(deck, model)
       call write_parts(deck, model)
       call write_contact(deck, model)
@@ -54,11 +56,11 @@ contains
       call deck%nodes(model%beam, size(model%column%nodes, 2), 'BEAM_NODES')
       call deck%elements(model%beam, size(model%column%elements, 2), &
          size(model%column%nodes, 2), element_kind(model%choice), 'BEAM')
-      call deck%heading('wood: Table 1 of the paper; 1 = L, 2 = R, 3 = T')
+      call deck%heading('wood; 1 = L, 2 = R, 3 = T')
       call write_axes(deck, 'COLUMN_AXES', z, y)
       call write_axes(deck, 'BEAM_AXES', x, z)
-      call write_wood(deck, model%choice, model%wood, 'COLUMN_WOOD', .true.)
-      call write_wood(deck, model%choice, model%wood, 'BEAM_WOOD', .false.)
+      call write_wood(deck, model%choice, model%settings%wood, 'COLUMN_WOOD', .true.)
+      call write_wood(deck, model%choice, model%settings%wood, 'BEAM_WOOD', .false.)
       if (model%swelling > 0.0_wp) then
          call deck%comment('Swelling in T, which is y, at a temperature of 1.')
          call deck%line('*EXPANSION, TYPE=ORTHO')
@@ -142,8 +144,10 @@ contains
       type(tenon_deck), intent(in) :: model
       type(step_type) :: step
       real(wp) :: area
+      logical :: yields
       integer :: i
 
+      yields = model%settings%wood%criterion /= 'none'
       area = 0.5_wp*model%settings%length*model%sizes%column_width
       call deck%heading('load of the column, '//to_text(model%settings%column_load, 6)// &
          ' N, half of it here; first contact of the sides')
@@ -154,7 +158,7 @@ contains
          call deck%line('*DSLOAD')
          call deck%line('COLUMN_TOP, P, '//to_text(0.5_wp*model%settings%column_load/area, 12))
       end if
-      call close_step(deck, model%choice, force_sets, gauges)
+      call close_step(deck, model%choice, yields, force_sets, gauges)
       if (model%swelling > 0.0_wp) then
          call deck%heading('the beam swells between the sides')
          step%name = 'FIT'
@@ -163,7 +167,7 @@ contains
          call open_step(deck, model%choice, step)
          call deck%line('*TEMPERATURE')
          call deck%line('BEAM_NODES, 1.0')
-         call close_step(deck, model%choice, force_sets, gauges)
+         call close_step(deck, model%choice, yields, force_sets, gauges)
       end if
       do i = 2, size(model%turns)
          associate (from => model%turns(i - 1), to => model%turns(i))
@@ -176,7 +180,7 @@ contains
             call open_step(deck, model%choice, step)
             call write_vanishing(deck, model, max(abs(from), abs(to)))
             call write_boundary(deck, 'TIP', 3, to)
-            call close_step(deck, model%choice, force_sets, gauges)
+            call close_step(deck, model%choice, yields, force_sets, gauges)
          end associate
       end do
    end subroutine write_steps

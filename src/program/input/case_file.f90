@@ -6,11 +6,12 @@ module asperity_program_input_case_file
    use asperity_program_input_key, only: assign_words, given_as_option, given_in_case, &
       given_nowhere, kind_file, option_name
    use asperity_program_input_key_list, only: key_list
+   use asperity_program_input_nearest_key, only: nearest_key
    use asperity_program_input_scanner, only: new_scanner, scanner_type, token_comma, token_group, &
       token_none, token_quoted, token_slash, token_type, token_word
    use asperity_program_input_values, only: word_type
    use asperity_program_system_files, only: read_file
-   use asperity_program_system_strings, only: lower_case, nearest_name, newline, quoted
+   use asperity_program_system_strings, only: lower_case, newline, quoted
    implicit none
    private
    public :: read_case
@@ -227,7 +228,7 @@ contains
                ' is not a key; subscripts are not supported, write the whole list')
             return
          end if
-         nearest = nearest_name(name, pack(known%rows(:known%n)%name, &
+         nearest = nearest_key(name, pack(known%rows(:known%n)%name, &
             known%rows(:known%n)%kind < kind_file))
          if (nearest /= '') nearest = '; did you mean '//nearest//'?'
          call fatal_error(error, place//': unknown key '//quoted(name)//nearest)

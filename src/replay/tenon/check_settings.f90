@@ -8,6 +8,7 @@ module asperity_replay_tenon_check_settings
    use asperity_replay_tenon_settings, only: complete_tenon_settings, tenon_amplitudes, &
       tenon_face_arm, tenon_settings
    use asperity_replay_tenon_turns, only: check_amplitudes, check_displacement
+   use asperity_wood_properties, only: criteria
    implicit none
    private
    public :: check_tenon_settings
@@ -80,14 +81,17 @@ contains
       type(tenon_settings), intent(in) :: s
       type(error_type), allocatable, intent(inout) :: error
 
-      call need_positive(error, 'bearing_modulus', s%bearing_modulus, 'MPa')
+      ! what a plane joint takes of its wood
+      associate (w => s%wood)
+         call need_positive(error, 'young_modulus_l', w%young_moduli(1), 'MPa')
+         call need_positive(error, 'young_modulus_r', w%young_moduli(2), 'MPa')
+         call need_positive(error, 'compression_strength_l', w%compression_strengths(1), 'MPa')
+         call need_positive(error, 'compression_strength_r', w%compression_strengths(2), 'MPa')
+         call need_range(error, 'hardening_along', w%hardening_along, 0.0_wp, largest, '')
+         call need_range(error, 'hardening_across', w%hardening_across, 0.0_wp, largest, '')
+      end associate
       call need_positive(error, 'bearing_depth', s%bearing_depth, 'mm')
-      call need_positive(error, 'bearing_strength', s%bearing_strength, 'MPa')
-      call need_range(error, 'hardening', s%hardening, 0.0_wp, largest, '')
-      call need_range(error, 'column_modulus', s%column_modulus, 0.0_wp, huge_value, ' MPa')
       call need_positive(error, 'column_depth', s%column_depth, 'mm')
-      call need_positive(error, 'column_strength', s%column_strength, 'MPa')
-      call need_range(error, 'column_hardening', s%column_hardening, 0.0_wp, largest, '')
       call need_range(error, 'side_pressure', s%side_pressure, 0.0_wp, 1.0e6_wp, ' MPa')
       call need_range(error, 'column_load', s%column_load, -huge_value, huge_value, ' N')
    end subroutine check_wood
@@ -98,15 +102,15 @@ contains
       type(error_type), allocatable, intent(inout) :: error
       type(size_range) :: clearance
       character(len=22), parameter :: names(*) = [character(len=22) :: 'length', 'height', &
-         'width', 'arm', 'displacement_increment', 'bearing_depth', 'bearing_modulus', &
-         'bearing_strength', 'column_depth', 'column_modulus', 'column_strength', &
+         'width', 'arm', 'displacement_increment', 'young_modulus_l', 'young_modulus_r', &
+         'compression_strength_l', 'compression_strength_r', 'bearing_depth', 'column_depth', &
          'side_pressure', 'column_load', 'extension', 'shoulder_height', 'shoulder_gap']
       real(wp) :: values(size(names))
       integer :: i
 
-      values = [s%length, s%height, s%width, s%arm, s%displacement_increment, s%bearing_depth, &
-         s%bearing_modulus, s%bearing_strength, s%column_depth, s%column_modulus, &
-         s%column_strength, s%side_pressure, s%column_load, &
+      values = [s%length, s%height, s%width, s%arm, s%displacement_increment, &
+         s%wood%young_moduli(:2), s%wood%compression_strengths(:2), s%bearing_depth, &
+         s%column_depth, s%side_pressure, s%column_load, &
          merge(0.0_wp, s%extension, s%shoulders), &
          merge([s%shoulder_height, s%shoulder_gap], 0.0_wp, s%shoulders)]
       do i = 1, size(names)
@@ -144,6 +148,8 @@ contains
       call check_choice(error, 'arm_datum', s%arm_datum, ['column_face', 'column_axis'])
       call check_choice(error, 'gap', s%gap, ['mean_plane ', 'first_touch'])
       call check_choice(error, 'contact', s%contact, ['rough', 'hard '])
+      call check_choice(error, 'column', s%column, ['elastic', 'rigid  '])
+      call check_choice(error, 'criterion', s%wood%criterion, criteria)
       call check_choice(error, 'axial_rule', s%axial_rule, &
          ['spring', 'fixed ', 'free  ', 'force '])
       if (allocated(error)) return

@@ -103,7 +103,7 @@ contains
    pure real(wp) function small_force(model)
       type(tenon_model), intent(in) :: model
 
-      small_force = tolerance*model%settings%bearing_strength*model%settings%width &
+      small_force = tolerance*model%settings%wood%compression_strengths(2)*model%settings%width &
          *model%settings%length
    end function small_force
 

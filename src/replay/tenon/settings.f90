@@ -6,7 +6,7 @@
 module asperity_replay_tenon_settings
    use asperity_base_kinds, only: wp
    use asperity_paper_joint, only: joint_amplitudes, joint_cycles
-   use asperity_paper_wood, only: wood_strength_across, wood_strength_along, young_moduli
+   use asperity_wood_properties, only: wood_properties
    implicit none
    private
    public :: tenon_settings, complete_tenon_settings, tenon_amplitudes, tenon_face_arm
@@ -50,22 +50,14 @@ module asperity_replay_tenon_settings
       real(wp) :: shoulder_gap = 0.0_wp
       !> Vertical load of the column, N, for information only
       real(wp) :: column_load = 0.0_wp
-      !> Bearing of the tenon perpendicular to grain: modulus, MPa, over depth, mm, is its
-      !> stiffness. The modulus is the paper's in whole
-      !> MPa, as that of the column; the depth is chosen, half of `height` when not
-      !> allocated
-      real(wp) :: bearing_modulus = anint(young_moduli(2))
-      real(wp), allocatable :: bearing_depth
-      !> Its yield pressure fc90, MPa
-      real(wp) :: bearing_strength = wood_strength_across
-      !> Its hardening over its stiffness; zero or more; chosen
-      real(wp) :: hardening = 0.02_wp
-      !> Bearing of the column parallel to grain: modulus, MPa (zero: rigid), and depth, mm, chosen
-      !> as that of the tenon
-      real(wp) :: column_modulus = anint(young_moduli(1))
-      real(wp), allocatable :: column_depth
-      !> Its yield pressure fc0, MPa, and hardening over its stiffness
-      real(wp) :: column_strength = wood_strength_along, column_hardening = 0.02_wp
+      !> Wood of tenon and column. Pressed across the grain, the tenon has the properties in R;
+      !> along it, the column those in L. All criteria but `none` are one here, and curves of no use
+      type(wood_properties) :: wood
+      !> Whether the column gives way: `elastic`, or `rigid`
+      character(len=16) :: column = 'elastic'
+      !> Depth of wood that the bearing of the tenon, and of the column, compresses, mm: a modulus
+      !> over it is a stiffness; chosen, half of `height` when not allocated
+      real(wp), allocatable :: bearing_depth, column_depth
       !> Contact points along each face over `length`, along each side of a side face, and over each
       !> shoulder's height
       integer :: points = 100, side_points = 12, shoulder_points = 16

@@ -70,7 +70,7 @@ contains
       associate (s => deck%settings)
          indentation = (amplitude - touch)/(1.0_wp + 2.0_wp*tenon_face_arm(s)/s%length)
          ! what half the height of the tenon bears without crushing
-         elastic = 0.5_wp*s%height*s%bearing_strength/s%bearing_modulus
+         elastic = 0.5_wp*s%height*s%wood%compression_strengths(2)/s%wood%young_moduli(2)
       end associate
       cell = max(rim_facet(deck), rim_height(deck))
       if (.not. indentation > 0.0_wp) then

@@ -13,7 +13,6 @@ module asperity_solid_model_model
    use asperity_solid_model_equations, only: number_equations
    use asperity_solid_model_interface, only: new_interface_law
    use asperity_solid_contact_law, only: solid_law
-   use asperity_wood_properties, only: wood_properties
    use asperity_solid_model_settings, only: check_solid_settings, solid_settings
    implicit none
    private
@@ -68,7 +67,6 @@ contains
       type(solid_settings), intent(in) :: settings
       !> Set when a value is refused
       type(error_type), allocatable, intent(out) :: error
-      type(wood_properties) :: wood
 
       call check_solid_settings(settings, error)
       if (allocated(error)) return
@@ -79,9 +77,11 @@ contains
       call number_equations(model%mesh, deck%settings%axial_rule == 'fixed', model%numbers, &
          model%n_unknowns)
       ! the column's grain is along z and the beam's along x; R lies along y and z
-      call new_solid_material(model%wood(1), wood, 3, 2, .true., error)
-      if (.not. allocated(error)) &
-         call new_solid_material(model%wood(2), wood, 1, 3, .false., error)
+      associate (wood => deck%settings%wood)
+         call new_solid_material(model%wood(1), wood, 3, 2, .true., error)
+         if (.not. allocated(error)) &
+            call new_solid_material(model%wood(2), wood, 1, 3, .false., error)
+      end associate
       if (.not. allocated(error)) call find_shapes(model, error)
       if (.not. allocated(error)) call find_contact(model, deck, error)
       if (allocated(error)) return
@@ -92,7 +92,8 @@ contains
          model%column_load = 0.5_wp*s%column_load
          if (s%axial_rule == 'spring') model%axial_stiffness = 0.5_wp*s%axial_stiffness
          model%holding_stiffness = holding_stiffness
-         model%small_force = small_share*0.5_wp*s%bearing_strength*s%width*s%length
+         model%small_force = small_share*0.5_wp*s%wood%compression_strengths(2)*s%width &
+            *s%length
          model%arm = tenon_face_arm(s)
          model%turns = deck%turns
       end associate

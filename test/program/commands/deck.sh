@@ -26,7 +26,7 @@ cat >case.nml <<'CASE'
    cycles = 1, 2
    column_load = 1000.0
    clearance_below = 0.3
-   bearing_modulus = 400.0
+   young_modulus_r = 400.0
 /
 CASE
 joint=(--mesh-size 60)
@@ -86,7 +86,9 @@ done
 check 'deck: stick slope for CalculiX at the normal stress' \
    has shear.table.calculix.inp '0.5, 0.2' # 0.5*0.1/0.25
 check 'deck: gcrit for ABAQUS' has shear.hard.abaqus.inp '*FRICTION, ELASTIC SLIP=0.25'
-check 'deck: modulus of the case' has tenon.hard.abaqus.inp '3727.0, 400.0, 400.0, 0.62, 0.42, 0.35, 224.61, 280.32'
+for deck in {shear,tenon}.hard.{calculix,abaqus}; do
+   check "deck $deck: modulus of the case" has $deck.inp '3727.12, 400.0, 351.01, 0.62, 0.42, 0.35, 224.61, 280.32'
+done
 check 'deck: a step for each stroke' sh -c \
    'test "$(grep -c "^TIP, 3, 3, [-0-9]" tenon.hard.calculix.inp)" -eq 8 \
       && grep "^TIP, 3, 3," tenon.hard.calculix.inp | cut -d, -f4 | tr -d "\n" | grep -q "^ 0.0 2.0 -2.0 5.0 -5.0 5.0 -5.0 0.0$"'
@@ -105,11 +107,15 @@ check 'deck tenon: elements of the paper, both halves' awk '$1 == "column" || $1
    END { print n; exit !(n == 7152 && (n/7144 - 1)^2 < 0.01^2) }' out
 run deck tenon case.nml "${joint[@]}" --inp -
 check 'deck: --inp - is the deck' sh -c 'sed "/^\*\*    asperity/d" out >a; sed "/^\*\*    asperity/d" tenon.uinter.calculix.inp | cmp - a'
-run deck tenon case.nml "${joint[@]}" --plasticity plastic --field all --contact hard --inp plastic.calculix.inp
-check 'deck: Mises in CalculiX is said' has plastic.calculix.inp 'is that of Mises: one'
+run deck tenon case.nml "${joint[@]}" --criterion mises --field all --contact hard --inp plastic.calculix.inp
+check 'deck: Mises in CalculiX is said' has plastic.calculix.inp 'Yield of CalculiX beside these elastic constants is that of Mises'
 check 'deck: stress in all steps' test "$(grep -c '^\*EL FILE' plastic.calculix.inp)" \
    -eq "$(grep -c '^\*STEP' plastic.calculix.inp)"
-run deck tenon case.nml "${joint[@]}" --plasticity plastic --solver abaqus --inp plastic.abaqus.inp
+check 'deck: plastic strain is written' sh -c \
+   'test "$(grep -c "^S, PEEQ$" plastic.calculix.inp)" -eq "$(grep -c "^\*STEP" plastic.calculix.inp)"'
+check 'deck: one curve a part, along the grain and across it' sh -c '
+   grep -A1 "^\*PLASTIC" plastic.calculix.inp | grep -v "^--" | tr "\n" " " | grep -q "^\*PLASTIC 50.1, 0.0 \*PLASTIC 4.7, 0.0 $"'
+run deck tenon case.nml "${joint[@]}" --criterion hill --solver abaqus --inp plastic.abaqus.inp
 check 'deck: Hill in ABAQUS' sh -c 'grep -A1 "^\*POTENTIAL" plastic.abaqus.inp | grep -q "^10.659574468085"'
 run deck tenon case.nml "${joint[@]}" --side-pressure 0 --contact table --inp open.calculix.inp
 check 'deck: no sides' sh -c 'test "$(grep -c "^\*CONTACT PAIR" open.calculix.inp)" -eq 2 && ! grep EXPANSION open.calculix.inp'
@@ -195,8 +201,8 @@ for rule in free force; do
 done
 refuses 'deck: shoulders' 2 '--shoulders: shoulders = true is not in the deck' \
    deck tenon --shoulders --inp never.inp
-refuses 'deck: rigid column' 2 '--column-modulus: column_modulus = 0 is a rigid column' \
-   deck tenon --column-modulus 0 --inp never.inp
+refuses 'deck: rigid column' 2 '--column: column = rigid is not in the deck' \
+   deck tenon --column rigid --inp never.inp
 refuses 'deck: column too narrow' 2 '--column-width: column_width = 100.0 mm is too small' \
    deck tenon --column-width 100 --inp never.inp
 refuses 'deck: several normal stresses' 2 '--normal-stress: normal_stress has 2 values' \
@@ -210,11 +216,79 @@ refuses 'deck: the case file as deck' 2 '--inp: case.nml is the case file' \
    deck shear case.nml --inp case.nml
 check 'deck: nothing is written then' sh -c '! ls never* 2>/dev/null'
 
+# Wood: one group of keys. Curves in pairs, in either deck and solver, and in what --print-case writes
+for solver in calculix abaqus; do
+   points=0,4.7,0.1,5.5 rows='4.7, 0.0 5.5, 0.1'
+   [ $solver = abaqus ] && points=$points,0.4,9 rows="$rows 9.0, 0.4"
+   curve=(--hardening-curve $points --hardening-curve-along 0,50.1,0.05,60 --criterion mises)
+   run deck tenon case.nml "${joint[@]}" "${curve[@]}" --contact hard --solver $solver --inp curve.$solver.inp
+   check "deck tenon $solver: a curve a part" sh -c '
+      grep -A3 "^\*PLASTIC" $1 | tr "\n" " " | grep -q "PLASTIC 50.1, 0.0 60.0, 0.05 .*PLASTIC $2"' \
+      _ curve.$solver.inp "$rows"
+   run deck shear case.nml "${discs[@]}" "${curve[@]}" --upper-grain normal --solver $solver --inp discs.$solver.inp
+   check "deck shear $solver: lower disc across, upper along the grain" sh -c '
+      grep -A3 "^\*PLASTIC" $1 | tr "\n" " " | grep -q "PLASTIC $2 .*PLASTIC 50.1, 0.0 60.0, 0.05"' \
+      _ discs.$solver.inp "$rows"
+done
+check 'deck: what does not act is not listed' lacks out 'hardening_across|tension_strength_l|compression_strength_t'
+run deck tenon case.nml "${joint[@]}" "${curve[@]}" --contact hard --solver abaqus --print-case
+cp out curve.nml
+run deck tenon curve.nml --inp again.inp
+check 'deck: --print-case keeps the curve' sh -c \
+   'for i in curve.abaqus again; do sed "/^\*\*    asperity/d" $i.inp >$i.text; done; cmp curve.abaqus.text again.text'
+run deck tenon case.nml "${joint[@]}" --wood larch --contact hard --inp larch.inp
+check 'deck: --wood goes before the case' has larch.inp '3727.12, 351.01, 351.01, 0.62, 0.42, 0.35, 224.61, 280.32'
+run deck tenon case.nml "${joint[@]}" --wood larch --young-modulus-t 300 --contact hard --inp larch.inp
+check 'deck: a value goes before --wood' has larch.inp '3727.12, 351.01, 300.0, 0.62, 0.42, 0.35, 224.61, 280.32'
+check 'deck: and where it comes from' sh -c \
+   'grep -q "^  young_modulus_r  *351.01 MPa  *wood larch$" out && grep -q "^  young_modulus_t  *300.0 MPa  *--young-modulus-t$" out'
+for key in young_modulus_{l,r,t} shear_modulus_{lr,lt,rt} compression_strength_{l,r,t} \
+   tension_strength_{l,r,t} shear_strength_{lr,lt,rt}; do
+   for model in shear tenon; do
+      refuses "deck $model: $key in Pa" 2 "--${key//_/-}: $key = .* MPa is outside .* looks like Pa, write" \
+         deck $model --${key//_/-} 5e7 --inp never.inp
+   done
+   refuses "deck: no $key" 2 "--${key//_/-}: $key = 0.0 is not allowed" deck shear --${key//_/-} 0 --inp never.inp
+done
+for key in hardening_along hardening_across; do
+   refuses "deck: negative $key" 2 "--${key//_/-}: $key = -0.1 is not allowed" \
+      deck shear --${key//_/-} -0.1 --inp never.inp
+done
+for key in poisson_ratio_{lr,lt,rt}; do
+   refuses "deck: $key too large" 2 "--${key//_/-}: $key = 5.0 is not allowed: it must be a number between" \
+      deck tenon --${key//_/-} 5 --inp never.inp
+done
+refuses 'deck: half a pair' 2 '--hardening-curve: hardening_curve has 3 values: it takes pairs' \
+   deck tenon --hardening-curve 0,4.7,0.1 --inp never.inp
+refuses 'deck: a curve from elsewhere' 2 \
+   '--hardening-curve: hardening_curve begins at .* 4.6 MPa: it must begin at 0 and compression_strength_r = 4.7 MPa' \
+   deck tenon --hardening-curve 0,4.6,0.1,5 --inp never.inp
+refuses 'deck: a curve that softens' 2 '--hardening-curve-along: .* stresses must not fall' \
+   deck tenon --hardening-curve-along 0,50.1,0.1,40 --inp never.inp
+refuses 'deck: a curve that CalculiX does not follow' 2 '--hardening-curve: hardening_curve has 3 points: beside nine' \
+   deck shear --criterion mises --hardening-curve 0,4.7,0.1,5,0.2,6 --inp never.inp
+refuses 'deck: unknown wood' 2 "--wood: wood = 'oak' is unknown; known: larch" deck shear --wood oak --inp never.inp
+refuses 'deck: unknown criterion' 2 "--criterion: .* known: none, mises, hill, crushing" \
+   deck shear --criterion tresca --inp never.inp
+for model in shear tenon; do
+   refuses "deck $model: Hill in CalculiX" 2 '--criterion: criterion = hill cannot be written for CalculiX' \
+      deck $model --criterion hill --inp never.inp
+   for solver in calculix abaqus; do
+      refuses "deck $model: crushing in $solver" 2 '--criterion: criterion = crushing cannot be written: no card' \
+         deck $model --criterion crushing --solver $solver --inp never.inp
+   done
+   refuses "deck $model: Hill without a closed surface" 2 '--compression-strength-t: compression_strength_l = 50.1, .* are not allowed with criterion' \
+      deck $model --criterion hill --solver abaqus --compression-strength-t 4 --inp never.inp
+done
+refuses 'deck: a key that has another name now' 2 '--plasticity: unknown option of deck tenon; did you mean --criterion' \
+   deck tenon --plasticity plastic --inp never.inp
+check 'deck: nothing is written then either' sh -c '! ls never* 2>/dev/null'
+
 # Syntax, and that the checker finds what is wrong
 if command -v python3 >/dev/null; then
    syntax() { python3 -B "$here/commands/check_deck.py" "$@"; }
    finds() { ! syntax "$1" wrong.inp >wrong.log && grep -q "$2" wrong.log; }
-   for deck in {shear,tenon}.{uinter,table,hard}.{calculix,abaqus} plastic.{calculix,abaqus} {open,graded,paper}.calculix; do
+   for deck in {shear,tenon}.{uinter,table,hard}.{calculix,abaqus} {plastic,curve,discs}.{calculix,abaqus} {open,graded,paper}.calculix; do
       check "deck $deck: syntax" syntax ${deck##*.} $deck.inp
    done
    sed '/USER/{n;d;}' shear.uinter.abaqus.inp >wrong.inp

@@ -159,6 +159,22 @@ run tenon "${small[@]}" --sweep height=180,300 --csv heights.csv
 check 'sweep: sizes follow in every case' csv heights.csv '
    if (NR == 3 && sprintf("%.2f", c["ultimate_moment_hard"]) != a) fail(a)' -v a="$least"
 
+# Wood: what the replay does not take changes nothing, and is not listed
+run tenon "${small[@]}" --csv larch.csv
+for criterion in mises hill crushing; do
+   run tenon "${small[@]}" --criterion $criterion --young-modulus-t 500 --shear-modulus-lr 300 --shear-strength-lr 3 \
+      --tension-strength-l 60 --hardening-curve 0,4.7,1,9 --csv other.csv
+   check "tenon: no other wood with $criterion" cmp larch.csv other.csv
+   check "tenon: that $criterion acts is not said" lacks out '^  (criterion|young_modulus_t|shear_|tension_|hardening_curve)'
+done
+run tenon "${small[@]}" --criterion none --csv elastic.csv
+check 'tenon: elastic wood' sh -c 'grep -q "^  criterion  *none  *--criterion$" out && ! grep -E "^  (compression|hardening)" out'
+check 'tenon: elastic wood is not crushed' csv elastic.csv \
+   'if (NR > 2 && c["plastic_dissipation"] != 0) fail(c["plastic_dissipation"])'
+run tenon "${small[@]}" --column rigid --csv rigid.csv
+check 'tenon: of a rigid column no wood is listed' lacks out '_modulus_l|_strength_l|hardening_along|column_depth'
+check 'tenon: a rigid column is stiffer' sh -c '! cmp -s larch.csv rigid.csv'
+
 # Warnings and failures
 run tenon --axial-rule free --side-pressure 0.05 --amplitudes 24 --cycles 10 --face-points 40 \
    --displacement-increment 2
@@ -228,7 +244,27 @@ refuses 'tenon: clearance for that height' 2 '--clearance: .* = 8.0 mm is outsid
 refuses 'tenon: arm in metres' 2 '--arm: arm = 0.5 mm .* metres, write 500.0' tenon --arm 0.5
 refuses 'tenon: pressure in kPa' 2 '--side-pressure: .* = 200.0 MPa .* kPa, write 0.2' \
    tenon --side-pressure 200
-refuses 'tenon: modulus in Pa' 2 '--bearing-modulus: .* Pa, write 351.0' tenon --bearing-modulus 3.51e8
+for key in young_modulus_{l,r} compression_strength_{l,r}; do
+   refuses "tenon: $key in Pa" 2 "--${key//_/-}: $key = .* looks like Pa, write 50.0" tenon --${key//_/-} 5e7
+   refuses "tenon: negative $key" 2 "--${key//_/-}: $key = -1.0 is not" tenon --${key//_/-} -1
+done
+for key in hardening_along hardening_across; do
+   refuses "tenon: negative $key" 2 "--${key//_/-}: $key = -0.1 is not" tenon --${key//_/-} -0.1
+done
+refuses 'tenon: unknown column' 2 '--column: .* known: elastic, rigid' tenon --column stiff
+while read -r before now; do
+   printf '&asperity\n %s = 1.0\n/\n' "$before" >before.nml
+   refuses "tenon: $before has another name now" 2 "before.nml:2: unknown key '$before'; did you mean $now" tenon before.nml
+   refuses "tenon: --${before//_/-} too" 2 "--${before//_/-}: unknown option of tenon; did you mean --${now//_/-}" \
+      tenon --${before//_/-} 1
+done <<'KEYS'
+bearing_modulus young_modulus_r
+bearing_strength compression_strength_r
+hardening hardening_across
+column_modulus young_modulus_l
+column_strength compression_strength_l
+column_hardening hardening_along
+KEYS
 refuses 'tenon: elastic slip of the sides in micrometres' 2 \
    '--side-critical-slip: side_critical_slip = 310.0 mm .* looks like um' tenon --side-critical-slip 310
 refuses 'tenon: amplitudes in metres' 2 '--amplitudes: amplitudes = 0.048 mm is a rotation of .* metres, write 48.0' \

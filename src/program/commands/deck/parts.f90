@@ -13,6 +13,10 @@ module asperity_program_commands_deck_parts
    private
    public :: declare_law_table, declare_deck, fill_table, remark
 
+   !> Criterion of yield of a deck unless given: no solver has a card for that of `wood_properties`,
+   !> and Mises' or Hill's, taken without asking, would pass for it
+   character(len=*), parameter, public :: usual_criterion = 'none'
+
 contains
 
    !> Declare the law as a table.
@@ -51,8 +55,6 @@ contains
       if (present(mesh_size)) mesh_size = keys%last
       call keys%choice('element', choice%element, 'c3d8i c3d8 c3d8r', &
          'element; the paper''s C3D8R deforms without resistance in CalculiX')
-      call keys%choice('plasticity', choice%plasticity, 'elastic plastic', &
-         'wood; plastic is Hill''s criterion in ABAQUS, Mises'' in CalculiX')
       call keys%choice('field', choice%field, 'contact all', &
          'results of all nodes in every increment: displacement and contact, or also stress')
       call keys%real('penalty', choice%penalty, 'MPa/mm', &

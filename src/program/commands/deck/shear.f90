@@ -10,14 +10,16 @@ module asperity_program_commands_deck_shear
    use asperity_paper_shear_test, only: disc_height, disc_mesh_size
    use asperity_program_commands_command, only: command_type
    use asperity_program_commands_deck_parts, only: declare_deck, declare_law_table, fill_table, &
-      remark
+      remark, usual_criterion
    use asperity_program_commands_faces, only: faces_type
    use asperity_program_commands_shear_keys, only: declare_shear
+   use asperity_program_commands_wood_keys, only: declare_wood
    use asperity_program_input_key, only: kind_file
    use asperity_program_input_key_list, only: key_list
    use asperity_program_report_report, only: report_type
    use asperity_program_system_environment, only: command_text
    use asperity_replay_shear_settings, only: shear_settings
+   use asperity_wood_properties, only: wood_properties
    implicit none
    private
    public :: shear_deck_command
@@ -35,6 +37,8 @@ module asperity_program_commands_deck_shear
       real(wp), allocatable :: normal_stress(:)
       logical :: has_stress = .false.
       real(wp) :: height = disc_height
+      !> Wood of both discs
+      type(wood_properties) :: wood
       character(len=6) :: upper_grain = ''
       !> Path of the deck
       character(len=:), allocatable :: inp
@@ -71,6 +75,8 @@ contains
       call self%faces%declare_rules(keys)
       call self%faces%declare_accept(keys)
       call declare_shear(self%box, self%normal_stress, keys, self%has_stress)
+      self%wood%criterion = usual_criterion
+      call declare_wood(self%wood, keys)
       call declare_law_table(self%choice, self%faces, keys)
       call declare_deck(self%choice, keys)
       call keys%real('disc_height', self%height, 'mm', 'height of each disc')
@@ -111,7 +117,7 @@ contains
       self%box%normal_stress = self%normal_stress(1)
       self%choice%command = command_text()
       call new_shear_deck(model, self%choice, self%box, self%height, on_end, &
-         self%properties, error)
+         self%wood, self%properties, error)
       if (allocated(error)) return
       allocate (report%decks(1))
       report%decks(1)%option = 'inp'

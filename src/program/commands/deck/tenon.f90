@@ -3,17 +3,18 @@ module asperity_program_commands_deck_tenon
    use asperity_base_error, only: error_type
    use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
-   use asperity_deck_options, only: deck_choice
+   use asperity_deck_options, only: deck_choice, for_calculix
    use asperity_deck_tenon_deck, only: new_tenon_deck, tenon_deck
    use asperity_deck_tenon_parts, only: default_mesh_size, tenon_sizes
    use asperity_deck_tenon_text, only: write_tenon_deck
    use asperity_program_commands_command, only: command_type
-   use asperity_program_commands_deck_parts, only: declare_deck, &
-      declare_law_table, fill_table, remark
+   use asperity_program_commands_deck_parts, only: declare_deck, declare_law_table, fill_table, &
+      remark, usual_criterion
+   use asperity_program_commands_tenon_bearing_keys, only: declare_column
    use asperity_program_commands_tenon_history, only: follow_history, history_type, read_history
    use asperity_program_commands_tenon_joint_keys, only: tenon_case
    use asperity_program_commands_tenon_mesh_keys, only: declare_grading, declare_joint_sizes
-   use asperity_program_commands_tenon_replay_keys, only: declare_wood
+   use asperity_program_commands_wood_keys, only: declare_wood
    use asperity_program_input_key, only: kind_file
    use asperity_program_input_key_list, only: key_list
    use asperity_program_report_report, only: report_type
@@ -56,16 +57,22 @@ contains
       class(tenon_deck_command), intent(inout) :: self
       !> Its keys
       type(key_list), intent(inout) :: keys
-      integer :: mesh_size
+      integer :: mesh_size, strength
 
       call self%case%declare_faces(keys)
       call declare_law_table(self%choice, self%case%faces, keys)
       call self%case%declare_sizes(keys)
       call self%case%declare_hold(keys, is_replay=.false.)
-      call declare_wood(self%case%joint, self%case%height_key, keys, is_replay=.false.)
+      call declare_column(self%case%joint, keys)
+      self%case%joint%wood%criterion = usual_criterion
+      call declare_wood(self%case%joint%wood, keys)
+      strength = keys%find('compression_strength_r')
       call self%case%declare_programme(keys)
       self%choice%mesh_size = default_mesh_size(self%case%joint)
       call declare_deck(self%choice, keys, mesh_size)
+      ! the pressure of CalculiX' stick slope
+      if (for_calculix(self%choice) .and. self%choice%contact /= 'uinter' &
+         .and. .not. allocated(self%choice%stick_pressure)) keys%rows(strength)%unused = .false.
       keys%last = mesh_size
       call keys%follows(self%case%height_key, 'a tenth of height')
       call declare_grading(self%choice, keys)

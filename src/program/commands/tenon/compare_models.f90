@@ -72,7 +72,7 @@ contains
       if (allocated(error)) return
       call system_clock(ended)
       joint%seconds = real(ended - began, wp)/real(rate, wp)
-      least = round_off*settings%bearing_strength*settings%width*settings%length
+      least = round_off*settings%wood%compression_strengths(2)*settings%width*settings%length
       joint%has_moment = any(abs(joint%steps%force) > least)
       joint%touches = .false.
       do i = 0, ubound(joint%steps, 1)

@@ -9,7 +9,8 @@ module asperity_program_commands_tenon_joint_keys
    use asperity_paper_pairs, only: find_pair, pair_preset
    use asperity_program_commands_faces, only: critical_slip, faces_type, friction_coefficient, &
       pair_values
-   use asperity_program_commands_tenon_replay_keys, only: declare_points, declare_wood
+   use asperity_program_commands_tenon_bearing_keys, only: declare_bearing, &
+      declare_points
    use asperity_program_input_key_list, only: key_list
    use asperity_program_record_keys, only: column_keys, format_keys
    use asperity_replay_tenon_check_settings, only: check_tenon_settings
@@ -238,7 +239,7 @@ contains
          'largest displacement in one increment')
       call case%declare_sizes(keys)
       call case%declare_hold(keys, is_replay=.true.)
-      call declare_wood(case%joint, case%height_key, keys, is_replay=.true.)
+      call declare_bearing(case%joint, case%height_key, keys)
       call declare_points(case%joint, keys)
       call case%declare_programme(keys)
       call keys%list('record', case%record, '', &

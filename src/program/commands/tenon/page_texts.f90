@@ -28,14 +28,14 @@ module asperity_program_commands_tenon_page_texts
       'are the bounds'), &
       origin_type('axial_stiffness', chosen//'soft against the wood, stiff enough to bring the '// &
       'tenon back'), &
-      origin_type('bearing_modulus', 'paper, Table 1: modulus perpendicular to the grain'), &
+      origin_type('young_modulus_l', 'paper, Table 1: the column is pressed along the grain'), &
+      origin_type('young_modulus_r', 'paper, Table 1: the tenon is pressed across the grain'), &
+      origin_type('compression_strength_l', 'paper, Table 1: fc0'), &
+      origin_type('compression_strength_r', 'paper, Table 1: fc90'), &
+      origin_type('hardening_along', chosen//'as across the grain'), &
+      origin_type('hardening_across', chosen//'small; wood densifies'), &
       origin_type('bearing_depth', chosen//'half the height of the tenon'), &
-      origin_type('bearing_strength', 'paper, Table 1: strength perpendicular to the grain'), &
-      origin_type('hardening', chosen//'small; wood densifies'), &
-      origin_type('column_modulus', 'paper, Table 1: modulus parallel to the grain'), &
       origin_type('column_depth', chosen//'half the height of the tenon'), &
-      origin_type('column_strength', 'paper, Table 1: strength parallel to the grain'), &
-      origin_type('column_hardening', chosen//'as that of the tenon'), &
       origin_type('column_load', 'paper: 54 kN; does not act in a plane model of the joint'), &
       origin_type('amplitudes', 'paper, Fig. 22'), &
       origin_type('cycles', 'paper, Fig. 22')]

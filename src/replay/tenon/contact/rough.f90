@@ -21,7 +21,8 @@ module asperity_replay_tenon_contact_rough
 
    !> A rough interface on wood.
    type, extends(interface_law) :: rough_law
-      !> Overclosure at which the faces reach the first yield pressure of the wood, mm
+      !> Overclosure at which the faces reach the first yield pressure of the wood, mm; of elastic
+      !> wood, the hardness
       real(wp) :: yields_at = 0.0_wp
    contains
       procedure :: prepare
@@ -41,7 +42,7 @@ contains
       class(rough_law), intent(inout) :: law
       logical, intent(in) :: is_side(:)
       type(error_type), allocatable, intent(out) :: error
-      real(wp) :: separation
+      real(wp) :: pressure, separation
 
       associate (unused => is_side)
       end associate
@@ -50,7 +51,10 @@ contains
          call new_compiled_law(law%faces%compiled, law%faces%normal, error)
          if (allocated(error)) return
       end if
-      call separation_for_pressure(law%faces%normal, minval(law%wood%yield), separation, error)
+      pressure = minval(law%wood%yield)
+      ! where no wood yields, searches begin at the highest pressure that the law is for
+      if (.not. pressure < huge(pressure)) pressure = law%faces%normal%hardness
+      call separation_for_pressure(law%faces%normal, pressure, separation, error)
       law%yields_at = law%faces%initial_separation - separation
    end subroutine prepare
 

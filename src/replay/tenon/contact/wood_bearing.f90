@@ -33,19 +33,21 @@ contains
       !> Checked and complete settings
       type(tenon_settings), intent(in) :: settings
       type(wood_bearing) :: wood
-      real(wp) :: stiffness
+      real(wp) :: stiffness(layers)
+      logical :: gives(layers)
       integer :: i
 
-      stiffness = settings%bearing_modulus/settings%bearing_depth
-      wood%compliance = 1.0_wp/stiffness
-      wood%yield(1) = settings%bearing_strength
-      wood%hardening(1) = settings%hardening*stiffness
-      if (settings%column_modulus > 0.0_wp) then
-         stiffness = settings%column_modulus/settings%column_depth
-         wood%compliance = wood%compliance + 1.0_wp/stiffness
-         wood%yield(2) = settings%column_strength
-         wood%hardening(2) = settings%column_hardening*stiffness
-      end if
+      associate (w => settings%wood)
+         stiffness = [w%young_moduli(2)/settings%bearing_depth, &
+            w%young_moduli(1)/settings%column_depth]
+         gives = [.true., settings%column /= 'rigid']
+         wood%compliance = sum(1.0_wp/stiffness, mask=gives)
+         if (w%criterion == 'none') return
+         where (gives)
+            wood%yield = [w%compression_strengths(2), w%compression_strengths(1)]
+            wood%hardening = [w%hardening_across, w%hardening_along]*stiffness
+         end where
+      end associate
       do i = 1, layers
          if (wood%hardening(i) <= 0.0_wp .and. wood%yield(i) < wood%cap) then
             wood%cap = wood%yield(i)

@@ -6,9 +6,10 @@ module asperity_program_commands_tenon_sweeps_cases
    use asperity_program_input_key, only: assign_words, given_as_option, key_type, kind_choice, &
       kind_counts, kind_file, kind_integer, kind_list, kind_real, kind_text
    use asperity_program_input_key_list, only: key_list
+   use asperity_program_input_nearest_key, only: nearest_key
    use asperity_program_input_ranges, only: read_range, split_words
    use asperity_program_input_values, only: word_type
-   use asperity_program_system_strings, only: escaped, lower_case, nearest_name, quoted
+   use asperity_program_system_strings, only: escaped, lower_case, quoted
    implicit none
    private
    public :: axis_type, new_axes, combinations, set_case
@@ -106,7 +107,7 @@ contains
             call fatal_error(error, option//': '//plain//' cannot be swept')
          return
       end if
-      nearest = nearest_name(plain, pack(keys%rows(:keys%n)%name, &
+      nearest = nearest_key(plain, pack(keys%rows(:keys%n)%name, &
          can_be_swept(keys%rows(:keys%n))))
       if (nearest /= '') nearest = '; did you mean '//nearest//'?'
       call fatal_error(error, option//': unknown key '//quoted(name)//nearest)
