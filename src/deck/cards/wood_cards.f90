@@ -95,32 +95,40 @@ contains
       class(writer_type), intent(inout) :: deck
       type(wood_properties), intent(in) :: wood
       logical, intent(in) :: along
-      real(wp), allocatable :: points(:, :)
-      integer :: i
 
-      if (along .and. allocated(wood%hardening_curve_along)) then
-         points = wood%hardening_curve_along
-      else if (.not. along .and. allocated(wood%hardening_curve)) then
-         points = wood%hardening_curve
-      else if (along) then
-         points = line(wood%compression_strengths(1), wood%hardening_along*wood%young_moduli(1))
-      else
-         points = line(wood%compression_strengths(2), wood%hardening_across*wood%young_moduli(2))
-      end if
       call deck%line('*PLASTIC')
-      do i = 1, size(points, 2)
-         call deck%reals([points(2, i), points(1, i)])
-      end do
+      if (along .and. allocated(wood%hardening_curve_along)) then
+         call write_points(deck, wood%hardening_curve_along)
+      else if (.not. along .and. allocated(wood%hardening_curve)) then
+         call write_points(deck, wood%hardening_curve)
+      else if (along) then
+         call write_line(deck, wood%compression_strengths(1), &
+            wood%hardening_along*wood%young_moduli(1))
+      else
+         call write_line(deck, wood%compression_strengths(2), &
+            wood%hardening_across*wood%young_moduli(2))
+      end if
    end subroutine write_yield
 
    !> A straight line of yield stress over plastic strain.
-   pure function line(strength, slope) result(points)
+   pure subroutine write_line(deck, strength, slope)
+      class(writer_type), intent(inout) :: deck
       real(wp), intent(in) :: strength, slope
-      real(wp) :: points(2, 2)
 
-      points(:, 1) = [0.0_wp, strength]
-      points(:, 2) = [largest_strain, strength + slope*largest_strain]
-   end function line
+      call write_points(deck, reshape([0.0_wp, strength, &
+         largest_strain, strength + slope*largest_strain], [2, 2]))
+   end subroutine write_line
+
+   !> Points of plastic strain and yield stress, which the card has the other way round.
+   pure subroutine write_points(deck, points)
+      class(writer_type), intent(inout) :: deck
+      real(wp), intent(in) :: points(:, :)
+      integer :: i
+
+      do i = 1, size(points, 2)
+         call deck%reals([points(2, i), points(1, i)])
+      end do
+   end subroutine write_points
 
    !> Local axes: the direction of the grain, and the radial one.
    pure subroutine write_axes(deck, name, grain, radial)
