@@ -52,7 +52,7 @@ module asperity_replay_tenon_settings
       real(wp) :: column_load = 0.0_wp
       !> Wood of tenon and column. Pressed across the grain, the tenon has the properties in R;
       !> along it, the column those in L. All criteria but `none` are one here, and curves of no use
-      type(wood_properties) :: wood
+      type(wood_properties) :: wood = wood_properties()
       !> Whether the column gives way: `elastic`, or `rigid`
       character(len=16) :: column = 'elastic'
       !> Depth of wood that the bearing of the tenon, and of the column, compresses, mm: a modulus
