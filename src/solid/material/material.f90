@@ -92,18 +92,27 @@ contains
       type(hardening_curve) :: curve
 
       if (along_grain) then
-         curve = new_hardening_curve([0.0_wp], [stress], &
-            wood%hardening_along*wood%young_moduli(1))
-      else if (.not. allocated(wood%hardening_curve)) then
+         if (allocated(wood%hardening_curve_along)) then
+            curve = through_points(wood%hardening_curve_along, stress)
+         else
+            curve = new_hardening_curve([0.0_wp], [stress], &
+               wood%hardening_along*wood%young_moduli(1))
+         end if
+      else if (allocated(wood%hardening_curve)) then
+         curve = through_points(wood%hardening_curve, stress)
+      else
          curve = new_hardening_curve([0.0_wp], [stress], &
             wood%hardening_across*wood%young_moduli(2))
-      else
-         associate (points => wood%hardening_curve)
-            curve = new_hardening_curve(points(1, :), stress + (points(2, :) - points(2, 1)), &
-               0.0_wp)
-         end associate
       end if
    end function hardening_of
+
+   !> A curve of points, in the scale of the first yield stress.
+   pure function through_points(points, stress) result(curve)
+      real(wp), intent(in) :: points(:, :), stress
+      type(hardening_curve) :: curve
+
+      curve = new_hardening_curve(points(1, :), points(2, :)*(stress/points(2, 1)), 0.0_wp)
+   end function through_points
 
    !> Common eigenvectors of stiffness and surface.
    pure subroutine find_common_vectors(material)
