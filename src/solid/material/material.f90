@@ -106,12 +106,12 @@ contains
       end if
    end function hardening_of
 
-   !> A curve of points, in the scale of the first yield stress.
+   !> A curve of points, above the first yield stress.
    pure function through_points(points, stress) result(curve)
       real(wp), intent(in) :: points(:, :), stress
       type(hardening_curve) :: curve
 
-      curve = new_hardening_curve(points(1, :), points(2, :)*(stress/points(2, 1)), 0.0_wp)
+      curve = new_hardening_curve(points(1, :), stress + (points(2, :) - points(2, 1)), 0.0_wp)
    end function through_points
 
    !> Common eigenvectors of stiffness and surface.
