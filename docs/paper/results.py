@@ -37,11 +37,14 @@ class Joint:
         return [(u, rough/hard) for u, hard, rough in self.series(quantity, face) if hard != 0.0]
 
     def add_penalty(self, stiffness, soft):
-        """Beside hard contact that gives: `soft` has it under `hard`."""
+        """What another joint, whose hard contact gives, has of moments and pressure."""
         for name, quantity, face in (("moment", "negative_moment", ""),
                                      ("pressure", "largest_pressure", "lower")):
-            self.rows += [(f"{name}_penalty_{stiffness}", "", u, other[1], rough) for (u, _, rough), other
-                          in zip(self.series(quantity, face), soft.series(quantity, face))]
+            self.rows += [(f"{name}_penalty_{stiffness}", "", *row) for row in soft.series(quantity, face)]
+
+    def with_rough_of(self, other):
+        """This joint's hard contact beside the rough law of another."""
+        return Joint([(*row[:4], theirs[4]) for row, theirs in zip(self.rows, other.rows)])
 
 
 class Program:

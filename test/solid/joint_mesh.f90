@@ -69,10 +69,12 @@ contains
    subroutine test_sets()
       type(tenon_deck) :: deck
       type(solid_mesh) :: mesh
+      type(tenon_settings) :: settings
       type(error_type), allocatable :: error
       character(len=:), allocatable :: text
 
-      call make(deck, tenon_settings(), 60.0_wp)
+      settings%wood%criterion = 'none'
+      call make(deck, settings, 60.0_wp)
       call new_solid_mesh(mesh, deck, error)
       call write_tenon_deck(deck, text, error)
       call check('BOTTOM', mesh%foot)

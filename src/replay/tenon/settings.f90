@@ -32,8 +32,8 @@ module asperity_replay_tenon_settings
       !> What the clearance means: distance of the `mean_plane` of the summits to the other face, or
       !> motion until `first_touch` (separation d0); the same for hard contact
       character(len=16) :: gap = 'mean_plane'
-      !> Pressure on the two side faces, MPa; none when zero; chosen: the least of 0.1, 0.2, ... with
-      !> which the stiffness falls from the first rotation on, as in the paper's Fig. 29
+      !> Pressure on the two side faces, MPa; none when zero; chosen: of 0.1, 0.2, ... the first
+      !> with which the stiffness of both models falls from the first rotation on, as in Fig. 29
       real(wp) :: side_pressure = 0.4_wp
       !> What holds the tenon along its axis: `spring`, `fixed`, `free`, or a given `force`, through
       !> the middle of the tenon at the column face
