@@ -78,15 +78,18 @@ class Program:
 
 
 def first_cycles(table, arm):
-    """{amplitude: (first, last)} of cycles of about the same amplitude, places in the table."""
+    """{amplitude: (first, last)} of cycles of the same amplitude, places in the table. Where the table has
+    no displacement of the load point, it is rotation times arm."""
     found = {}
-    for i, rotation in enumerate(table["rotation"]):
-        found.setdefault(round(rotation*arm, 3), [i, i])[1] = i
+    for i, amplitude in enumerate(table.get("displacement", [arm*t for t in table["rotation"]])):
+        found.setdefault(round(amplitude, 3), [i, i])[1] = i
     return found
 
 
 def from_json(answer):
-    """The form of `asperity tenon --json`, and of `asperity solid --json`, whose names are the same."""
+    """Of `asperity tenon --json`, and of `asperity solid --json` if its names are the same: tables cycles,
+    totals, summary and faces, and of the steps (data) model, cycle, moment, normal_upper and
+    friction_dissipation, where it has them. What is missing leaves cells empty."""
     cycles, data, rows = answer["cycles"], answer.get("data", {}), []
     both = lambda table, name, i: (table[f"{name}_hard"][i], table[f"{name}_rough"][i])
     amplitudes = first_cycles(cycles, answer["settings"]["arm"])
