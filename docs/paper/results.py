@@ -32,6 +32,11 @@ class Joint:
         """(hard, rough) at the largest displacement."""
         return self.series(quantity, face)[-1][1:]
 
+    def back(self, quantity, face):
+        """The series on the way down and back: at the reverse peak, which is its last, and before it
+        smaller displacements of that side."""
+        return [row for row in self.series(quantity, face) if row[0] < 0.0]
+
     def ratios(self, quantity, face=""):
         """[(displacement, rough over hard)] where hard contact has something."""
         return [(u, rough/hard) for u, hard, rough in self.series(quantity, face) if hard != 0.0]
@@ -40,7 +45,8 @@ class Joint:
         """What another joint, whose hard contact gives, has of moments and pressure."""
         for name, quantity, face in (("moment", "negative_moment", ""),
                                      ("pressure", "largest_pressure", "lower")):
-            self.rows += [(f"{name}_penalty_{stiffness}", "", *row) for row in soft.series(quantity, face)]
+            rows = soft.back(quantity, face) if face else soft.series(quantity)
+            self.rows += [(f"{name}_penalty_{stiffness}", "", *row) for row in rows]
 
     def with_rough_of(self, other):
         """This joint's hard contact beside the rough law of another."""
@@ -77,41 +83,48 @@ class Program:
                         for row in csv.DictReader(file)]
 
 
-def first_cycles(table, arm):
-    """{amplitude: (first, last)} of cycles of the same amplitude, places in the table. Where the table has
-    no displacement of the load point, it is rotation times arm."""
+def cycles_of(table, arm):
+    """{amplitude: (first, last)} of cycles of the same amplitude, places in the table. The solid tells
+    displacement over arm, its drift, from the joint's rotation; in the plane they are one."""
     found = {}
-    for i, amplitude in enumerate(table.get("displacement", [arm*t for t in table["rotation"]])):
-        found.setdefault(round(amplitude, 3), [i, i])[1] = i
+    for i, angle in enumerate(table["drift" if "drift" in table else "rotation"]):
+        found.setdefault(round(arm*angle, 3), [i, i])[1] = i
     return found
 
 
+def at_peaks(data, name, amplitude, peak):
+    """(hard, rough) of a column at an amplitude: the first time at the peak, or the last time at the
+    reverse peak."""
+    found = []
+    for model in ("hard", "rough"):
+        reach, values = 0.0, []
+        for k, m in enumerate(data["model"]):
+            if m != model:
+                continue
+            reach = max(reach, abs(data["displacement"][k]))
+            if reach < 1.000001*amplitude and abs(data["displacement"][k] - peak) < 1e-6*amplitude:
+                values.append(data[name][k])
+        found.append(values[0 if peak > 0.0 else -1])
+    return tuple(found)
+
+
 def from_json(answer):
-    """Of `asperity tenon --json`, and of `asperity solid --json` if its names are the same: tables cycles,
-    totals, summary and faces, and of the steps (data) model, cycle, moment, normal_upper and
-    friction_dissipation, where it has them. What is missing leaves cells empty."""
-    cycles, data, rows = answer["cycles"], answer.get("data", {}), []
-    both = lambda table, name, i: (table[f"{name}_hard"][i], table[f"{name}_rough"][i])
-    amplitudes = first_cycles(cycles, answer["settings"]["arm"])
+    """Of `asperity tenon --json`, or of `asperity solid --json`: tables cycles, totals, summary and faces,
+    and of the steps (data) model, displacement, moment, normal_upper, friction_dissipation."""
+    cycles, data, rows = answer["cycles"], answer["data"], []
+    amplitudes = cycles_of(cycles, answer["settings"]["arm"])
     for amplitude, (first, last) in amplitudes.items():
-        for name in ("secant_stiffness", "negative_moment", "energy", "pinching"):
-            rows.append((name, "", amplitude, *both(cycles, name, first)))
-        rows.append(("cumulative_energy", "", amplitude, *both(cycles, "cumulative_energy", last)))
-        of = {model: [k for k, m in enumerate(data.get("model", [])) if m == model] for model in
-              ("hard", "rough")}
-        for name, at, pick in (("positive_moment", "moment", max), ("peak_force", "normal_upper", max)):
-            if at in data:
-                rows.append((name, "", amplitude, *(pick(
-                    data[at][k] for k in of[model] if data["cycle"][k] == cycles["cycle"][first])
-                    for model in of)))
-        if "friction_dissipation" in data:
-            rows.append(("friction_dissipation", "", amplitude, *(max(
-                data["friction_dissipation"][k] for k in of[model]
-                if data["cycle"][k] <= cycles["cycle"][last]) for model in of)))
-    largest = max(amplitudes)
+        for name, i in (("secant_stiffness", first), ("negative_moment", first), ("energy", first),
+                        ("pinching", first), ("cumulative_energy", last)):
+            rows.append((name, "", amplitude, cycles[f"{name}_hard"][i], cycles[f"{name}_rough"][i]))
+        for name, column, peak in (("positive_moment", "moment", amplitude),
+                                   ("peak_force", "normal_upper", amplitude),
+                                   ("friction_dissipation", "friction_dissipation", -amplitude)):
+            rows.append((name, "", amplitude, *at_peaks(data, column, amplitude, peak)))
+    largest, given = max(amplitudes), {row[0] for row in rows}
     for table in ("totals", "summary"):
-        names = [name for name, values in answer[table].items() if isinstance(values[-1], float)]
-        rows += [(name, "", largest, *answer[table][name][-2:]) for name in names]
+        rows += [(name, "", largest, *values[-2:]) for name, values in answer[table].items()
+                 if isinstance(values[-1], float) and name not in given]
     faces = answer["faces"]
     for name in ("largest_pressure", "normal_force", "area_open", "area_stick", "area_slip"):
         values = {}
