@@ -175,7 +175,7 @@ contains
          'crushing')
       wood = wood_properties()
       call say(with_curve(wood, [0.01_wp, 5.0_wp]), 'hardening_curve begins at a plastic '// &
-         'strain of 0.01 and 5.0 MPa: it must begin at 0 and the strength across the grain, '// &
+         'strain of 0.01 and 5.0 MPa: it must begin at 0 and '// &
          'compression_strength_r = 4.7 MPa')
       call say(with_curve(wood, [0.0_wp, 4.7_wp, 0.1_wp, 5.0_wp, 0.2_wp, 4.9_wp]), &
          'hardening_curve goes from 5.0 MPa at a plastic strain of 0.1 to 4.9 MPa at 0.2: '// &

@@ -41,7 +41,10 @@ contains
       end if
       do i = 1, size(joints)
          methods(before + i) = trim(legends(joints(i)%model))//', this model'
-         values(:, before + i) = table_5_values(joints(i)%loops%skeleton(negative_side))
+         ! not joints(i)%loops%skeleton(2): gfortran 12 checks bounds in polymorphic arrays wrongly
+         associate (skeleton => joints(i)%loops%skeleton)
+            values(:, before + i) = table_5_values(skeleton(negative_side))
+         end associate
       end do
       do i = 1, size(joints)
          if (joints(1)%model == hard) &
@@ -149,14 +152,16 @@ contains
 
       n = 0
       do i = 1, size(joints)
-         n = n + 1 + size(joints(i)%loops%skeleton(1)%force) &
-            + size(joints(i)%loops%skeleton(2)%force)
+         associate (skeleton => joints(i)%loops%skeleton)
+            n = n + 1 + size(skeleton(1)%force) + size(skeleton(2)%force)
+         end associate
       end do
       allocate (model(n), rotation(n), moment(n))
       n = 0
       do i = 1, size(joints)
-         associate (up => joints(i)%loops%skeleton(1), down => joints(i)%loops%skeleton(2))
-            associate (m => 1 + size(up%force) + size(down%force))
+         associate (skeleton => joints(i)%loops%skeleton)
+            associate (up => skeleton(1), down => skeleton(2), &
+                  m => 1 + size(skeleton(1)%force) + size(skeleton(2)%force))
                model(n + 1:n + m) = model_names(joints(i)%model)
                rotation(n + 1:n + m) = [reversed(down%displacement), 0.0_wp, up%displacement]
                moment(n + 1:n + m) = [reversed(down%force), 0.0_wp, up%force]
