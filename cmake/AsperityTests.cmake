@@ -61,6 +61,7 @@ if(asperity_has_petsc)
 endif()
 if(ASPERITY_BUILD_PROGRAM)
    asperity_test_suite(program_input asperity_commands)
+   asperity_test_suite(program_solid asperity_commands)
 endif()
 
 # The same tests of VUINTER against the file for single precision, all from sources, as its modules

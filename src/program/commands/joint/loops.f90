@@ -29,8 +29,8 @@ module asperity_program_commands_joint_loops
       character(len=8) :: rotation_name = 'rotation'
       !> Rotation, rad, and moment, kN m, of the joint at rest and of every step
       real(wp), allocatable :: rotation(:), moment(:)
-      !> Analysis of moment against rotation, whose samples those are. Without a moment there is no cycle,
-      !> and nothing is known
+      !> Analysis of moment against rotation, whose samples those are. Without a moment there is no
+      !> cycle, and nothing is known
       type(hysteresis_result) :: loops
       !> Time that it took, s
       real(wp) :: seconds = 0.0_wp

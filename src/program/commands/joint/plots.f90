@@ -1,5 +1,5 @@
-!> Pictures of a tenon joint that follow from its loops (the paper's Figs 25 to 30). There may be one
-!> model or both.
+!> Pictures of a tenon joint that follow from its loops (the paper's Figs 25 to 30). There may be
+!> one model or both.
 module asperity_program_commands_joint_plots
    use asperity_base_kinds, only: wp
    use asperity_program_commands_joint_loops, only: joint_loops, largest_cycle, legends, loop_joules

@@ -41,9 +41,9 @@ contains
       if (size(kinds) == 0) return
       shown = kinds(max(1, size(kinds) - most_shown + 1):)
       pictures = [ &
-         figure_type('Open, sticking and slipping cells of the mortise, unfolded about the edges '// &
-         'of its side: the upper face is above the side, the lower one below it, the plane of '// &
-         'symmetry at the top and at the bottom, the column face on the right (Figs 31 and 32).', &
+         figure_type('Open, sticking and slipping cells of the mortise, unfolded about the '// &
+         'edges of its side: the upper face is above the side, the lower one below it, the '// &
+         'plane of symmetry at the top and at the bottom, the column face on the right (Figs 31 and 32).', &
          panels_of(outcomes, shown, states)), &
          figure_type('Contact pressure of the same faces (Fig. 33).', &
          panels_of(outcomes, shown, pressures))]

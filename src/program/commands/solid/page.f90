@@ -42,8 +42,8 @@ contains
       call add_html_table(b, report%table_of('totals'), 'Energies of the whole joint over the '// &
          'whole programme, and largest values in it; initial stiffness of the negative side')
       call add_html_table(b, report%table_of('faces'), 'Contact of each face at the peaks of '// &
-         'the first cycle of the largest amplitude and a little unloaded from there (Figs 31 to '// &
-         '34); both sides together')
+         'the first cycle of the largest amplitude and a little unloaded from there (Figs 31 '// &
+         'to 34); both sides together')
       call add_html_table(b, report%table_of('analysis'), 'What the analysis took')
       call add_remarks(b, report)
       call add_pictures(b, report, parts)

@@ -36,8 +36,8 @@ module asperity_program_commands_solid_page_texts
       'the turned element.', &
       'Wood is elastic along three axes, with the grain along column and beam, and yields by '// &
       'the criterion of the case; hardening is isotropic. Nothing splits, wears or creeps.', &
-      'Contact is integrated over the faces of the mortise, cell by cell, and ends where a cell '// &
-      'leaves the beam. Every cell goes through the same contact-point update as ABAQUS'' '// &
+      'Contact is integrated over the faces of the mortise, cell by cell, and ends where a '// &
+      'cell leaves the beam. Every cell goes through the same contact-point update as ABAQUS'' '// &
       'UINTER would.', &
       'Hard contact is a penalty: it gives way by pressure over penalty, which is stated. '// &
       'Friction and largest elastic slip are the same; the models differ in nothing else.', &
@@ -60,9 +60,9 @@ module asperity_program_commands_solid_page_texts
 
    !> The same of the paper's joint
    character(len=*), parameter, public :: paper_cautions(*) = [character(len=360) :: &
-      'The text of the paper gives neither the sizes of its joint nor what its moment is about, '// &
-      'nor the criterion of its wood: moments in kN m cannot be compared with Table 5, ratios '// &
-      'and shapes can.', &
+      'The text of the paper gives neither the sizes of its joint nor what its moment is '// &
+      'about, nor the criterion of its wood: moments in kN m cannot be compared with Table 5, '// &
+      'ratios and shapes can.', &
       'The paper reports +12.5 % in yield moment, +10.8 % in ultimate moment and +6.1 % in '// &
       'stiffness of the rough law over hard contact.']
 

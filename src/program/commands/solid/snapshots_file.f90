@@ -52,7 +52,8 @@ contains
             if (status /= 0) return
             status = 1
             if (n_cells < 0 .or. n_found /= n_elements) return
-            allocate (s%contact(n_cells), s%plastic_strain(n_elements), s%stress(6, n_elements), stat=status)
+            allocate (s%contact(n_cells), s%plastic_strain(n_elements), s%stress(6, n_elements), &
+               stat=status)
             if (status == 0) read (unit, iostat=status) s%contact, s%plastic_strain, s%stress
          end associate
       end do

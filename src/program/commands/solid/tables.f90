@@ -152,8 +152,8 @@ contains
       call table%add_numbers('time', 's', (outcomes%seconds), 1)
    end function sizes_table
 
-   !> First cycles of each amplitude: force on both sides, secant stiffness and energy of all models,
-   !> and ratios of the rough law to hard contact.
+   !> First cycles of each amplitude: force on both sides, secant stiffness and energy of all
+   !> models, and ratios of the rough law to hard contact.
    pure function amplitudes_table(outcomes) result(table)
       !> The models
       type(solid_outcome), intent(in) :: outcomes(:)
