@@ -13,7 +13,7 @@ module asperity_program_commands_deck_tenon
    use asperity_program_commands_tenon_bearing_keys, only: declare_column
    use asperity_program_commands_tenon_history, only: follow_history, history_type, read_history
    use asperity_program_commands_tenon_joint_keys, only: tenon_case
-   use asperity_program_commands_tenon_mesh_keys, only: declare_grading, declare_joint_sizes
+   use asperity_program_commands_deck_mesh_keys, only: declare_grading, declare_joint_sizes
    use asperity_program_commands_wood_keys, only: declare_wood
    use asperity_program_input_key, only: kind_file
    use asperity_program_input_key_list, only: key_list

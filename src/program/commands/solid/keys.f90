@@ -4,9 +4,9 @@ module asperity_program_commands_solid_keys
    use asperity_deck_options, only: deck_choice
    use asperity_deck_tenon_deck, only: new_tenon_deck, tenon_deck
    use asperity_deck_tenon_parts, only: default_mesh_size, tenon_sizes
+   use asperity_program_commands_deck_mesh_keys, only: declare_grading, declare_joint_sizes
    use asperity_program_commands_tenon_bearing_keys, only: declare_column
    use asperity_program_commands_tenon_joint_keys, only: tenon_case
-   use asperity_program_commands_tenon_mesh_keys, only: declare_grading, declare_joint_sizes
    use asperity_program_commands_wood_keys, only: declare_wood
    use asperity_program_input_key_list, only: key_list
    use asperity_solid_model_settings, only: solid_settings

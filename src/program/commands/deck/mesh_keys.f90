@@ -1,5 +1,5 @@
 !> Keys of a joint in three dimensions that a plane one has not: sizes, and the mesh of it.
-module asperity_program_commands_tenon_mesh_keys
+module asperity_program_commands_deck_mesh_keys
    use asperity_base_kinds, only: wp
    use asperity_deck_options, only: deck_choice
    use asperity_deck_tenon_parts, only: default_tenon_sizes, tenon_sizes
@@ -54,4 +54,4 @@ contains
          'ratio of neighbouring edges from rim_mesh_size to mesh_size')
    end subroutine declare_grading
 
-end module asperity_program_commands_tenon_mesh_keys
+end module asperity_program_commands_deck_mesh_keys
