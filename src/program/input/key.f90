@@ -31,13 +31,15 @@ module asperity_program_input_key
       enumerator :: kind_file
       !> Path of a file that gnuplot draws
       enumerator :: kind_picture
+      !> Folder, or stem of several paths, for files that the command itself writes
+      enumerator :: kind_place
       !> Something asked for
       enumerator :: kind_request
       !> A key and its values, `name=values`, which may be given again
       enumerator :: kind_sweep
    end enum
    public :: kind_text, kind_choice, kind_real, kind_integer, kind_logical, kind_list, &
-      kind_counts, kind_file, kind_picture, kind_request, kind_sweep
+      kind_counts, kind_file, kind_picture, kind_place, kind_request, kind_sweep
 
    !> Where a value was given
    enum, bind(c)
@@ -138,7 +140,7 @@ contains
       end if
 
       select case (key%kind)
-      case (kind_text, kind_choice, kind_file, kind_picture)
+      case (kind_text, kind_choice, kind_file, kind_picture, kind_place)
          call assign_text(key, words(1), error)
       case (kind_real, kind_list, kind_counts)
          call assign_numbers(key, words, error)

@@ -42,7 +42,7 @@ contains
       character(len=:), allocatable, intent(inout) :: value
       !> What it is
       character(len=*), intent(in) :: help
-      !> `kind_file`, `kind_picture` or `kind_sweep` where it is no mere text
+      !> `kind_file`, `kind_picture`, `kind_place` or `kind_sweep` where it is no mere text
       integer, intent(in), optional :: kind
 
       if (.not. allocated(value)) value = ''

@@ -3,8 +3,8 @@ module asperity_program_input_options
    use asperity_base_error, only: error_type, fatal_error
    use asperity_base_kinds, only: wp
    use asperity_program_input_key, only: assign_words, given_as_option, key_type, kind_choice, &
-      kind_counts, kind_file, kind_list, kind_logical, kind_picture, kind_request, kind_sweep, &
-      kind_text, option_name
+      kind_counts, kind_file, kind_list, kind_logical, kind_picture, kind_place, kind_request, &
+      kind_sweep, kind_text, option_name
    use asperity_program_input_key_list, only: key_list
    use asperity_program_input_ranges, only: read_range, split_words
    use asperity_program_input_values, only: word_type
@@ -101,7 +101,8 @@ contains
          allocate (words(1))
          words(1)%text = value
          words(1)%source = option
-         words(1)%in_quotes = any(key%kind == [kind_text, kind_choice, kind_file, kind_picture])
+         words(1)%in_quotes = any(key%kind == [kind_text, kind_choice, kind_file, kind_picture, &
+            kind_place])
          call assign_words(key, words, given_as_option, error)
       else if (index(value, ':') > 0) then
          call read_range(value, trim(key%name), option, values, error)

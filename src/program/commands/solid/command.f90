@@ -14,9 +14,10 @@ module asperity_program_commands_solid_command
    use asperity_program_commands_solid_outcome, only: new_outcome, solid_outcome
    use asperity_program_commands_solid_page, only: solid_page
    use asperity_program_commands_solid_report, only: fill_report
+   use asperity_program_commands_solid_vtk_files, only: check_vtk_folder, write_vtk_series
    use asperity_program_commands_tenon_history, only: follow_history, history_type, read_history
    use asperity_program_commands_tenon_paper_joint, only: is_paper_joint
-   use asperity_program_input_key, only: kind_file, kind_picture
+   use asperity_program_input_key, only: kind_picture, kind_place
    use asperity_program_input_key_list, only: key_list
    use asperity_program_input_print_case, only: case_heading, case_text
    use asperity_program_report_report, only: report_type
@@ -35,8 +36,8 @@ module asperity_program_commands_solid_command
    type, extends(command_type) :: solid_command
       private
       type(solid_case) :: case
-      !> Path of the page, and stem of the paths of checkpoints
-      character(len=:), allocatable :: page, checkpoint
+      !> Path of the page, folder of files for ParaView, and stem of the paths of checkpoints
+      character(len=:), allocatable :: page, vtk, checkpoint
       !> Whether to go on from checkpoints
       logical :: resumes = .false.
       !> Checkpoints of the models, to be removed when the results are written
@@ -71,8 +72,11 @@ contains
       call self%declare_outputs(keys, has_picture=.true.)
       call keys%text('report', self%page, &
          'write a page of case, tables and pictures, .html (needs gnuplot)', kind_picture)
+      call keys%text('vtk', self%vtk, &
+         'folder in which the end of every stroke is written for ParaView, .vtu and .pvd', &
+         kind_place)
       call keys%text('checkpoint', self%checkpoint, 'stem of the files from which a run that '// &
-         'was interrupted goes on; solid unless given', kind_file)
+         'was interrupted goes on; solid unless given', kind_place)
       call keys%request('resume', self%resumes, 'go on from the checkpoints of an earlier run')
       call self%declare_requests(keys)
    end subroutine declare
@@ -103,6 +107,8 @@ contains
       if (allocated(error)) return
       call self%declare(report%keys)
       report%faces = self%case%joint%faces%words()
+      if (self%vtk /= '') call check_vtk_folder(self%vtk, error)
+      if (allocated(error)) return
       call start_engine(error)
       if (allocated(error)) return
       call report_models(self, report, error)
@@ -179,7 +185,7 @@ contains
       if (remark == '') remark = trim(mesh_remark(deck))
       call new_solid_run(run, model)
       deallocate (deck, model)
-      call new_observer(observer, 'solid: '//trim(legends(which)), checkpoint)
+      call new_observer(observer, 'solid: '//trim(legends(which)), checkpoint, self%vtk)
       if (self%resumes) call resume(checkpoint, run, observer, error)
       if (allocated(error)) return
       call run_programme(run, observer, error)
@@ -188,10 +194,23 @@ contains
             checkpoint%path//' with --resume'
          return
       end if
+      if (self%vtk /= '') call write_vtk_series(self%vtk, which, ends_of(run), error)
+      if (allocated(error)) return
       call new_outcome(outcome, run, observer%snapshots, seconds_of(observer), error)
       call tell_terminal(observer%name//': '//to_text(run%increments)//' increments, '// &
          to_text(run%iterations)//' iterations, '//to_text(seconds_of(observer), 3)//' s')
    end subroutine run_model
+
+   !> Last increment of every stroke.
+   pure function ends_of(run) result(ends)
+      type(solid_run), intent(in) :: run
+      integer, allocatable :: ends(:)
+      integer :: i
+
+      associate (stroke => run%records%stroke)
+         ends = pack([(i, i=1, size(stroke))], [stroke(2:) /= stroke(:size(stroke) - 1), .true.])
+      end associate
+   end function ends_of
 
    !> Go on from a checkpoint, if there is one.
    subroutine resume(checkpoint, run, observer, error)

@@ -8,6 +8,7 @@ module asperity_program_commands_solid_observer
    use asperity_program_commands_solid_checkpoint, only: checkpoint_file
    use asperity_program_commands_solid_snapshot, only: no_snapshot, snapshot_kind, &
       solid_snapshot, take_snapshot
+   use asperity_program_commands_solid_vtk_files, only: write_vtk_step
    use asperity_program_system_progress, only: show_stage
    use asperity_solid_model_settings, only: fit_increments, large_amplitude
    use asperity_solid_solve_programme, only: solid_observer, solid_run
@@ -21,6 +22,8 @@ module asperity_program_commands_solid_observer
       character(len=:), allocatable :: name
       !> Where the run is kept
       type(checkpoint_file) :: checkpoint
+      !> Folder of files for ParaView, empty for none
+      character(len=:), allocatable :: vtk
       !> What was looked at
       type(solid_snapshot), allocatable :: snapshots(:)
       !> Time spent before this process, s, and when it began
@@ -35,16 +38,19 @@ module asperity_program_commands_solid_observer
 contains
 
    !> Begin to watch.
-   subroutine new_observer(observer, name, checkpoint)
+   subroutine new_observer(observer, name, checkpoint, vtk)
       !> Result
       type(run_observer), intent(out) :: observer
       !> What is under way
       character(len=*), intent(in) :: name
       !> Where the run is kept
       type(checkpoint_file), intent(in) :: checkpoint
+      !> Folder of files for ParaView, empty for none
+      character(len=*), intent(in) :: vtk
 
       observer%name = name
       observer%checkpoint = checkpoint
+      observer%vtk = vtk
       allocate (observer%snapshots(0))
       call system_clock(observer%began)
    end subroutine new_observer
@@ -96,13 +102,15 @@ contains
       call move_alloc(more, snapshots)
    end subroutine keep
 
-   !> Keep the run.
+   !> Keep the run, and write the end of the stroke for ParaView.
    subroutine after_stroke(self, run, error)
       class(run_observer), intent(inout) :: self
       type(solid_run), intent(in) :: run
       type(error_type), allocatable, intent(out) :: error
 
-      call self%checkpoint%save(run, self%snapshots, seconds_of(self), error)
+      if (self%vtk /= '' .and. run%strokes_done > 0) call write_vtk_step(self%vtk, run, error)
+      if (.not. allocated(error)) &
+         call self%checkpoint%save(run, self%snapshots, seconds_of(self), error)
    end subroutine after_stroke
 
    !> Increments of the whole programme, if none is halved.
