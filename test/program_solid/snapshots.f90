@@ -60,7 +60,8 @@ contains
 
       snapshots = [made_snapshot(upper_peak, 24.0_wp, 1.0_wp/3.0_wp), &
          made_snapshot(lower_peak, -24.0_wp, 0.1_wp)]
-      open (newunit=unit, status='scratch', access='stream', form='unformatted')
+      open (newunit=unit, status='scratch', access='stream', form='unformatted', &
+         action='readwrite')
       call write_snapshots(unit, snapshots, status)
       call assertEqual(0, status)
       rewind (unit)
@@ -79,7 +80,8 @@ contains
       call assertTrue(status > 0)
       ! cut short
       close (unit)
-      open (newunit=unit, status='scratch', access='stream', form='unformatted')
+      open (newunit=unit, status='scratch', access='stream', form='unformatted', &
+         action='readwrite')
       write (unit) 1, upper_peak
       rewind (unit)
       call read_snapshots(unit, 1, found, status)

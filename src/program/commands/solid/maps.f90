@@ -43,7 +43,8 @@ contains
       pictures = [ &
          figure_type('Open, sticking and slipping cells of the mortise, unfolded about the '// &
          'edges of its side: the upper face is above the side, the lower one below it, the '// &
-         'plane of symmetry at the top and at the bottom, the column face on the right (Figs 31 and 32).', &
+         'plane of symmetry at the top and at the bottom, the column face on the right (Figs '// &
+         '31 and 32).', &
          panels_of(outcomes, shown, states)), &
          figure_type('Contact pressure of the same faces (Fig. 33).', &
          panels_of(outcomes, shown, pressures))]

@@ -18,12 +18,14 @@ contains
       integer :: i
 
       write (unit, iostat=status) size(snapshots)
+      if (status /= 0) return
       do i = 1, size(snapshots)
-         if (status /= 0) return
          associate (s => snapshots(i))
             write (unit, iostat=status) s%kind, s%stroke, s%displacement, size(s%contact), &
                size(s%plastic_strain)
-            if (status == 0) write (unit, iostat=status) s%contact, s%plastic_strain, s%stress
+            if (status /= 0) return
+            write (unit, iostat=status) s%contact, s%plastic_strain, s%stress
+            if (status /= 0) return
          end associate
       end do
    end subroutine write_snapshots
@@ -45,16 +47,19 @@ contains
       status = 1
       if (n < 0) return
       allocate (snapshots(n), stat=status)
+      if (status /= 0) return
       do i = 1, n
-         if (status /= 0) return
          associate (s => snapshots(i))
             read (unit, iostat=status) s%kind, s%stroke, s%displacement, n_cells, n_found
             if (status /= 0) return
             status = 1
             if (n_cells < 0 .or. n_found /= n_elements) return
-            allocate (s%contact(n_cells), s%plastic_strain(n_elements), s%stress(6, n_elements), &
-               stat=status)
-            if (status == 0) read (unit, iostat=status) s%contact, s%plastic_strain, s%stress
+            allocate (s%contact(n_cells), stat=status)
+            if (status == 0) allocate (s%plastic_strain(n_elements), stat=status)
+            if (status == 0) allocate (s%stress(6, n_elements), stat=status)
+            if (status /= 0) return
+            read (unit, iostat=status) s%contact, s%plastic_strain, s%stress
+            if (status /= 0) return
          end associate
       end do
    end subroutine read_snapshots
