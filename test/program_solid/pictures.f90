@@ -3,13 +3,17 @@ module test_program_solid_pictures
    use asperity_base_error, only: error_type
    use asperity_base_kinds, only: wp
    use asperity_program_commands_joint_loops, only: hard, rough
+   use asperity_program_commands_solid_keys, only: solid_case
    use asperity_program_commands_solid_outcome, only: solid_outcome
    use asperity_program_commands_solid_page, only: solid_page
+   use asperity_program_commands_solid_page_texts, only: origins
    use asperity_program_commands_solid_plots, only: solid_pictures
    use asperity_program_commands_solid_report, only: fill_report
    use asperity_program_commands_solid_snapshot, only: lower_peak, lower_unloaded
    use asperity_program_commands_tenon_joint_keys, only: declare_replay_case, tenon_case
-   use asperity_program_input_key, only: given_as_option, kind_picture
+   use asperity_program_commands_tenon_page_texts, only: tenon_origins => origins
+   use asperity_program_input_key, only: given_as_option, kind_integer, kind_picture, &
+      kind_real
    use asperity_program_input_key_list, only: key_list
    use asperity_program_plot_figure, only: as_boxes, figure_type
    use asperity_program_plot_script, only: page_script
@@ -36,6 +40,7 @@ contains
       call suite%addTest(TestMethod('nothing kept', test_nothing))
       call suite%addTest(TestMethod('boxes for gnuplot', test_boxes))
       call suite%addTest(TestMethod('page of both models and of one', test_page))
+      call suite%addTest(TestMethod('every number has its reason', test_reasons))
    end function suite_pictures
 
    subroutine make_both(outcomes)
@@ -132,6 +137,25 @@ contains
          call check_page(outcomes(first:))
       end do
    end subroutine test_page
+
+   !> What is not of the faces, whose pair is said anyway.
+   subroutine test_reasons()
+      type(solid_case) :: case
+      type(key_list) :: keys
+      integer :: i
+
+      call case%declare(keys)
+      do i = 1, keys%n
+         associate (key => keys%rows(i))
+            if (key%is_property .or. .not. key%is_input()) cycle
+            if (key%kind /= kind_real .and. key%kind /= kind_integer) cycle
+            ! what follows another key has that one's
+            if (key%leader > 0) cycle
+            call assertTrue(any(origins%key == key%name) .or. any(tenon_origins%key == key%name), &
+               trim(key%name))
+         end associate
+      end do
+   end subroutine test_reasons
 
    subroutine check_page(outcomes)
       type(solid_outcome), intent(in) :: outcomes(:)
