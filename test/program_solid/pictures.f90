@@ -65,7 +65,7 @@ contains
       call assertEqual(lines + 3, size(pictures))
       associate (states => pictures(lines + 1)%panels, pressures => pictures(lines + 2)%panels)
          call assertEqual(4, size(states))
-         call assertEqual('rough law, load point at -24.0 mm', states(2)%title)
+         call assertEqual('rough law, -24.0 mm', states(2)%title)
          ! open, stick, slip; what is past the rim is not drawn
          call assertEqual(3, size(states(1)%series))
          call assertEqual(1, size(states(1)%series(1)%x))

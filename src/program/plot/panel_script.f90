@@ -17,8 +17,8 @@ module asperity_program_plot_panel_script
    integer, parameter :: label_length = 7, margins = 13
    !> Characters that the sample of a legend takes with the blanks around it
    integer, parameter :: legend_sample = 8
-   !> Labels of ticks below boxes
-   integer, parameter :: most_on_boxes = 4
+   !> Steps between ticks below boxes
+   real(wp), parameter :: most_on_boxes = 2.5_wp
 
 contains
 
@@ -172,8 +172,8 @@ contains
       if (.not. is_none(panel%x%high)) high = panel%x%high
       if (high > low) then
          ! the height may leave them less width than there is
-         step = round_number((high - low)/real(merge(min(most, most_on_boxes), most, &
-            any(panel%series%form == as_boxes)), wp))
+         step = round_number((high - low)/merge(min(real(most, wp), most_on_boxes), &
+            real(most, wp), any(panel%series%form == as_boxes)))
          if (panel%x%whole) step = max(1.0_wp, step)
          call b%line('set xtics '//to_text(step, 4))
          ! maps have one scale

@@ -45,6 +45,7 @@ contains
 
       panels = sum([(size(figures(i)%panels), i=1, size(figures))])
       if (panels > 4) sheet = sheet_type(1440, 1140, 13)
+      if (panels > 16) sheet = sheet_type(2160, 1710, 13)
       sheet%top = 1.0_wp - title_lines*real(sheet%font, wp)/real(sheet%height, wp)
       call set_grid(sheet, panels)
       if (size(figures) == 1) sheet%right = sheet%columns == 1 .and. has_right(figures(1))

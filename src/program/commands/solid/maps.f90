@@ -44,7 +44,7 @@ contains
          figure_type('Open, sticking and slipping cells of the mortise, unfolded about the '// &
          'edges of its side: the upper face is above the side, the lower one below it, the '// &
          'plane of symmetry at the top and at the bottom, the column face on the right (Figs '// &
-         '31 and 32).', &
+         '31 and 32), at two displacements of the load point.', &
          panels_of(outcomes, shown, states)), &
          figure_type('Contact pressure of the same faces (Fig. 33).', &
          panels_of(outcomes, shown, pressures))]
@@ -72,8 +72,7 @@ contains
             associate (snapshot => outcomes(i)%snapshots(findloc(outcomes(i)%snapshots%kind, &
                   kinds(j), 1)))
                panels(n) = panel_type('x (mm)', 'unfolded (mm)', &
-                  trim(legends(outcomes(i)%model))//', load point at '// &
-                  to_text(snapshot%displacement, 4)//' mm')
+                  trim(legends(outcomes(i)%model))//', '//to_text(snapshot%displacement, 3)//' mm')
                panels(n)%empty = 'nothing is opposite'
                select case (what)
                case (states)
