@@ -65,7 +65,7 @@ def table_4(program):
 
 def wood(program):
     joint = program.run("tenon", CASE)["settings"]
-    values = [joint[f"{part}_{name}"] for part in ("column", "bearing") for name in ("modulus", "strength")]
+    values = [joint[f"{name}_{axis}"] for axis in "lr" for name in ("young_modulus", "compression_strength")]
     return verdict(all(abs(a/b - 1.0) < 1e-3 for a, b in zip(values, (
         ALONG, STRENGTHS["along"], ACROSS, STRENGTHS["across"])))), ", ".join(
             f"{v:g}" for v in values) + " MPa"

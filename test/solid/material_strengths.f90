@@ -153,6 +153,20 @@ contains
       call load(material, material_point(), [(j == 3, j=1, 6)], strain, point)
       call assertRelativelyEqual(-wood%compression_strengths(1) + wood%hardening_along &
          *wood%young_moduli(1)*point%plastic_strain(3), point%stress(3), 1.0e-12_wp)
+      ! one along it, of 200 MPa up to a plastic strain far beyond
+      allocate (wood%hardening_curve_along(2, 2))
+      wood%hardening_curve_along = reshape([0.0_wp, wood%compression_strengths(1), &
+         10.0_wp, wood%compression_strengths(1) + 2000.0_wp], [2, 2])
+      call prepare(material, wood, 3, 1, along=.true.)
+      call load(material, material_point(), [(j == 3, j=1, 6)], strain, point)
+      call assertRelativelyEqual(200.0_wp*point%plastic_strain(3) &
+         - wood%compression_strengths(1), point%stress(3), 1.0e-12_wp)
+      ! across the grain the other one
+      call prepare(material, wood, 1, 3, along=.false.)
+      strain = material%compliance(:, 3)*(-4.0_wp*wood%compression_strengths(2))
+      call load(material, material_point(), [(j == 3, j=1, 6)], strain, point)
+      call assertRelativelyEqual(43.0_wp*point%plastic_strain(3) &
+         - wood%compression_strengths(2), point%stress(3), 1.0e-12_wp)
    end subroutine test_along
 
    !> With other strengths in tension the ellipsoid's centre is not at zero. The slope at first
