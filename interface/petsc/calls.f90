@@ -1,19 +1,19 @@
 !> Functions of PETSc's C interface that the solver calls, as its headers declare them (3.18, real,
 !> 32-bit indices). C's binding needs no module files of PETSc, which are made for one compiler.
-!> Every function returns zero on success.
+!> Every function returns zero on success. Besides, the function of POSIX that sets the environment.
 module asperity_petsc_calls
    use, intrinsic :: iso_c_binding, only: c_char, c_double, c_funptr, c_int, c_ptr
    implicit none
    private
-   public :: petsc_initialize, petsc_finalize, petsc_pop_signal_handler, petsc_push_error_handler, &
-      petsc_return_error_handler, petsc_get_version, mat_create_seq_aij_with_arrays, &
-      mat_assembly_begin, mat_assembly_end, mat_destroy, mat_mumps_set_icntl, mat_mumps_set_cntl, &
-      mat_mumps_get_infog, vec_create_seq_with_array, vec_destroy, ksp_create, ksp_destroy, &
-      ksp_set_operators, ksp_set_type, ksp_get_pc, ksp_set_pc_side, ksp_set_tolerances, &
-      ksp_set_convergence_test, ksp_gmres_set_restart, ksp_solve, ksp_get_converged_reason, &
-      pc_set_type, pc_factor_set_mat_solver_type, pc_factor_set_up_mat_solver_type, &
-      pc_factor_get_matrix, pc_set_reuse_preconditioner, pc_set_up, pc_apply, &
-      pc_get_failed_reason, pc_set_error_if_failure
+   public :: set_environment, petsc_initialize, petsc_finalize, petsc_pop_signal_handler, &
+      petsc_push_error_handler, petsc_return_error_handler, petsc_get_version, &
+      mat_create_seq_aij_with_arrays, mat_assembly_begin, mat_assembly_end, mat_destroy, &
+      mat_mumps_set_icntl, mat_mumps_set_cntl, mat_mumps_get_infog, vec_create_seq_with_array, &
+      vec_destroy, ksp_create, ksp_destroy, ksp_set_operators, ksp_set_type, ksp_get_pc, &
+      ksp_set_pc_side, ksp_set_tolerances, ksp_set_convergence_test, ksp_gmres_set_restart, &
+      ksp_solve, ksp_get_converged_reason, pc_set_type, pc_factor_set_mat_solver_type, &
+      pc_factor_set_up_mat_solver_type, pc_factor_get_matrix, pc_set_reuse_preconditioner, &
+      pc_set_up, pc_apply, pc_get_failed_reason, pc_set_error_if_failure
 
    !> All ranks; a handle of MPI, whose size is that of a pointer in Open MPI
    type(c_ptr), bind(c, name='PETSC_COMM_WORLD'), public :: petsc_comm_world
@@ -23,6 +23,13 @@ module asperity_petsc_calls
       petsc_true = 1, ksp_converged_rtol = 2, ksp_converged_iterating = 0, ksp_diverged_its = -3
 
    interface
+      integer(c_int) function set_environment(name, value, overwrites) bind(c, name='setenv')
+         import :: c_char, c_int
+         implicit none
+         character(kind=c_char), intent(in) :: name(*), value(*)
+         integer(c_int), value :: overwrites
+      end function set_environment
+
       integer(c_int) function petsc_initialize() bind(c, name='PetscInitializeNoArguments')
          import :: c_int
          implicit none

@@ -36,7 +36,10 @@ contains
       integer(c_int) :: code, version(4)
 
       call ieee_set_halting_mode(ieee_all, .false.)
-      code = petsc_initialize()
+      ! Else Open MPI starts a process orted beside a program that mpirun has not started
+      code = set_environment('OMPI_MCA_ess_singleton_isolated'//c_null_char, '1'//c_null_char, &
+         overwrites=0_c_int)
+      if (code == 0) code = petsc_initialize()
       if (code == 0) code = petsc_pop_signal_handler()
       if (code == 0) code = petsc_push_error_handler(c_funloc(petsc_return_error_handler), &
          c_null_ptr)

@@ -17,12 +17,27 @@ contains
       type(TestSuite) :: suite
 
       suite = TestSuite('linear solver')
+      call suite%addTest(TestMethod('no process is started beside', test_processes))
       call suite%addTest(TestMethod('factors solve', test_factors))
       call suite%addTest(TestMethod('old factors and GMRES solve what has changed', test_iterate))
       call suite%addTest(TestMethod('GMRES says that it gives up', test_gives_up))
       call suite%addTest(TestMethod('small pivots are no zeros', test_small))
       call suite%addTest(TestMethod('singular and NaN are refused', test_refused))
    end function suite_linear_solver
+
+   !> Linux lists the processes that this one has started.
+   subroutine test_processes()
+      character(len=80) :: children
+      integer :: unit, status
+
+      children = ''
+      open (newunit=unit, file='/proc/thread-self/children', action='read', status='old', &
+         iostat=status)
+      if (status /= 0) return
+      read (unit, '(a)', iostat=status) children
+      close (unit)
+      call assertEqual('', trim(children))
+   end subroutine test_processes
 
    !> Convection and diffusion on a square: unsymmetric, of a symmetric pattern.
    subroutine fill(solver, convection, scale)
