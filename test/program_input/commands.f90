@@ -69,7 +69,9 @@ contains
             other = known%rows(place)
             call assertEqual(other%kind, own%kind, own%name)
             call assertEqual(other%unit, own%unit, own%name)
-            call assertEqual(other%choices, own%choices, own%name)
+            ! of a deck, how the law is written; of the solid joint, which laws are compared
+            if (own%name /= 'contact') &
+               call assertEqual(other%choices, own%choices, own%name)
             call assertTrue(other%is_property .eqv. own%is_property, own%name)
          end do
          call list(i)%command%declare(known)

@@ -14,8 +14,8 @@ module asperity_solid_contact_face
    type :: contact_face
       !> Nodes of the slave facet, then those of every master facet met
       integer, allocatable :: nodes(:)
-      !> Master facets met and their neighbours, which of the nodes are their corners, and which were
-      !> met since some were forgotten
+      !> Master facets met and their neighbours, which of the nodes are their corners, and which
+      !> were met since some were forgotten
       integer, allocatable :: facets(:), corners(:, :)
       logical, allocatable :: is_met(:)
       !> Cells, and their samples one after the other

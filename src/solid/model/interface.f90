@@ -1,4 +1,4 @@
-!> The law of faces of the solid joint: hard contact, the rough law, or the rough law through UINTER.
+!> The law of faces of the solid joint: hard contact, the rough law, or that through UINTER.
 module asperity_solid_model_interface
    use asperity_contact_properties, only: contact_properties
    use asperity_solid_contact_hard, only: hard_law

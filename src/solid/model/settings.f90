@@ -11,8 +11,8 @@ module asperity_solid_model_settings
    type :: solid_settings
       !> Contact points along each edge of a face; two are 1 % softer at 60 mm, five change nothing
       integer :: cells = 3
-      !> Pressure of hard contact over penetration, MPa/mm, beyond a soft start of `soft_overclosure`, mm:
-      !> 0.05 mm at 50 MPa; ten times as much changes the force by 0.3 %
+      !> Pressure of hard contact over penetration, MPa/mm, beyond a soft start of
+      !> `soft_overclosure`, mm: 0.05 mm at 50 MPa; ten times as much changes the force by 0.3 %
       real(wp) :: penalty = 1000.0_wp, soft_overclosure = 0.02_wp
       !> Whether every contact point is run through UINTER
       logical :: through_uinter = .false.
@@ -30,8 +30,8 @@ module asperity_solid_model_settings
    real(wp), parameter, public :: large_amplitude = 16.5_wp
    !> Increments in which the beam swells between the sides
    integer, parameter, public :: fit_increments = 5
-   !> An increment solved in so many iterations lets the next one be longer, by this factor; one that
-   !> takes all but a few of `most_iterations` makes it shorter
+   !> An increment solved in so many iterations lets the next one be longer, by this factor; one
+   !> that takes all but a few of `most_iterations` makes it shorter
    integer, parameter, public :: easy_iterations = 6, few_iterations = 4
    real(wp), parameter, public :: growth = 1.5_wp, shrinkage = 0.7_wp
    !> Shortest increment, over the stroke

@@ -16,7 +16,7 @@ module asperity_solid_solve_energy
       real(wp) :: stored = 0.0_wp
       !> Lost to plastic strain of the wood, and to friction
       real(wp) :: plastic = 0.0_wp, friction = 0.0_wp
-      !> Put into elastic slip by changes of pressure, and taken along by points that leave the faces
+      !> Put into elastic slip by changes of pressure, and taken along by points that leave faces
       real(wp) :: coupling = 0.0_wp, edge = 0.0_wp
       !> Work less all the rest: falls with the increments
       real(wp) :: balance = 0.0_wp
@@ -61,12 +61,14 @@ contains
       load_place = displacement(3, model%mesh%load(1))
       head_place = displacement(3, model%mesh%head(1))
       do j = 1, size(model%points, 2)
-         associate (shape => model%shapes(model%shape_of(j)), wood => model%wood(model%mesh%part(j)))
+         associate (shape => model%shapes(model%shape_of(j)), &
+               wood => model%wood(model%mesh%part(j)))
             do i = 1, 8
                associate (now => model%points(i, j), then => start(i, j))
                   stored = stored + shape%weights(i)*elastic_energy_density(wood, now%stress)
                   if (ledger%has_begun) ledger%plastic = ledger%plastic + 0.5_wp*shape%weights(i) &
-                     *dot_product(now%stress + then%stress, now%plastic_strain - then%plastic_strain)
+                     *dot_product(now%stress + then%stress, &
+                     now%plastic_strain - then%plastic_strain)
                end associate
             end do
          end associate

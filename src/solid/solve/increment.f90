@@ -17,10 +17,10 @@ module asperity_solid_solve_increment
       !> Motion of the load, mm, and what else acts at its end
       real(wp) :: motion = 0.0_wp
       type(load_state) :: load
-      !> Begin with the tangent, and not with the last increment's displacements, scaled by the motion
+      !> Begin with the tangent, and not with the last increment's displacements, scaled
       logical :: is_fresh = .true.
-      !> A new factorisation in every iteration: GMRES with a small tolerance does not see how softly
-      !> a joint without contact is held
+      !> A new factorisation in every iteration: GMRES with a small tolerance does not see how
+      !> softly a joint without contact is held
       logical :: is_direct = .false.
       !> Iterations, and whether it was solved
       integer :: iterations = 0
@@ -40,8 +40,8 @@ module asperity_solid_solve_increment
 
 contains
 
-   !> Solve an increment. Displacements and histories are those of its end if it was solved, else those
-   !> of its start. `error` is set when the engine fails.
+   !> Solve an increment. Displacements and histories are those of its end if it was solved,
+   !> else those of its start. `error` is set when the engine fails.
    subroutine solve_increment(increment, model, system, displacement, before, last_motion, error)
       !> The increment
       type(increment_type), intent(inout) :: increment
@@ -49,7 +49,7 @@ contains
       type(solid_model), intent(inout) :: model
       !> Its equations
       type(equation_system), intent(inout) :: system
-      !> Displacements at the start, then at the end, and those at the start of the last increment, mm
+      !> Displacements at the start, then at the end; those at the start of the last increment, mm
       real(wp), intent(inout) :: displacement(:, :), before(:, :)
       !> Motion of the last increment, mm
       real(wp), intent(in) :: last_motion

@@ -16,16 +16,16 @@ module asperity_solid_solve_record
    type :: increment_record
       !> Number of the stroke, from 1, and iterations
       integer :: stroke = 0, iterations = 0
-      !> Displacement of the load, mm; force, N; rotation of the beam at the column face, rad; pull-out
-      !> there, mm
+      !> Displacement of the load, mm; force, N; rotation of the beam at the column face, rad;
+      !> pull-out there, mm
       real(wp) :: displacement = 0.0_wp, force = 0.0_wp, rotation = 0.0_wp, pull_out = 0.0_wp
       !> Energies, J
       real(wp) :: work = 0.0_wp, stored = 0.0_wp, plastic = 0.0_wp, friction = 0.0_wp, &
          coupling = 0.0_wp, edge = 0.0_wp, balance = 0.0_wp
       !> Share of the wood's points that yield, and largest equivalent plastic strain
       real(wp) :: yielding = 0.0_wp, plastic_strain = 0.0_wp
-      !> Of each pair: normal force, N; largest pressure, MPa; area that sticks and that slips, mm^2;
-      !> energy lost to friction, J
+      !> Of each pair: normal force, N; largest pressure, MPa; area that sticks and that slips,
+      !> mm^2; energy lost to friction, J
       real(wp) :: normal_force(most_pairs) = 0.0_wp, largest_pressure(most_pairs) = 0.0_wp, &
          stick_area(most_pairs) = 0.0_wp, slip_area(most_pairs) = 0.0_wp, &
          friction_energy(most_pairs) = 0.0_wp
@@ -74,7 +74,8 @@ contains
                      + halves*cell%area*cell%coverage*cell%trial%traction(1)
                   record%largest_pressure(i) = max(record%largest_pressure(i), &
                      cell%trial%traction(1))
-                  if (cell%trial%status == status_stick) record%stick_area(i) = record%stick_area(i) &
+                  if (cell%trial%status == status_stick) &
+                     record%stick_area(i) = record%stick_area(i) &
                      + halves*cell%area*cell%coverage
                   if (cell%trial%status == status_slip) record%slip_area(i) = record%slip_area(i) &
                      + halves*cell%area*cell%coverage
@@ -84,8 +85,8 @@ contains
       end do
    end function new_record
 
-   !> Rotation of the beam's section at the column face, positive where the load point rises, by least
-   !> squares, rad, and its mean displacement out of the mortise, mm.
+   !> Rotation of the beam's section at the column face, positive where the load point rises, by
+   !> least squares, rad, and its mean displacement out of the mortise, mm.
    pure subroutine joint_rotation(model, displacement, rotation, pull_out)
       !> The joint, and its displacements, mm
       type(solid_model), intent(in) :: model

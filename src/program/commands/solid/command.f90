@@ -148,8 +148,8 @@ contains
          if (self%resumes) cycle
          if (.not. is_there(self%checkpoints(i)%path)) cycle
          call fatal_error(error, self%checkpoints(i)%path//' is there, of a run that was '// &
-            'interrupted or is under way: go on from it with --resume, remove it, or name others '// &
-            'with --checkpoint', subject='checkpoint')
+            'interrupted or is under way: go on from it with --resume, remove it, or name '// &
+            'others with --checkpoint', subject='checkpoint')
          return
       end do
       line%text = ''
