@@ -9,7 +9,17 @@ submodule(asperity_solid_engine_linear_solver) with_petsc
    use, intrinsic :: iso_c_binding, only: c_double, c_null_char, c_null_funptr
    use asperity_base_error, only: fatal_error
    use asperity_base_number_text, only: to_text
-   use asperity_petsc_calls
+   use asperity_petsc_calls, only: ksp_converged_iterating, ksp_converged_rtol, ksp_create, &
+      ksp_destroy, ksp_diverged_its, ksp_get_converged_reason, ksp_get_pc, ksp_gmres_set_restart, &
+      ksp_set_convergence_test, ksp_set_operators, ksp_set_pc_side, ksp_set_tolerances, &
+      ksp_set_type, ksp_solve, mat_assembly_begin, mat_assembly_end, &
+      mat_create_seq_aij_with_arrays, mat_destroy, mat_final_assembly, mat_mumps_get_infog, &
+      mat_mumps_set_cntl, mat_mumps_set_icntl, pc_apply, pc_factor_get_matrix, &
+      pc_factor_set_mat_solver_type, pc_factor_set_up_mat_solver_type, pc_get_failed_reason, &
+      pc_right, pc_set_error_if_failure, pc_set_reuse_preconditioner, pc_set_type, pc_set_up, &
+      petsc_comm_world, petsc_false, petsc_finalize, petsc_get_version, petsc_initialize, &
+      petsc_pop_signal_handler, petsc_push_error_handler, petsc_return_error_handler, petsc_true, &
+      set_environment, vec_create_seq_with_array, vec_destroy
    implicit none
 
    !> Choices of MUMPS' manual: 6 permutation by values (0: none), 7 ordering (5: METIS), 8 scaling

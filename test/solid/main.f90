@@ -13,12 +13,12 @@ program test_solid
    use test_solid_contact_patch, only: suite_contact_patch
    use test_solid_contact_paths, only: suite_contact_paths
    use test_solid_contact_tangent, only: suite_contact_tangent
-   use test_solid_small_matrices, only: suite_small_matrices
    use test_solid_vtu, only: suite_vtu
    use test_solid_material_elasticity, only: suite_material_elasticity
    use test_solid_material_return, only: suite_material_return
    use test_solid_material_strengths, only: suite_material_strengths
    use test_solid_material_tangent, only: suite_material_tangent
+   use test_solid_pattern, only: suite_pattern
    use test_solid_small_matrices, only: suite_small_matrices
    use test_solid_wood_check, only: suite_wood_check
    implicit none
@@ -28,6 +28,7 @@ program test_solid
    call suite%addTest(suite_small_matrices())
    call suite%addTest(suite_joint_mesh())
    call suite%addTest(suite_vtu())
+   call suite%addTest(suite_pattern())
    call suite%addTest(suite_wood_check())
    call suite%addTest(suite_material_elasticity())
    call suite%addTest(suite_material_strengths())

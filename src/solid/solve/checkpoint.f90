@@ -26,11 +26,12 @@ contains
          size(run%displacement), size(run%records)
       if (status == 0) write (unit, iostat=status) run%displacement, run%before, run%ledger, &
          run%model%points, run%records
+      if (status /= 0) return
       do i = 1, size(run%model%pairs)
-         if (status /= 0) return
          associate (history => pack_history(run%model%pairs(i)), &
                facets => pack_facets(run%model%pairs(i)))
             write (unit, iostat=status) size(history), size(facets), history, facets
+            if (status /= 0) return
          end associate
       end do
    end subroutine write_run
@@ -61,7 +62,8 @@ contains
          if (status /= 0) return
          status = 1
          if (n /= history_size(run%model%pairs(i)) .or. n_facets < 0) return
-         allocate (history(n), facets(n_facets), stat=status)
+         allocate (history(n), stat=status)
+         if (status == 0) allocate (facets(n_facets), stat=status)
          if (status == 0) read (unit, iostat=status) history, facets
          if (status /= 0) return
          call unpack_history(run%model%pairs(i), history)
