@@ -3,6 +3,7 @@ module test_petsc_linear_solver
    use, intrinsic :: ieee_arithmetic, only: ieee_quiet_nan, ieee_value
    use asperity, only: error_type, wp
    use asperity_solid_engine_linear_solver, only: linear_solver
+   use test_petsc_engine, only: petsc
    use funit, only: assertEqual, assertFalse, assertLessThan, assertTrue, TestMethod, TestSuite
    implicit none
    private
@@ -63,6 +64,7 @@ contains
       end do
       row_start(side*side + 1) = size(columns)
       if (.not. associated(solver%values)) then
+         solver%petsc = petsc
          call solver%set_pattern(row_start, columns, error)
          call assertFalse(allocated(error))
       end if

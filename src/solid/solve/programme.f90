@@ -5,6 +5,7 @@ module asperity_solid_solve_programme
    use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
    use asperity_solid_contact_pair, only: forget_pattern
+   use asperity_solid_engine_petsc, only: petsc_library
    use asperity_solid_material_material, only: material_point
    use asperity_solid_model_model, only: solid_model
    use asperity_solid_model_settings, only: easy_iterations, few_iterations, fit_increments, &
@@ -62,13 +63,16 @@ module asperity_solid_solve_programme
 contains
 
    !> A run at its beginning.
-   subroutine new_solid_run(run, model)
+   subroutine new_solid_run(run, model, petsc)
       !> Result
       type(solid_run), intent(out) :: run
       !> The joint
       type(solid_model), intent(in) :: model
+      !> PETSc, loaded
+      type(petsc_library), intent(in) :: petsc
 
       run%model = model
+      run%system%solver%petsc = petsc
       allocate (run%displacement(3, size(model%mesh%nodes, 2)), source=0.0_wp)
       run%before = run%displacement
       allocate (run%records(0))

@@ -24,7 +24,7 @@ module asperity_program_commands_solid_command
    use asperity_program_system_progress, only: clear_steps, tell_terminal
    use asperity_program_system_strings, only: newline, string_type
    use asperity_replay_tenon_settings, only: complete_tenon_settings, tenon_settings
-   use asperity_solid_engine_linear_solver, only: start_engine, stop_engine
+   use asperity_solid_engine_petsc, only: load_petsc, petsc_library, unload_petsc
    use asperity_solid_mesh_checks, only: mesh_remark
    use asperity_solid_model_model, only: new_solid_model, solid_model
    use asperity_solid_solve_programme, only: new_solid_run, run_programme, solid_run
@@ -101,6 +101,7 @@ contains
       !> Set on failure
       type(error_type), allocatable, intent(out) :: error
       type(history_type) :: history
+      type(petsc_library) :: petsc
 
       call read_history(history, self%case%joint, error)
       if (.not. allocated(error)) call follow_history(self%case%joint%joint, history, error)
@@ -109,10 +110,10 @@ contains
       report%faces = self%case%joint%faces%words()
       if (self%vtk /= '') call check_vtk_folder(self%vtk, error)
       if (allocated(error)) return
-      call start_engine(error)
+      call load_petsc(petsc, error)
       if (allocated(error)) return
-      call report_models(self, report, error)
-      call stop_engine()
+      call report_models(self, petsc, report, error)
+      call unload_petsc(petsc)
    end subroutine run
 
    !> Remove the checkpoints.
@@ -127,8 +128,9 @@ contains
    end subroutine finish
 
    !> Run what is asked for and report it.
-   subroutine report_models(self, report, error)
+   subroutine report_models(self, petsc, report, error)
       class(solid_command), intent(inout) :: self
+      type(petsc_library), intent(in) :: petsc
       type(report_type), intent(inout) :: report
       type(error_type), allocatable, intent(out) :: error
       character(len=5), parameter :: names(2) = [character(len=5) :: 'hard', 'rough']
@@ -154,7 +156,7 @@ contains
       end do
       line%text = ''
       do i = 1, size(models)
-         call run_model(self, models(i), self%checkpoints(i), outcomes(i), line%text, error)
+         call run_model(self, petsc, models(i), self%checkpoints(i), outcomes(i), line%text, error)
          call clear_steps()
          if (allocated(error)) return
       end do
@@ -166,8 +168,9 @@ contains
    end subroutine report_models
 
    !> Run one model.
-   subroutine run_model(self, which, checkpoint, outcome, remark, error)
+   subroutine run_model(self, petsc, which, checkpoint, outcome, remark, error)
       class(solid_command), intent(in) :: self
+      type(petsc_library), intent(in) :: petsc
       integer, intent(in) :: which
       type(checkpoint_file), intent(in) :: checkpoint
       type(solid_outcome), intent(out) :: outcome
@@ -183,7 +186,7 @@ contains
       if (.not. allocated(error)) call new_solid_model(model, deck, self%case%settings, error)
       if (allocated(error)) return
       if (remark == '') remark = trim(mesh_remark(deck))
-      call new_solid_run(run, model)
+      call new_solid_run(run, model, petsc)
       deallocate (deck, model)
       call new_observer(observer, 'solid: '//trim(legends(which)), checkpoint, self%vtk)
       if (self%resumes) call resume(checkpoint, run, observer, error)

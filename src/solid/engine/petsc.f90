@@ -1,0 +1,328 @@
+!> PETSc, found when it is needed: a program that solves no solid loads neither it nor MPI, and
+!> needs neither to be built. What is called is PETSc's C interface as its headers have it (real
+!> numbers, 32-bit indices, Open MPI, as Debian builds it); its module files are those of one
+!> Fortran compiler. Every function returns zero on success.
+module asperity_solid_engine_petsc
+   use, intrinsic :: ieee_exceptions, only: ieee_all, ieee_set_halting_mode
+   use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_double, c_f_pointer, &
+      c_f_procpointer, c_funptr, c_int, c_null_char, c_null_funptr, c_null_ptr, c_ptr
+   use asperity_base_error, only: error_type, fatal_error
+   use asperity_base_number_text, only: to_text
+   implicit none
+   private
+   public :: petsc_library, load_petsc, unload_petsc
+
+   !> Values of PETSc's enumerations
+   integer(c_int), parameter, public :: mat_final_assembly = 0, pc_right = 1, petsc_false = 0, &
+      petsc_true = 1, ksp_converged_rtol = 2, ksp_converged_iterating = 0, ksp_diverged_its = -3
+
+   abstract interface
+      !> What takes nothing
+      integer(c_int) function plain() bind(c)
+         import :: c_int
+      end function plain
+      !> ... one object
+      integer(c_int) function of_one(object) bind(c)
+         import :: c_int, c_ptr
+         type(c_ptr), value :: object
+      end function of_one
+      !> ... three objects
+      integer(c_int) function of_three(first, second, third) bind(c)
+         import :: c_int, c_ptr
+         type(c_ptr), value :: first, second, third
+      end function of_three
+      !> ... and destroys an object
+      integer(c_int) function destroys(object) bind(c)
+         import :: c_int, c_ptr
+         type(c_ptr), intent(inout) :: object
+      end function destroys
+      !> ... and makes or finds another object
+      integer(c_int) function finds(object, found) bind(c)
+         import :: c_int, c_ptr
+         type(c_ptr), value :: object
+         type(c_ptr), intent(out) :: found
+      end function finds
+      !> ... an object and a number
+      integer(c_int) function with_number(object, number) bind(c)
+         import :: c_int, c_ptr
+         type(c_ptr), value :: object
+         integer(c_int), value :: number
+      end function with_number
+      !> ... an object and a name
+      integer(c_int) function with_name(object, name) bind(c)
+         import :: c_char, c_int, c_ptr
+         type(c_ptr), value :: object
+         character(kind=c_char), intent(in) :: name(*)
+      end function with_name
+      !> ... and gives a number
+      integer(c_int) function gives_number(object, number) bind(c)
+         import :: c_int, c_ptr
+         type(c_ptr), value :: object
+         integer(c_int), intent(out) :: number
+      end function gives_number
+      !> The version of the release
+      integer(c_int) function version_function(major, minor, subminor, release) bind(c)
+         import :: c_int
+         integer(c_int), intent(out) :: major, minor, subminor, release
+      end function version_function
+      !> Who is told of errors
+      integer(c_int) function handler_function(handler, context) bind(c)
+         import :: c_int, c_ptr
+         type(c_ptr), value :: handler, context
+      end function handler_function
+      !> A matrix over three arrays
+      integer(c_int) function matrix_function(communicator, rows, columns, row_start, column, &
+            values, matrix) bind(c)
+         import :: c_double, c_int, c_ptr
+         type(c_ptr), value :: communicator
+         integer(c_int), value :: rows, columns
+         integer(c_int), intent(in) :: row_start(*), column(*)
+         real(c_double), intent(in) :: values(*)
+         type(c_ptr), intent(out) :: matrix
+      end function matrix_function
+      !> A vector over an array
+      integer(c_int) function vector_function(communicator, block_size, n, values, vector) bind(c)
+         import :: c_double, c_int, c_ptr
+         type(c_ptr), value :: communicator
+         integer(c_int), value :: block_size, n
+         real(c_double), intent(in) :: values(*)
+         type(c_ptr), intent(out) :: vector
+      end function vector_function
+      !> Controls of MUMPS that are whole
+      integer(c_int) function icntl_function(factors, place, value) bind(c)
+         import :: c_int, c_ptr
+         type(c_ptr), value :: factors
+         integer(c_int), value :: place, value
+      end function icntl_function
+      !> ... that are real
+      integer(c_int) function cntl_function(factors, place, value) bind(c)
+         import :: c_double, c_int, c_ptr
+         type(c_ptr), value :: factors
+         integer(c_int), value :: place
+         real(c_double), value :: value
+      end function cntl_function
+      !> What MUMPS says
+      integer(c_int) function infog_function(factors, place, value) bind(c)
+         import :: c_int, c_ptr
+         type(c_ptr), value :: factors
+         integer(c_int), value :: place
+         integer(c_int), intent(out) :: value
+      end function infog_function
+      !> Tolerances of a Krylov solver
+      integer(c_int) function tolerances_function(solver, relative, absolute, divergence, most) &
+            bind(c)
+         import :: c_double, c_int, c_ptr
+         type(c_ptr), value :: solver
+         real(c_double), value :: relative, absolute, divergence
+         integer(c_int), value :: most
+      end function tolerances_function
+      !> Who says that it has converged
+      integer(c_int) function test_function(solver, test, context, destroy) bind(c)
+         import :: c_funptr, c_int, c_ptr
+         type(c_ptr), value :: solver, context
+         type(c_funptr), value :: test, destroy
+      end function test_function
+   end interface
+
+   !> Functions of PETSc.
+   type :: petsc_library
+      !> All ranks: MPI's handle
+      type(c_ptr) :: world = c_null_ptr
+      procedure(plain), pointer, nopass :: initialize => null(), finalize => null(), &
+         pop_signal_handler => null()
+      procedure(version_function), pointer, nopass :: get_version => null()
+      procedure(handler_function), pointer, nopass :: push_error_handler => null()
+      procedure(matrix_function), pointer, nopass :: mat_create => null()
+      procedure(with_number), pointer, nopass :: mat_assembly_begin => null(), &
+         mat_assembly_end => null(), ksp_set_pc_side => null(), ksp_gmres_set_restart => null(), &
+         pc_set_reuse => null(), pc_set_error_if_failure => null()
+      procedure(destroys), pointer, nopass :: mat_destroy => null(), vec_destroy => null(), &
+         ksp_destroy => null()
+      procedure(vector_function), pointer, nopass :: vec_create => null()
+      procedure(finds), pointer, nopass :: ksp_create => null(), ksp_get_pc => null(), &
+         pc_factor_get_matrix => null()
+      procedure(with_name), pointer, nopass :: ksp_set_type => null(), pc_set_type => null(), &
+         pc_factor_set_solver => null()
+      procedure(of_one), pointer, nopass :: pc_factor_set_up_solver => null(), pc_set_up => null()
+      procedure(of_three), pointer, nopass :: ksp_set_operators => null(), ksp_solve => null(), &
+         pc_apply => null()
+      procedure(gives_number), pointer, nopass :: ksp_get_converged_reason => null(), &
+         pc_get_failed_reason => null()
+      procedure(icntl_function), pointer, nopass :: set_icntl => null()
+      procedure(cntl_function), pointer, nopass :: set_cntl => null()
+      procedure(infog_function), pointer, nopass :: get_infog => null()
+      procedure(tolerances_function), pointer, nopass :: ksp_set_tolerances => null()
+      procedure(test_function), pointer, nopass :: ksp_set_convergence_test => null()
+   end type petsc_library
+
+   !> Releases whose interface this is: Debian 12, Ubuntu 24.04 and between
+   integer, parameter :: major = 3, first_minor = 18, last_minor = 20
+   !> Names a library in place of those
+   character(len=*), parameter :: variable = 'ASPERITY_PETSC'
+   !> dlopen: all symbols at once, and for all libraries, as Open MPI's parts ask for
+   integer(c_int), parameter :: now_and_global = int(z'102', c_int)
+
+   interface
+      type(c_ptr) function c_dlopen(path, mode) bind(c, name='dlopen')
+         import :: c_char, c_int, c_ptr
+         character(kind=c_char), intent(in) :: path(*)
+         integer(c_int), value :: mode
+      end function c_dlopen
+      type(c_ptr) function c_dlsym(library, name) bind(c, name='dlsym')
+         import :: c_char, c_ptr
+         type(c_ptr), value :: library
+         character(kind=c_char), intent(in) :: name(*)
+      end function c_dlsym
+      integer(c_int) function c_setenv(name, value, overwrites) bind(c, name='setenv')
+         import :: c_char, c_int
+         character(kind=c_char), intent(in) :: name(*), value(*)
+         integer(c_int), value :: overwrites
+      end function c_setenv
+   end interface
+
+contains
+
+   !> Find and start PETSc, once in a process. `error` is set when it is not installed.
+   subroutine load_petsc(petsc, error)
+      !> Result
+      type(petsc_library), intent(out) :: petsc
+      !> Set on failure
+      type(error_type), allocatable, intent(out) :: error
+      type(c_ptr) :: library, handler, world
+      type(c_ptr), pointer :: started
+      integer(c_int) :: code, version(4)
+      logical :: is_whole
+
+      ! libraries raise floating-point flags as they like; on return the caller's way is back
+      call ieee_set_halting_mode(ieee_all, .false.)
+      call find_library(library, error)
+      if (allocated(error)) return
+      call take_functions(petsc, library, handler, world, is_whole)
+      if (.not. is_whole) then
+         call fatal_error(error, 'the PETSc that is installed lacks functions that the solid '// &
+            'joint needs: it must have MUMPS')
+         return
+      end if
+      ! Else Open MPI starts a process orted beside a program that mpirun has not started
+      code = c_setenv('OMPI_MCA_ess_singleton_isolated'//c_null_char, '1'//c_null_char, 0_c_int)
+      if (code == 0) code = petsc%initialize()
+      if (code == 0) code = petsc%pop_signal_handler()
+      if (code == 0) code = petsc%push_error_handler(handler, c_null_ptr)
+      if (code == 0) code = petsc%get_version(version(1), version(2), version(3), version(4))
+      if (code /= 0) then
+         call fatal_error(error, 'PETSc does not start: its error code is '//to_text(code))
+         return
+      end if
+      call c_f_pointer(world, started)
+      petsc%world = started
+      if (version(1) /= major .or. version(2) < first_minor .or. version(2) > last_minor) then
+         call fatal_error(error, 'PETSc '//to_text(version(1))//'.'//to_text(version(2))// &
+            ' is not a version that the solid joint knows: 3.18 to 3.20')
+      end if
+   end subroutine load_petsc
+
+   !> The library that the environment names, or one that is installed.
+   subroutine find_library(library, error)
+      type(c_ptr), intent(out) :: library
+      type(error_type), allocatable, intent(out) :: error
+      character(len=:), allocatable :: path
+      integer :: minor, length
+
+      call get_environment_variable(variable, length=length)
+      if (length > 0) then
+         allocate (character(len=length) :: path)
+         call get_environment_variable(variable, path)
+         library = c_dlopen(path//c_null_char, now_and_global)
+         if (.not. c_associated(library)) call fatal_error(error, 'environment variable '// &
+            variable//' = '//path//' is no library that can be loaded: it is to name '// &
+            'libpetsc_real.so of PETSc 3.18 to 3.20')
+         return
+      end if
+      do minor = first_minor, last_minor
+         library = c_dlopen('libpetsc_real.so.'//to_text(major)//'.'//to_text(minor)// &
+            c_null_char, now_and_global)
+         if (c_associated(library)) return
+      end do
+      call fatal_error(error, 'PETSc is not installed, which solves the equations of the solid '// &
+         'joint: apt-get install libpetsc-real3.18 (Debian 12; versions 3.18 to 3.20 serve). '// &
+         'Nothing else needs it')
+   end subroutine find_library
+
+   !> Stop PETSc.
+   subroutine unload_petsc(petsc)
+      !> The library
+      type(petsc_library), intent(in) :: petsc
+      integer(c_int) :: code
+
+      call ieee_set_halting_mode(ieee_all, .false.)
+      if (associated(petsc%finalize)) code = petsc%finalize()
+   end subroutine unload_petsc
+
+   !> Find every function by its name.
+   subroutine take_functions(petsc, library, handler, world, is_whole)
+      type(petsc_library), intent(inout) :: petsc
+      type(c_ptr), intent(in) :: library
+      !> Error handler that returns the code and prints nothing
+      type(c_ptr), intent(out) :: handler
+      !> Where MPI's handle of all ranks is, once PETSc has started
+      type(c_ptr), intent(out) :: world
+      logical, intent(out) :: is_whole
+
+      is_whole = .true.
+      handler = address('PetscReturnErrorHandler')
+      world = address('PETSC_COMM_WORLD')
+      call c_f_procpointer(of('PetscInitializeNoArguments'), petsc%initialize)
+      call c_f_procpointer(of('PetscFinalize'), petsc%finalize)
+      call c_f_procpointer(of('PetscPopSignalHandler'), petsc%pop_signal_handler)
+      call c_f_procpointer(of('PetscPushErrorHandler'), petsc%push_error_handler)
+      call c_f_procpointer(of('PetscGetVersionNumber'), petsc%get_version)
+      call c_f_procpointer(of('MatCreateSeqAIJWithArrays'), petsc%mat_create)
+      call c_f_procpointer(of('MatAssemblyBegin'), petsc%mat_assembly_begin)
+      call c_f_procpointer(of('MatAssemblyEnd'), petsc%mat_assembly_end)
+      call c_f_procpointer(of('MatDestroy'), petsc%mat_destroy)
+      call c_f_procpointer(of('VecCreateSeqWithArray'), petsc%vec_create)
+      call c_f_procpointer(of('VecDestroy'), petsc%vec_destroy)
+      call c_f_procpointer(of('KSPCreate'), petsc%ksp_create)
+      call c_f_procpointer(of('KSPDestroy'), petsc%ksp_destroy)
+      call c_f_procpointer(of('KSPSetOperators'), petsc%ksp_set_operators)
+      call c_f_procpointer(of('KSPSetType'), petsc%ksp_set_type)
+      call c_f_procpointer(of('KSPGetPC'), petsc%ksp_get_pc)
+      call c_f_procpointer(of('KSPSetPCSide'), petsc%ksp_set_pc_side)
+      call c_f_procpointer(of('KSPGMRESSetRestart'), petsc%ksp_gmres_set_restart)
+      call c_f_procpointer(of('KSPSetTolerances'), petsc%ksp_set_tolerances)
+      call c_f_procpointer(of('KSPSetConvergenceTest'), petsc%ksp_set_convergence_test)
+      call c_f_procpointer(of('KSPSolve'), petsc%ksp_solve)
+      call c_f_procpointer(of('KSPGetConvergedReason'), petsc%ksp_get_converged_reason)
+      call c_f_procpointer(of('PCSetType'), petsc%pc_set_type)
+      call c_f_procpointer(of('PCSetErrorIfFailure'), petsc%pc_set_error_if_failure)
+      call c_f_procpointer(of('PCFactorSetMatSolverType'), petsc%pc_factor_set_solver)
+      call c_f_procpointer(of('PCFactorSetUpMatSolverType'), petsc%pc_factor_set_up_solver)
+      call c_f_procpointer(of('PCFactorGetMatrix'), petsc%pc_factor_get_matrix)
+      call c_f_procpointer(of('PCSetReusePreconditioner'), petsc%pc_set_reuse)
+      call c_f_procpointer(of('PCSetUp'), petsc%pc_set_up)
+      call c_f_procpointer(of('PCApply'), petsc%pc_apply)
+      call c_f_procpointer(of('PCGetFailedReason'), petsc%pc_get_failed_reason)
+      call c_f_procpointer(of('MatMumpsSetIcntl'), petsc%set_icntl)
+      call c_f_procpointer(of('MatMumpsSetCntl'), petsc%set_cntl)
+      call c_f_procpointer(of('MatMumpsGetInfog'), petsc%get_infog)
+
+   contains
+
+      !> Address of a name.
+      type(c_ptr) function address(name)
+         character(len=*), intent(in) :: name
+
+         address = c_dlsym(library, name//c_null_char)
+         is_whole = is_whole .and. c_associated(address)
+      end function address
+
+      !> Address of a function.
+      type(c_funptr) function of(name)
+         character(len=*), intent(in) :: name
+
+         of = transfer(address(name), c_null_funptr)
+      end function of
+
+   end subroutine take_functions
+
+end module asperity_solid_engine_petsc
