@@ -57,7 +57,7 @@ contains
 
       do
          if (wants_tangent) then
-            if (any(model%pairs%has_grown) .or. .not. allocated(system%places)) &
+            if (any(model%pairs%has_grown) .or. .not. associated(system%solver%values)) &
                call renew_pattern(system, model, error)
             if (allocated(error)) return
             system%solver%values = 0.0_wp

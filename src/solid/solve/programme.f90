@@ -110,7 +110,6 @@ contains
       integer :: i
 
       call run%system%solver%release()
-      if (allocated(run%system%places)) deallocate (run%system%places)
       do i = 1, size(run%model%pairs)
          call forget_pattern(run%model%pairs(i))
       end do
@@ -160,7 +159,8 @@ contains
          longest = 1.0_wp/settings%stroke_increments
          if (max(abs(from), abs(from + way)) > large_amplitude) longest = 0.5_wp*longest
          length = longest
-         done = 0.0_wp
+         ! a run that has failed goes on from where it stands
+         done = (run%displacement(3, run%model%mesh%load(1)) - from)/way
          is_fresh = .true.
          last_motion = 0.0_wp
          do while (done < 1.0_wp)
