@@ -5,7 +5,11 @@ program test_petsc
    use funit, only: TestSuite
    use run_suites, only: run_suite
    use test_petsc_engine, only: petsc
+   use test_petsc_joint_checkpoint, only: suite_joint_checkpoint
+   use test_petsc_joint_equations, only: suite_joint_equations
+   use test_petsc_joint_programme, only: suite_joint_programme
    use test_petsc_linear_solver, only: suite_linear_solver
+   use test_petsc_two_blocks, only: suite_two_blocks
    implicit none
    type(TestSuite) :: suite
    type(error_type), allocatable :: error
@@ -18,6 +22,10 @@ program test_petsc
    end if
    suite = TestSuite('petsc')
    call suite%addTest(suite_linear_solver())
+   call suite%addTest(suite_joint_equations())
+   call suite%addTest(suite_two_blocks())
+   call suite%addTest(suite_joint_programme())
+   call suite%addTest(suite_joint_checkpoint())
    call run_suite(suite)
    call unload_petsc(petsc)
 end program test_petsc
