@@ -195,7 +195,8 @@ contains
       call assertTrue(allocated(error), 'it fails')
       if (.not. allocated(error)) return
       call assertEqual(1, index(error%message, 'no increment is small enough in stroke 2 from '// &
-         '16.0 to -16.0 mm, at 3.20000 mm: no equilibrium after 4 iterations'), message=error%message)
+         '16.0 to -16.0 mm, at 3.20000 mm: no equilibrium after 4 iterations'), &
+         message=error%message)
       call assertTrue(is_same(run, kept), 'it stands where it stood')
       run%model%settings = kept%model%settings
       call go_on(run, stopper(strokes=2))

@@ -51,8 +51,8 @@ contains
    end subroutine test_hard
 
    !> In one increment a leg and in a hundred: the shear is that of the way after closing, which is
-   !> a small part of the whole. Blocks are stiff: contact takes the way in an increment as straight,
-   !> and soft ones bend it when they touch.
+   !> a small part of the whole. Blocks are stiff: contact takes the way in an increment as
+   !> straight, and soft ones bend it when they touch.
    subroutine compare(law)
       class(solid_law), intent(in) :: law
       real(wp) :: shear(2), pressure(2)
@@ -130,8 +130,8 @@ contains
 
    end subroutine travel
 
-   !> Nodes 1 to 8 below, 9 to 16 above and wider; of each the lower four first. The foot is held, the
-   !> upper block's upper face is not free.
+   !> Nodes 1 to 8 below, 9 to 16 above and wider; of each the lower four first. The foot is held,
+   !> the upper block's upper face is not free.
    subroutine new_blocks(model, law)
       type(solid_model), intent(out) :: model
       class(solid_law), intent(in) :: law
