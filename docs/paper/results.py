@@ -129,7 +129,9 @@ def from_json(answer):
     for name in ("largest_pressure", "normal_force", "area_open", "area_stick", "area_slip"):
         values = {}
         for i, face in enumerate(faces["face"]):
-            values.setdefault((face, faces["displacement"][i]), {})[faces["model"][i]] = faces[name][i]
+            # models may come there by other increments, and so by other sums
+            u = round(faces["displacement"][i], 6)
+            values.setdefault((face, u), {})[faces["model"][i]] = faces[name][i]
         rows += [(name, face, u, v["hard"], v["rough"]) for (face, u), v in values.items()]
     return [row for row in rows if None not in row]
 
