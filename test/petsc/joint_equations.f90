@@ -273,6 +273,7 @@ contains
       type(error_type), allocatable :: error
       real(wp), allocatable :: displacement(:, :), before(:, :)
 
+      system%solver%petsc = petsc
       allocate (system%residual(model%n_unknowns), system%by_motion(model%n_unknowns))
       displacement = run%displacement
       before = run%before

@@ -16,6 +16,7 @@ module test_petsc_two_blocks
    use asperity_solid_solve_increment, only: increment_type, solve_increment
    use asperity_wood_properties, only: wood_properties
    use contact_cases, only: pair_properties
+   use test_petsc_engine, only: petsc
    use funit, only: assertEqual, assertFalse, assertGreaterThan, assertTrue, TestMethod, TestSuite
    implicit none
    private
@@ -79,6 +80,7 @@ contains
 
       call new_blocks(model, law)
       allocate (displacement(3, 16), before(3, 16), source=0.0_wp)
+      system%solver%petsc = petsc
       allocate (system%residual(model%n_unknowns), system%by_motion(model%n_unknowns))
       call move([0, 0, -1], gap + pressed, steps)
       call assertTrue(all(model%pairs(1)%faces(1)%cells%start%pressure > 0.1_wp), 'pressed')
