@@ -8,7 +8,7 @@ file == 1 && /^[0-9]+ passed, [0-9]+ failed$/ { passed += $1; failed += $3; coun
 file == 1 && /^FAIL/ { text = text "\n  " name ": " $0; said = 1; next }
 file == 1 && said && /^ +\|/ { text = text "\n  " $0; next }
 file == 1 { said = 0; if (/^<end of output>/) ended[name] = lines; else kept[name, lines++] = $0 }
-file == 2 && /Test +#[0-9]+: .*\*\*\*/ {
+file == 2 && /Test +#[0-9]+: .*\*\*\*/ && !/\*\*\*Skipped/ {
    sub(/.*Test +#[0-9]+: /, "")
    if (!counted[$1]) {
       failed++
