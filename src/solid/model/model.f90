@@ -3,7 +3,6 @@
 module asperity_solid_model_model
    use asperity_base_error, only: error_type
    use asperity_base_kinds, only: wp
-   use asperity_deck_tenon_sets, only: holding_stiffness
    use asperity_deck_tenon_deck, only: tenon_deck
    use asperity_replay_tenon_settings, only: tenon_face_arm
    use asperity_solid_contact_pair, only: contact_pair, new_contact_pair
@@ -91,7 +90,7 @@ contains
          model%swelling = deck%swelling
          model%column_load = 0.5_wp*s%column_load
          if (s%axial_rule == 'spring') model%axial_stiffness = 0.5_wp*s%axial_stiffness
-         model%holding_stiffness = holding_stiffness
+         model%holding_stiffness = settings%holding_stiffness
          model%small_force = small_share*0.5_wp*s%wood%compression_strengths(2)*s%width &
             *s%length
          model%arm = tenon_face_arm(s)
@@ -158,6 +157,7 @@ contains
             model%mesh%mortise(i)%facets, model%mesh%tenon(i)%facets, model%settings%cells, law, &
             error)
          if (allocated(error)) return
+         model%pairs(i)%search_distance = model%settings%search_distance
       end do
    end subroutine find_contact
 

@@ -3,6 +3,9 @@ module asperity_solid_model_settings
    use asperity_base_checks, only: check_positive, check_range
    use asperity_base_error, only: error_type
    use asperity_base_kinds, only: wp
+   use asperity_deck_tenon_sets, only: holding_stiffness
+   use asperity_solid_contact_hard, only: default_penalty, default_soft_overclosure
+   use asperity_solid_contact_pair, only: default_cells, default_search_distance
    implicit none
    private
    public :: solid_settings, check_solid_settings
@@ -10,10 +13,15 @@ module asperity_solid_model_settings
    !> Choices of the analysis.
    type :: solid_settings
       !> Contact points along each edge of a face; two are 1 % softer at 60 mm, five change nothing
-      integer :: cells = 3
+      integer :: cells = default_cells
       !> Pressure of hard contact over penetration, MPa/mm, beyond a soft start of
       !> `soft_overclosure`, mm: 0.05 mm at 50 MPa; ten times as much changes the force by 0.3 %
-      real(wp) :: penalty = 1000.0_wp, soft_overclosure = 0.02_wp
+      real(wp) :: penalty = default_penalty, soft_overclosure = default_soft_overclosure
+      !> Gap up to which faces opposite are known to the matrix before they touch, mm
+      real(wp) :: search_distance = default_search_distance
+      !> Spring in z at the end of the tenon, N/mm, that holds the joint while it is open: nothing
+      !> beside wood
+      real(wp) :: holding_stiffness = holding_stiffness
       !> Whether every contact point is run through UINTER
       logical :: through_uinter = .false.
       !> Residual over the forces of contact and load at which an increment is solved
@@ -51,6 +59,10 @@ contains
          if (.not. allocated(error)) call check_positive(error, 'penalty', s%penalty, 'MPa/mm')
          if (.not. allocated(error)) &
             call check_range(error, 'soft_overclosure', s%soft_overclosure, 0.0_wp, 1.0_wp, ' mm')
+         if (.not. allocated(error)) &
+            call check_range(error, 'search_distance', s%search_distance, 0.0_wp, 1.0e3_wp, ' mm')
+         if (.not. allocated(error)) &
+            call check_positive(error, 'holding_stiffness', s%holding_stiffness, 'N/mm')
          if (.not. allocated(error)) &
             call check_range(error, 'tolerance', s%tolerance, 1.0e-10_wp, 0.1_wp, '')
          if (.not. allocated(error)) &

@@ -59,6 +59,10 @@ contains
          call keys%real('soft_overclosure', s%soft_overclosure, 'mm', &
             'penetration over which hard contact stiffens to its penalty')
          call keys%unused(self%contact == 'rough')
+         call keys%real('search_distance', s%search_distance, 'mm', &
+            'gap up to which faces opposite are known to the matrix before they touch')
+         call keys%real('holding_stiffness', s%holding_stiffness, 'N/mm', &
+            'spring in z at the end of the tenon, which holds the joint while it is open')
          call keys%whole('stroke_increments', s%stroke_increments, &
             'fewest increments of a stroke; twice as many beyond 16 mm')
          call keys%real('tolerance', s%tolerance, '', &

@@ -45,6 +45,9 @@ module asperity_program_commands_solid_page_texts
       origin_type('penalty', chosen//'0.05 mm at 50 MPa; ten times as much moves the force by '// &
       '0.3 %'), &
       origin_type('soft_overclosure', chosen//'a soft start, so that hard contact converges'), &
+      origin_type('search_distance', chosen//'more than the faces near in an iteration; it '// &
+      'moves no result'), &
+      origin_type('holding_stiffness', chosen//'nothing beside wood'), &
       origin_type('stroke_increments', chosen//'more leave less work unaccounted for; the '// &
       'force hardly moves'), &
       origin_type('tolerance', chosen//'a thousandth of the forces in play'), &
