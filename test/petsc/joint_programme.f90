@@ -1,6 +1,7 @@
 !> Programmes of the whole joint: energy, steps, symmetry, UINTER, failure, an independent code.
 module test_petsc_joint_programme
-   use asperity, only: error_type, wp
+   use, intrinsic :: ieee_arithmetic, only: ieee_quiet_nan, ieee_value
+   use asperity, only: computation_error, error_type, wp
    use asperity_contact_state, only: status_open
    use asperity_solid_model_equations, only: held
    use asperity_solid_model_model, only: solid_model
@@ -26,6 +27,7 @@ contains
       call suite%addTest(TestMethod('through UINTER', test_uinter))
       call suite%addTest(TestMethod('no shear where faces are open', test_open))
       call suite%addTest(TestMethod('what cannot be solved', test_failure))
+      call suite%addTest(TestMethod('a matrix that cannot be factorised', test_matrix))
       call suite%addTest(TestMethod('forces of a prototype', test_prototype))
    end function suite_joint_programme
 
@@ -206,6 +208,26 @@ contains
       call assertEqual(force_at(whole, 3), force_at(run, 3), &
          tolerance=0.001_wp*abs(force_at(whole, 3)), message='force')
    end subroutine test_failure
+
+   !> A matrix that cannot be factorised makes an increment shorter, and then the run fail.
+   subroutine test_matrix()
+      type(joint_case) :: case
+      type(solid_run) :: run, kept
+      type(error_type), allocatable :: error
+
+      case = joint_case(amplitudes=[16.0_wp])
+      call run_of(run, case, stopper(increments=4))
+      kept = run
+      run%model%shapes(1)%stiffness(1, 1) = ieee_value(1.0_wp, ieee_quiet_nan)
+      call go_on(run, stopper(strokes=1), error)
+      call assertTrue(allocated(error), 'it fails')
+      if (.not. allocated(error)) return
+      call assertEqual(computation_error, error%category)
+      call assertEqual(1, index(error%message, 'no increment is small enough in stroke 1 from '// &
+         '0.0 to 16.0 mm, at 6.40000 mm: the matrix has entries that are not numbers'), &
+         message=error%message)
+      call assertTrue(is_same(run, kept), 'it stands where it stood')
+   end subroutine test_matrix
 
    !> Displacements, histories and records.
    logical function is_same(run, other)

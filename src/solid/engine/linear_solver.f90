@@ -9,7 +9,7 @@ module asperity_solid_engine_linear_solver
    use, intrinsic :: ieee_exceptions, only: ieee_all, ieee_set_halting_mode
    use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_f_pointer, c_funloc, c_int, &
       c_loc, c_null_char, c_null_funptr, c_null_ptr, c_ptr
-   use asperity_base_error, only: error_type, fatal_error
+   use asperity_base_error, only: computation_error, error_type, fatal_error
    use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
    use asperity_solid_engine_petsc, only: ksp_converged_iterating, ksp_converged_rtol, &
@@ -104,7 +104,8 @@ contains
       call ieee_set_halting_mode(ieee_all, .false.)
       self%has_factors = .false.
       if (.not. all(abs(self%values) <= huge(1.0_wp))) then
-         call fatal_error(error, 'the matrix has entries that are not numbers')
+         call fatal_error(error, 'the matrix has entries that are not numbers', &
+            computation_error)
          return
       end if
       do
@@ -129,7 +130,7 @@ contains
          if (mumps_code /= room_error .or. self%room > largest_room) exit
       end do
       if (.not. self%has_factors) call fatal_error(error, 'the matrix cannot be factorised: '// &
-         'MUMPS says '//to_text(mumps_code))
+         'MUMPS says '//to_text(mumps_code), computation_error)
    end subroutine factorise
 
    !> Solve by the factors alone.
@@ -285,7 +286,7 @@ contains
       type(error_type), allocatable, intent(out) :: error
 
       if (code /= 0) call fatal_error(error, 'PETSc cannot '//doing//': its error code is '// &
-         to_text(code))
+         to_text(code), computation_error)
    end subroutine check
 
 end module asperity_solid_engine_linear_solver

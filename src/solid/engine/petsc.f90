@@ -6,7 +6,7 @@ module asperity_solid_engine_petsc
    use, intrinsic :: ieee_exceptions, only: ieee_all, ieee_set_halting_mode
    use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_double, c_f_pointer, &
       c_f_procpointer, c_funptr, c_int, c_null_char, c_null_funptr, c_null_ptr, c_ptr
-   use asperity_base_error, only: error_type, fatal_error
+   use asperity_base_error, only: computation_error, error_type, fatal_error
    use asperity_base_number_text, only: to_text
    implicit none
    private
@@ -200,7 +200,7 @@ contains
       call take_functions(petsc, library, handler, world, is_whole)
       if (.not. is_whole) then
          call fatal_error(error, 'the PETSc that is installed lacks functions that the solid '// &
-            'joint needs: it must have MUMPS')
+            'joint needs: it must have MUMPS', computation_error)
          return
       end if
       ! Else Open MPI starts a process orted beside a program that mpirun has not started
@@ -210,14 +210,15 @@ contains
       if (code == 0) code = petsc%push_error_handler(handler, c_null_ptr)
       if (code == 0) code = petsc%get_version(version(1), version(2), version(3), version(4))
       if (code /= 0) then
-         call fatal_error(error, 'PETSc does not start: its error code is '//to_text(code))
+         call fatal_error(error, 'PETSc does not start: its error code is '//to_text(code), &
+            computation_error)
          return
       end if
       call c_f_pointer(world, started)
       petsc%world = started
       if (version(1) /= major .or. version(2) < first_minor .or. version(2) > last_minor) then
          call fatal_error(error, 'PETSc '//to_text(version(1))//'.'//to_text(version(2))// &
-            ' is not a version that the solid joint knows: 3.18 to 3.20')
+            ' is not a version that the solid joint knows: 3.18 to 3.20', computation_error)
       end if
    end subroutine load_petsc
 
@@ -245,7 +246,7 @@ contains
       end do
       call fatal_error(error, 'PETSc is not installed, which solves the equations of the solid '// &
          'joint: apt-get install libpetsc-real3.18 (Debian 12; versions 3.18 to 3.20 serve). '// &
-         'Nothing else needs it')
+         'Nothing else needs it', computation_error)
    end subroutine find_library
 
    !> Stop PETSc.

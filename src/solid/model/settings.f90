@@ -34,6 +34,8 @@ module asperity_solid_model_settings
       integer :: stroke_increments = 10
    end type solid_settings
 
+   !> Least tolerance: below it is the round-off of a joint at rest
+   real(wp), parameter :: least_tolerance = 1.0e-8_wp
    !> Amplitude beyond which a stroke takes twice as many increments, mm
    real(wp), parameter, public :: large_amplitude = 16.5_wp
    !> Increments in which the beam swells between the sides
@@ -64,7 +66,7 @@ contains
          if (.not. allocated(error)) &
             call check_positive(error, 'holding_stiffness', s%holding_stiffness, 'N/mm')
          if (.not. allocated(error)) &
-            call check_range(error, 'tolerance', s%tolerance, 1.0e-10_wp, 0.1_wp, '')
+            call check_range(error, 'tolerance', s%tolerance, least_tolerance, 0.1_wp, '')
          if (.not. allocated(error)) &
             call check_range(error, 'forcing', s%forcing, 1.0e-12_wp, 0.5_wp, '')
          if (.not. allocated(error)) call check_range(error, 'most_iterations', &

@@ -65,6 +65,7 @@ contains
       end do
       increment%iterations = 0
       increment%is_solved = .false.
+      if (allocated(increment%reason)) deallocate (increment%reason)
       if (.not. increment%is_fresh) displacement = displacement &
          + increment%motion/last_motion*(displacement - before)
       call iterate_to_equilibrium(increment, model, system, displacement, error)
@@ -128,7 +129,7 @@ contains
             right_side = -system%residual
             if (is_prediction) right_side = right_side - system%by_motion*increment%motion
             call solve_linear(step)
-            if (allocated(error)) return
+            if (allocated(error) .or. allocated(increment%reason)) return
             increment%iterations = increment%iterations + 1
             call move(step, merge(increment%motion, 0.0_wp, is_prediction))
             last_residual = merge(huge(1.0_wp), residual, is_prediction)
@@ -151,7 +152,13 @@ contains
          end if
          if (has_converged) return
          call system%solver%factorise(error)
-         if (.not. allocated(error)) call system%solver%solve(right_side, solution, error)
+         if (allocated(error)) then
+            ! a shorter increment may have a better matrix
+            increment%reason = error%message
+            deallocate (error)
+         else
+            call system%solver%solve(right_side, solution, error)
+         end if
       end subroutine solve_linear
 
       !> Add a step to the displacements.

@@ -1,7 +1,7 @@
 !> The programme of a solid joint: the column is loaded, the beam fitted, then the load goes from
 !> turn to turn. Increments grow where they are easy and are halved where they are not solved.
 module asperity_solid_solve_programme
-   use asperity_base_error, only: error_type, fatal_error
+   use asperity_base_error, only: computation_error, error_type, fatal_error
    use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
    use asperity_solid_contact_pair, only: forget_pattern
@@ -131,7 +131,8 @@ contains
          if (.not. increment%is_solved) then
             call fatal_error(error, 'the joint at rest has no equilibrium ('// &
                trim(merge('column load     ', 'fit of the sides', i == 0))//'): '// &
-               increment%reason//'. A smaller side_pressure or mesh_size may help')
+               increment%reason//'. A smaller side_pressure or mesh_size may help', &
+               computation_error)
             return
          end if
          call keep(run, increment)
@@ -192,7 +193,7 @@ contains
                call fatal_error(error, 'no increment is small enough in stroke '// &
                   to_text(run%strokes_done + 1)//' from '//to_text(from, 5)//' to '// &
                   to_text(from + way, 5)//' mm, at '//to_text(from + done*way, 6)//' mm: '// &
-                  increment%reason)
+                  increment%reason, computation_error)
                return
             end if
          end do
