@@ -55,6 +55,10 @@ contains
             ' MiB, this is not a case file')
          return
       end if
+      do i = 1, keys%n
+         ! other commands may have choices of their own
+         known%rows(known%find(keys%rows(i)%name))%choices = keys%rows(i)%choices
+      end do
       call read_group(scanner, known, error)
       if (allocated(error)) return
       if (text(len(text):) /= newline) call fatal_error(error, path// &

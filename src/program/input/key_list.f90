@@ -13,7 +13,7 @@ module asperity_program_input_key_list
    use asperity_base_number_text, only: to_text
    use asperity_program_input_key, only: given_nowhere, kind_choice, kind_counts, kind_integer, &
       kind_list, kind_logical, kind_real, kind_request, kind_text
-   use asperity_program_input_key_rows, only: key_rows, word_of
+   use asperity_program_input_key_rows, only: add_choices, key_rows, word_of
    use asperity_program_input_ranges, only: list_text
    implicit none
    private
@@ -73,7 +73,7 @@ contains
 
       call self%declare(name, kind_choice, '', help, value)
       associate (key => self%rows(self%last))
-         key%choices = choices
+         call add_choices(key%choices, choices)
          if (key%given /= given_nowhere) then
             value = key%text
          else

@@ -6,7 +6,7 @@ module asperity_program_input_key_rows
       key_type
    implicit none
    private
-   public :: key_rows, word_of
+   public :: key_rows, add_choices, word_of
 
    !> Keys.
    type :: key_rows
@@ -277,5 +277,21 @@ contains
       end do
       word = word(:index(word//' ', ' ') - 1)
    end function word_of
+
+   !> Choices of a key, to which another command of all may add its own.
+   pure subroutine add_choices(all, choices)
+      !> Those so far
+      character(len=*), intent(inout) :: all
+      !> More of them
+      character(len=*), intent(in) :: choices
+      character(len=len(choices)) :: word
+      integer :: i
+
+      do i = 1, count([(choices(i:i) == ' ', i=1, len_trim(choices))]) + 1
+         word = word_of(choices, i)
+         if (index(' '//trim(all)//' ', ' '//trim(word)//' ') > 0) cycle
+         all = adjustl(trim(all)//' '//word)
+      end do
+   end subroutine add_choices
 
 end module asperity_program_input_key_rows
