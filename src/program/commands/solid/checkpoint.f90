@@ -6,6 +6,7 @@ module asperity_program_commands_solid_checkpoint
    use asperity_base_kinds, only: wp
    use asperity_program_commands_solid_snapshot, only: solid_snapshot
    use asperity_program_commands_solid_snapshots_file, only: read_snapshots, write_snapshots
+   use asperity_program_system_atomic_files, only: open_target, output_file
    use asperity_program_system_files, only: remove_file, rename_file
    use asperity_solid_solve_checkpoint, only: read_run, write_run
    use asperity_solid_solve_programme, only: solid_run
@@ -20,7 +21,7 @@ module asperity_program_commands_solid_checkpoint
       !> Version and input, which tell one joint from another
       character(len=:), allocatable :: head
    contains
-      procedure :: save, load, remove
+      procedure :: check_place, save, load, remove
    end type checkpoint_file
 
    character(len=*), parameter :: part = '.part'
@@ -34,6 +35,17 @@ contains
 
       inquire (file=path, exist=is_there)
    end function is_there
+
+   !> `error` is set when the file cannot be written.
+   subroutine check_place(self, error)
+      !> The file
+      class(checkpoint_file), intent(in) :: self
+      !> Set on failure
+      type(error_type), allocatable, intent(out) :: error
+      type(output_file) :: file
+
+      call open_target(file, '--checkpoint', self%path, error)
+   end subroutine check_place
 
    !> Write the file.
    subroutine save(self, run, snapshots, seconds, error)
@@ -49,6 +61,7 @@ contains
       type(error_type), allocatable, intent(out) :: error
       character(len=:), allocatable :: reason
       character(len=256) :: message
+      integer(int64) :: next, bytes
       integer :: unit, status, late_status
 
       message = 'the disk may be full'
@@ -58,13 +71,14 @@ contains
          write (unit, iostat=status, iomsg=message) len(self%head), self%head, seconds
          if (status == 0) call write_run(unit, run, status)
          if (status == 0) call write_snapshots(unit, snapshots, status)
+         inquire (unit, pos=next)
          close (unit, iostat=late_status)
          if (status == 0) status = late_status
-         if (status == 0) then
-            call rename_file(self%path//part, self%path, reason)
-         else
-            call remove_file(self%path//part)
-         end if
+         ! a full disk need not be noticed by then
+         inquire (file=self%path//part, size=bytes)
+         if (bytes /= next - 1) status = 1
+         if (status == 0) call rename_file(self%path//part, self%path, reason)
+         if (status /= 0 .or. allocated(reason)) call remove_file(self%path//part)
       end if
       if (status /= 0) reason = trim(message)
       if (allocated(reason)) call fatal_error(error, 'checkpoint '//self%path// &

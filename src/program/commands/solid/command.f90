@@ -142,18 +142,8 @@ contains
 
       models = pack([1, 2], names == self%case%contact .or. self%case%contact == 'both')
       allocate (outcomes(size(models)), self%checkpoints(size(models)))
-      if (self%checkpoint == '') self%checkpoint = 'solid'
-      do i = 1, size(models)
-         self%checkpoints(i)%path = self%checkpoint//'.'//trim(names(models(i)))//'.checkpoint'
-         self%checkpoints(i)%head = 'asperity '//version//newline// &
-            case_text(report%keys, case_heading('solid'))
-         if (self%resumes) cycle
-         if (.not. is_there(self%checkpoints(i)%path)) cycle
-         call fatal_error(error, self%checkpoints(i)%path//' is there, of a run that was '// &
-            'interrupted or is under way: go on from it with --resume, remove it, or name '// &
-            'others with --checkpoint', subject='checkpoint')
-         return
-      end do
+      call name_checkpoints(self, names(models), report%keys, error)
+      if (allocated(error)) return
       line%text = ''
       do i = 1, size(models)
          call run_model(self, petsc, models(i), self%checkpoints(i), outcomes(i), line%text, error)
@@ -166,6 +156,36 @@ contains
       if (line%text /= '') report%remarks = [report%remarks, line]
       if (self%page /= '') report%page = page_of(self, report, beside_paper)
    end subroutine report_models
+
+   !> Name the checkpoints of the models. `error` is set when one cannot be written, when one is there
+   !> that is not to be gone on from, or when there is none that is.
+   subroutine name_checkpoints(self, names, keys, error)
+      class(solid_command), intent(inout) :: self
+      character(len=*), intent(in) :: names(:)
+      type(key_list), intent(in) :: keys
+      type(error_type), allocatable, intent(out) :: error
+      logical :: are_there(size(names))
+      integer :: i
+
+      if (self%checkpoint == '') self%checkpoint = 'solid'
+      do i = 1, size(names)
+         associate (file => self%checkpoints(i))
+            file%path = self%checkpoint//'.'//trim(names(i))//'.checkpoint'
+            file%head = 'asperity '//version//newline//case_text(keys, case_heading('solid'))
+            call file%check_place(error)
+            if (allocated(error)) return
+            are_there(i) = is_there(file%path)
+         end associate
+      end do
+      if (self%resumes .and. .not. any(are_there)) then
+         call fatal_error(error, 'there is no '//self%checkpoints(1)%path//': begin without '// &
+            '--resume, or name the checkpoints with --checkpoint', subject='resume')
+      else if (any(are_there) .and. .not. self%resumes) then
+         call fatal_error(error, self%checkpoints(findloc(are_there, .true., 1))%path// &
+            ' is there, of a run that was interrupted or is under way: go on from it with '// &
+            '--resume, remove it, or name others with --checkpoint', subject='checkpoint')
+      end if
+   end subroutine name_checkpoints
 
    !> Run one model.
    subroutine run_model(self, petsc, which, checkpoint, outcome, remark, error)
@@ -193,7 +213,7 @@ contains
       if (allocated(error)) return
       call run_programme(run, observer, error)
       if (allocated(error)) then
-         if (run%strokes_done >= 0) error%message = error%message//'. It begins again from '// &
+         if (is_there(checkpoint%path)) error%message = error%message//'. It begins again from '// &
             checkpoint%path//' with --resume'
          return
       end if

@@ -29,8 +29,6 @@ module asperity_program_commands_solid_observer
       !> Time spent before this process, s, and when it began
       real(wp) :: seconds_before = 0.0_wp
       integer(int64), private :: began = 0_int64
-      !> Increments that were done when it began
-      integer, private :: first = 0
    contains
       procedure :: after_increment, after_stroke
    end type run_observer
