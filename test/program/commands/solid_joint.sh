@@ -2,11 +2,11 @@
 # is tested in the library (test/petsc); here it is what the command makes of it
 one=(--mesh-size 100 --contact rough --amplitudes 8)
 run solid "${one[@]}" --csv s.csv --json s.json
-if grep -q 'this build has no PETSc' err; then
-   check 'solid: a build without PETSc says what to install' is_refused 1 \
-      'this build has no PETSc, which the solid joint needs: install libpetsc-real-dev .*build again'
+if grep -q 'PETSc is not installed' err; then
+   check 'solid: without PETSc it says what to install' is_refused 1 \
+      'PETSc is not installed, .*apt-get install libpetsc-real3.18 .*Nothing else needs it'
    check 'solid: and writes nothing' sh -c '! ls s.csv s.json solid.* 2>/dev/null'
-   skip 'solid' 'this build has no PETSc'
+   skip 'solid' 'PETSc is not installed'
    return
 fi
 check 'solid' is_quiet
@@ -133,6 +133,9 @@ refuses 'solid: no folder for results' 3 '--csv: nowhere/s.csv cannot be written
 refuses 'solid: no folder for checkpoints' 3 '--checkpoint: nowhere/j.rough.checkpoint cannot be written: ' \
    solid "${one[@]}" --checkpoint nowhere/j
 check 'solid: nothing half-written' sh -c '! ls bad* solid.* 2>/dev/null'
+
+ASPERITY_PETSC=$work/libpetsc.so refuses 'solid: a PETSc that is not there' 2 \
+   "environment variable ASPERITY_PETSC = $work/libpetsc.so is no library that can be loaded" solid "${one[@]}"
 
 # What cannot be solved, at rest and in a stroke
 refuses 'solid: no equilibrium at rest' 1 'the joint at rest has no equilibrium \(fit of the sides\): ' \

@@ -157,8 +157,8 @@ contains
       if (self%page /= '') report%page = page_of(self, report, beside_paper)
    end subroutine report_models
 
-   !> Name the checkpoints of the models. `error` is set when one cannot be written, when one is there
-   !> that is not to be gone on from, or when there is none that is.
+   !> Name the checkpoints of the models. `error` is set when one cannot be written, when one is
+   !> there that is not to be gone on from, or when there is none that is.
    subroutine name_checkpoints(self, names, keys, error)
       class(solid_command), intent(inout) :: self
       character(len=*), intent(in) :: names(:)
