@@ -72,7 +72,7 @@ contains
          allocate (low(n), high(n), along(n), direction(n))
       end associate
       call draw(direction, 0.01_wp)
-      place = run%displacement
+      allocate (place, source=run%displacement)
       call add_unknowns(run%model, place, direction)
       call add_motion(run%model, place, 1.0_wp)
       call assemble(run%system, run%model, place, load, .true., error)
@@ -275,8 +275,8 @@ contains
 
       system%solver%petsc = petsc
       allocate (system%residual(model%n_unknowns), system%by_motion(model%n_unknowns))
-      displacement = run%displacement
-      before = run%before
+      allocate (displacement, source=run%displacement)
+      allocate (before, source=run%before)
       ! what is extrapolated is the guess
       call add_unknowns(model, before, -guess)
       increment = increment_type(motion=1.6_wp, load=load_state(1.0_wp, 1.0_wp), is_fresh=.false.)
