@@ -177,7 +177,7 @@ ROWS = [
     ("F31", "Fig. 31", "at -48 mm more of the rough faces sticks and slips", contact_area(-1), ""),
     ("F32", "Fig. 32", "so it does when unloading", contact_area(0), ""),
     ("F33a", "Fig. 33", "largest contact stress +15.5 %", stress,
-     "yield caps it in the plane; solid: one cell at a rim, which the mesh moves; CalculiX: elastic wood, "
+     "yield caps it in the plane; solid: one cell at a rim, -10 to +19 % with mesh and programme; CalculiX: elastic wood, "
      "one node; part is the penalty's, see below"),
     ("F33b", "Fig. 33", "it sits at the end and the neck of the tenon (-48 mm)", stress_place, ""),
     ("F34a", "Fig. 34", "contact forces equal early, apart late", forces_apart, "as F27: the reverse"),
