@@ -45,7 +45,8 @@ contains
       call run_of(uncut, case)
       do i = 1, size(cuts)
          call run_of(cut, case, stopper(strokes=cuts(i)))
-         open (newunit=unit, access='stream', form='unformatted', status='scratch')
+         open (newunit=unit, access='stream', form='unformatted', status='scratch', &
+            action='readwrite')
          call write_run(unit, cut, status)
          call assertEqual(0, status, message='written')
          rewind (unit)
@@ -107,7 +108,8 @@ contains
 
       case = joint_case(amplitudes=[8.0_wp])
       call run_of(run, case, stopper(strokes=0))
-      open (newunit=unit, access='stream', form='unformatted', status='scratch')
+      open (newunit=unit, access='stream', form='unformatted', status='scratch', &
+         action='readwrite')
       call write_run(unit, run, status)
       do i = 1, 2
          other = case
@@ -120,7 +122,8 @@ contains
          call assertGreaterThan(status, 0, message='another joint')
       end do
       close (unit)
-      open (newunit=unit, access='stream', form='unformatted', status='scratch')
+      open (newunit=unit, access='stream', form='unformatted', status='scratch', &
+         action='readwrite')
       write (unit) 0, 6
       rewind (unit)
       call new_joint(model, case)

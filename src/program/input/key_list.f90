@@ -73,7 +73,7 @@ contains
 
       call self%declare(name, kind_choice, '', help, value)
       associate (key => self%rows(self%last))
-         call add_choices(key%choices, choices)
+         call add_choices(key, choices)
          if (key%given /= given_nowhere) then
             value = key%text
          else

@@ -279,9 +279,9 @@ contains
    end function word_of
 
    !> Choices of a key, to which another command of all may add its own.
-   pure subroutine add_choices(all, choices)
-      !> Those so far
-      character(len=*), intent(inout) :: all
+   pure subroutine add_choices(key, choices)
+      !> The key, with those so far
+      type(key_type), intent(inout) :: key
       !> More of them
       character(len=*), intent(in) :: choices
       character(len=len(choices)) :: word
@@ -289,8 +289,8 @@ contains
 
       do i = 1, count([(choices(i:i) == ' ', i=1, len_trim(choices))]) + 1
          word = word_of(choices, i)
-         if (index(' '//trim(all)//' ', ' '//trim(word)//' ') > 0) cycle
-         all = adjustl(trim(all)//' '//word)
+         if (index(' '//trim(key%choices)//' ', ' '//trim(word)//' ') > 0) cycle
+         key%choices = adjustl(trim(key%choices)//' '//word)
       end do
    end subroutine add_choices
 
