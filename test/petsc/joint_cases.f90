@@ -21,7 +21,7 @@ module joint_cases
       character(len=8) :: contact = 'rough', criterion = 'crushing'
       real(wp) :: mesh_size = 100.0_wp, side_pressure = 0.4_wp, column_load = 0.0_wp
       real(wp), allocatable :: amplitudes(:)
-      type(solid_settings) :: settings
+      type(solid_settings) :: settings = solid_settings()
    end type joint_case
 
    !> Stops a run, by an error, after so many increments or strokes.
