@@ -33,8 +33,9 @@ contains
    end subroutine test_hard
 
    !> Cut after the beam was fitted and after strokes in which faces have met more of the beam.
-   subroutine compare(case)
-      type(joint_case), intent(in) :: case
+   subroutine compare(given)
+      type(joint_case), intent(in) :: given
+      type(joint_case) :: case
       integer, parameter :: cuts(3) = [0, 2, 4]
       type(solid_run) :: uncut, cut, continued
       type(solid_model) :: model
@@ -42,6 +43,9 @@ contains
       type(error_type), allocatable :: error
       integer :: i, unit, status
 
+      case = given
+      ! so near that patterns grow within strokes
+      case%settings%search_distance = 1.0e-3_wp
       call run_of(uncut, case)
       do i = 1, size(cuts)
          call run_of(cut, case, stopper(strokes=cuts(i)))
@@ -61,8 +65,9 @@ contains
          call assertEqual([uncut%increments, uncut%iterations, uncut%cutbacks], &
             [continued%increments, continued%iterations, continued%cutbacks], message='counts')
       end do
-      call assertGreaterThan(uncut%system%solver%n_patterns, size(uncut%model%turns), &
-         message='patterns that grew')
+      ! the rough law's faces meet all they need at once
+      if (case%contact == 'hard') call assertGreaterThan(uncut%system%solver%n_patterns, &
+         size(uncut%model%turns), message='patterns that grew')
    end subroutine compare
 
    !> Records, displacements and points.

@@ -109,17 +109,17 @@ contains
          call assertFalse(pair%has_grown, 'none was met')
          call advance(m, moved_master(b, [0.0_wp, 0.0_wp, -2.0_wp], still))
          call assertTrue(pair%has_grown, 'some were met')
-         call assertEqual(4 + 12, size(face%nodes), 'a facet and its neighbours')
+         call assertEqual(4 + 16, size(face%nodes), 'a facet and those around it')
          pair%has_grown = .false.
-         ! over the four about a node
-         call advance(m, moved_master(b, [2.0_wp, 1.0_wp, -2.0_wp], still))
-         call advance(m, moved_master(b, [2.0_wp, 1.0_wp, -4.1_wp], still))
+         ! past those around it
+         call advance(m, moved_master(b, [22.0_wp, 1.0_wp, -2.0_wp], still))
+         call advance(m, moved_master(b, [22.0_wp, 1.0_wp, -4.1_wp], still))
          call assertTrue(pair%has_grown, 'more were met')
          call forget_pattern(pair)
-         call assertTrue(size(face%nodes) > 16, 'those met last are kept')
+         call assertTrue(size(face%nodes) > 20, 'those met last are kept')
          call forget_pattern(pair)
          call assertEqual(4, size(face%nodes), 'none was met since')
-         call advance(m, moved_master(b, [2.0_wp, 1.0_wp, -4.1_wp], still))
+         call advance(m, moved_master(b, [22.0_wp, 1.0_wp, -4.1_wp], still))
          call assertTrue(size(face%nodes) > 16, 'and met again')
          call assertGreaterThan(maxval(m%forces), 1.0_wp, 'there are forces')
       end associate

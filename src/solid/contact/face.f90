@@ -7,8 +7,8 @@ module asperity_solid_contact_face
    use asperity_solid_small_matrices, only: cross, invert
    implicit none
    private
-   public :: contact_face, new_contact_face, freeze_axes, meet_facet, met_facets, keep_facets, &
-      cell_place
+   public :: contact_face, new_contact_face, freeze_axes, meet_facet, surround_facet, met_facets, &
+      keep_facets, cell_place
 
    !> A slave facet.
    type :: contact_face
@@ -95,7 +95,7 @@ contains
       end associate
    end subroutine freeze_axes
 
-   !> Add a master facet and its neighbours to those met.
+   !> Add a master facet and those around it to those met; one that is there is only noted.
    pure subroutine meet_facet(face, master, facet, has_grown)
       !> The face
       type(contact_face), intent(inout) :: face
@@ -105,20 +105,43 @@ contains
       integer, intent(in) :: facet
       !> Set to true when it was new
       logical, intent(inout) :: has_grown
-      integer :: neighbour, place
+      integer :: place
 
       if (facet == 0) return
       place = findloc(face%facets, facet, 1)
       if (place > 0) then
          face%is_met(place) = .true.
-         return
+      else
+         call add_facet(face, master, facet, has_grown)
+         face%is_met(size(face%is_met)) = .true.
+         call surround_facet(face, master, facet, has_grown)
       end if
-      call add_facet(face, master, facet, has_grown)
-      face%is_met(size(face%is_met)) = .true.
-      do neighbour = 1, 4
-         call add_facet(face, master, master%neighbours(neighbour, facet), has_grown)
-      end do
    end subroutine meet_facet
+
+   !> Add the facets around one, also those at its corners.
+   pure subroutine surround_facet(face, master, facet, has_grown)
+      !> The face
+      type(contact_face), intent(inout) :: face
+      !> The master surface
+      type(contact_surface), intent(in) :: master
+      !> The facet
+      integer, intent(in) :: facet
+      !> Set to true when one was new
+      logical, intent(inout) :: has_grown
+      integer :: i, j, k, beside, beyond
+
+      do i = 1, 4
+         beside = master%neighbours(i, facet)
+         call add_facet(face, master, beside, has_grown)
+         if (beside == 0) cycle
+         do j = 1, 4
+            beyond = master%neighbours(j, beside)
+            if (beyond == 0) cycle
+            if (any([(any(master%facets(:, facet) == master%facets(k, beyond)), k=1, 4)])) &
+               call add_facet(face, master, beyond, has_grown)
+         end do
+      end do
+   end subroutine surround_facet
 
    pure subroutine add_facet(face, master, facet, has_grown)
       type(contact_face), intent(inout) :: face

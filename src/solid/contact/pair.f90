@@ -9,14 +9,14 @@ module asperity_solid_contact_pair
    use asperity_solid_contact_cut, only: cut_face
    use asperity_solid_contact_energy, only: add_increment, contact_energy, recut_energy
    use asperity_solid_contact_face, only: contact_face, freeze_axes, keep_facets, met_facets, &
-      new_contact_face
+      new_contact_face, surround_facet
    use asperity_solid_contact_geometry_surface, only: contact_surface, new_contact_surface
    use asperity_solid_contact_law, only: solid_law
    use asperity_solid_contact_rays, only: find_middles, meet_facets, start_rays
    implicit none
    private
    public :: contact_pair, new_contact_pair, begin_increment, update_cell, accept, &
-      forget_pattern
+      foresee_pattern, forget_pattern
 
    !> Cells along each edge of a slave facet by default
    integer, parameter, public :: default_cells = 3
@@ -170,6 +170,22 @@ contains
          end do
       end do
    end subroutine accept
+
+   !> Add what is around the facets met, when a pattern is made anyway: the next increments then
+   !> find it as they need it.
+   pure subroutine foresee_pattern(pair)
+      !> The pair
+      type(contact_pair), intent(inout) :: pair
+      integer, allocatable :: met(:)
+      integer :: i, j
+
+      do i = 1, size(pair%faces)
+         met = met_facets(pair%faces(i))
+         do j = 1, size(met)
+            call surround_facet(pair%faces(i), pair%master, met(j), pair%has_grown)
+         end do
+      end do
+   end subroutine foresee_pattern
 
    !> Forget the nodes that were not met since this was done last, before a new pattern of the
    !> matrix: the next increments meet those they need.

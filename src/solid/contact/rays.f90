@@ -123,7 +123,9 @@ contains
 
       associate (cell => face%cells(number))
          if (cell%coverage <= 0.0_wp) return
-         if (cell%gap > search_distance .and. .not. cell%trial%traction(1) > 0.0_wp) return
+         ! the pressure of the start as well, which a run that goes on from a checkpoint has
+         if (cell%gap > search_distance &
+            .and. .not. max(cell%trial%traction(1), cell%start%pressure) > 0.0_wp) return
          call meet_facet(face, master, cell%middle%facet, has_grown)
          do j = cell%first, cell%last
             call meet_facet(face, master, face%samples(j)%facet, has_grown)

@@ -2,6 +2,7 @@
 module asperity_solid_solve_assembly
    use asperity_base_error, only: error_type
    use asperity_base_kinds, only: wp
+   use asperity_solid_contact_pair, only: foresee_pattern
    use asperity_solid_contact_response, only: face_response
    use asperity_solid_element_brick, only: brick_response
    use asperity_solid_engine_linear_solver, only: linear_solver
@@ -83,6 +84,7 @@ contains
 
       n = size(model%mesh%elements, 2)
       do i = 1, size(model%pairs)
+         call foresee_pattern(model%pairs(i))
          n = n + size(model%pairs(i)%faces)
       end do
       allocate (blocks(n))

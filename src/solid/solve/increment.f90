@@ -31,6 +31,8 @@ module asperity_solid_solve_increment
       real(wp) :: residual = 0.0_wp
    end type increment_type
 
+   !> Residual that GMRES leaves where a loose one does not see how softly the joint is held
+   real(wp), parameter :: tight = 1.0e-8_wp
    !> A joint without contact drifts for long before it rests: so many times the iterations
    integer, parameter :: patience = 4
    !> Halvings of a step that does not reduce the residual
@@ -145,9 +147,9 @@ contains
          logical :: has_converged
 
          has_converged = .false.
-         if (system%solver%has_factors .and. .not. increment%is_direct) then
-            call system%solver%iterate(right_side, solution, model%settings%forcing, &
-               has_converged, error)
+         if (system%solver%has_factors) then
+            call system%solver%iterate(right_side, solution, &
+               merge(tight, model%settings%forcing, increment%is_direct), has_converged, error)
             if (allocated(error)) return
          end if
          if (has_converged) return
