@@ -72,7 +72,8 @@ contains
          ! what half the height of the tenon bears without crushing
          elastic = 0.5_wp*s%height*s%wood%compression_strengths(2)/s%wood%young_moduli(2)
       end associate
-      cell = max(rim_facet(deck), rim_height(deck))
+      ! places of nodes are sums: not 60.00 mm for 60.0
+      cell = anint(1.0e6_wp*max(rim_facet(deck), rim_height(deck)))/1.0e6_wp
       if (.not. indentation > 0.0_wp) then
          remark = 'the tenon meets its sides only: a rigid one '// &
             'touches above and below from '//to_text(touch, 4)//' mm on'
