@@ -188,7 +188,7 @@ contains
    end subroutine foresee_pattern
 
    !> Forget the nodes that were not met since this was done last, before a new pattern of the
-   !> matrix: the next increments meet those they need.
+   !> matrix. The next increments meet those they need.
    pure subroutine forget_pattern(pair)
       !> The pair
       type(contact_pair), intent(inout) :: pair

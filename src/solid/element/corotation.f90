@@ -1,4 +1,4 @@
-!> Corotation: an element's forces and tangent from those in a frame that turns with it.
+!> Forces and tangent of an element from those in a frame that turns with it.
 !>
 !> R is the rotation of the mean deformation gradient F = sum x_a b_a' = R U, with b_a the mean
 !> gradients of the shape functions: so a field that is linear passes in elements of any shape.

@@ -31,7 +31,7 @@ module asperity_solid_engine_linear_solver
       real(wp), pointer, contiguous :: values(:) => null()
       !> Whether there are factors, of these values or of earlier ones
       logical :: has_factors = .false.
-      !> Counts: patterns, factorisations, solutions by factors alone
+      !> How many patterns, factorisations, and solutions by factors alone
       integer :: n_patterns = 0, n_factorisations = 0, n_solutions = 0
       !> Room beyond the estimate that the factors take, %
       integer(c_int), private :: room = 0

@@ -159,7 +159,7 @@ module asperity_solid_engine_petsc
    integer, parameter :: major = 3, first_minor = 18, last_minor = 20
    !> Names a library in place of those
    character(len=*), parameter :: variable = 'ASPERITY_PETSC'
-   !> dlopen: all symbols at once, and for all libraries, as Open MPI's parts ask for
+   !> How dlopen looks for symbols - all at once, and for all libraries, as Open MPI's parts ask for
    integer(c_int), parameter :: now_and_global = int(z'102', c_int)
 
    interface

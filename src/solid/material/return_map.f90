@@ -2,12 +2,12 @@
 !> stiffness and surface.
 !>
 !> The stress there, less the centre, falls from its trial value to trial/(1 + m values), m the
-!> multiplier: increment of the equivalent plastic strain over the yield stress at its end. Its norm
-!> N(m) must be that yield stress. On a straight piece of the hardening, stress b + h*increment,
-!> that is b/N(m) + h m = 1. 1/N is concave, as each share of N is constant/(constant + m); so from
-!> the beginning of the piece Newton's iteration comes to the root from one side: from below for
-!> b > 0, from above for b < 0, where a steep piece begins after the strain at the start. It needs
-!> no guard.
+!> multiplier, an increment of the equivalent plastic strain over the yield stress at its end. Its
+!> norm N(m) must be that yield stress. On a straight piece of the hardening, stress b +
+!> h*increment, that is b/N(m) + h m = 1. 1/N is concave, as each share of N is constant/(constant
+!> + m); so from the beginning of the piece Newton's iteration comes to the root from one side:
+!> from below for b > 0, from above for b < 0, where a steep piece begins after the strain at the
+!> start. It needs no guard.
 module asperity_solid_material_return_map
    use asperity_base_kinds, only: wp
    use asperity_solid_material_hardening, only: hardening_curve, piece_of

@@ -32,7 +32,7 @@ module asperity_solid_model_model
       !> Elements of one shape and wood, and which of them each element is
       type(brick), allocatable :: shapes(:)
       integer, allocatable :: shape_of(:)
-      !> Faces: above, below, side
+      !> Faces above, below and at the side
       type(contact_pair), allocatable :: pairs(:)
       !> Points of the elements at the start of the increment, and as found last
       type(material_point), allocatable :: points(:, :), trial_points(:, :)

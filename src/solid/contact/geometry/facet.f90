@@ -12,8 +12,8 @@ module asperity_solid_contact_geometry_facet
       real(wp) :: natural(2) = 0.0_wp
       !> Distance along the ray, mm
       real(wp) :: gap = 0.0_wp
-      !> Derivatives: when the start of the ray moves by u from the point that it meets, natural
-      !> coordinates and gap change by `inverse u`
+      !> When the start of the ray moves by u from the point that it meets, natural coordinates and
+      !> gap change by `inverse u`
       real(wp) :: inverse(3, 3) = 0.0_wp
       !> Whether the ray meets the front of a facet that does not lean too far
       logical :: usable = .false.
