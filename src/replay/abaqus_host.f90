@@ -2,19 +2,19 @@
 !> the values at its start, with every output poisoned beforehand, accepts or cuts back, and keeps
 !> the history of everything that UINTER returned.
 module asperity_replay_abaqus_host
-   use asperity_abaqus_props_and_statev, only: n_statev, props_from_properties
+   use asperity_abaqus_props_and_statev, only: n_statev, props_from_properties, state_from_statev
    use asperity_abaqus_uinter_signature, only: uinter_interface
    use asperity_base_error, only: computation_error, error_type, fatal_error
    use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
    use asperity_contact_properties, only: contact_properties
-   use asperity_contact_state, only: no_rotation, no_surface_limit
+   use asperity_contact_state, only: contact_response, contact_state, no_rotation, no_surface_limit
    use asperity_replay_abaqus_record, only: check_outputs, host_record, new_host_record, &
       poison_outputs
    implicit none
    private
    public :: host_point, new_host_point, try_increment, accept_increment, refuse_cut, &
-      run_increment
+      run_increment, host_response
 
    !> One contact point of the host.
    type :: host_point
@@ -122,6 +122,27 @@ contains
       if (point%trial%pnewdt < 1.0_wp) call fatal_error(error, 'UINTER cannot compute '// &
          'overclosure = '//to_text(point%trial%rdisp(1))//' mm', computation_error)
    end subroutine refuse_cut
+
+   !> The last trial as the response of the contact-point update.
+   pure function host_response(point) result(response)
+      !> The point
+      type(host_point), intent(in) :: point
+      type(contact_response) :: response
+      type(contact_state) :: start
+
+      start = state_from_statev(point%start%statev)
+      associate (t => point%trial, n => point%ndir, state => response%state)
+         state = state_from_statev(t%statev)
+         response%traction(:n) = t%stress
+         response%tangent(:n, :n) = t%ddsddr
+         response%status = state%status
+         response%validity = state%validity
+         response%normal_energy = state%normal_energy
+         response%tangential_energy = t%sed - state%normal_energy
+         response%dissipation = t%sfd
+         response%pressure_coupling = state%pressure_coupling - start%pressure_coupling
+      end associate
+   end function host_response
 
    !> Accept the last trial: it becomes the start of the next increment.
    subroutine accept_increment(point, rotation)

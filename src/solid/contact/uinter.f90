@@ -1,12 +1,13 @@
 !> The rough law through UINTER, called as ABAQUS calls it.
 module asperity_solid_contact_uinter
-   use asperity_abaqus_props_and_statev, only: state_from_statev, statev_from_state
+   use asperity_abaqus_props_and_statev, only: statev_from_state
    use asperity_abaqus_uinter_signature, only: uinter_interface
    use asperity_base_error, only: error_type
    use asperity_base_kinds, only: wp
    use asperity_contact_properties, only: contact_properties
    use asperity_contact_state, only: contact_response, contact_state, is_closed
-   use asperity_replay_abaqus_host, only: host_point, new_host_point, refuse_cut, try_increment
+   use asperity_replay_abaqus_host, only: host_point, host_response, new_host_point, refuse_cut, &
+      try_increment
    use asperity_solid_contact_law, only: solid_law
    implicit none
    private
@@ -48,19 +49,7 @@ contains
          host%trial = host%start
          call try_increment(host, overclosure, slip, 1.0_wp, error)
          if (.not. allocated(error)) call refuse_cut(host, error)
-         if (allocated(error)) return
-         associate (t => host%trial)
-            response%traction = t%stress
-            response%tangent = t%ddsddr
-            response%state = state_from_statev(t%statev)
-            response%status = response%state%status
-            response%validity = response%state%validity
-            response%normal_energy = response%state%normal_energy
-            response%tangential_energy = t%sed - response%state%normal_energy
-            response%dissipation = t%sfd
-            response%pressure_coupling = response%state%pressure_coupling &
-               - start%pressure_coupling
-         end associate
+         if (.not. allocated(error)) response = host_response(host)
       end associate
    end subroutine update
 

@@ -1,14 +1,13 @@
 !> The rough law through UINTER: every point is called as ABAQUS calls it, from the start of the
 !> increment, in every iteration.
 module asperity_replay_tenon_contact_uinter
-   use asperity_abaqus_props_and_statev, only: state_from_statev
    use asperity_abaqus_uinter_signature, only: uinter_interface
    use asperity_base_error, only: error_type
    use asperity_base_kinds, only: wp
    use asperity_contact_state, only: contact_response, no_opposite_surface
    use asperity_law_normal_inverse, only: separation_for_pressure
-   use asperity_replay_abaqus_host, only: accept_increment, host_point, new_host_point, &
-      refuse_cut, try_increment
+   use asperity_replay_abaqus_host, only: accept_increment, host_point, host_response, &
+      new_host_point, refuse_cut, try_increment
    use asperity_replay_tenon_contact_record, only: contact_record, keep_response, leave_surface
    use asperity_replay_tenon_contact_rough, only: rough_law
    implicit none
@@ -79,21 +78,10 @@ contains
       type(contact_response), intent(out) :: response
       type(error_type), allocatable, intent(out) :: error
 
-      associate (host => law%hosts(start%point), n => law%hosts(start%point)%ndir)
-         call try_increment(host, overclosure, slip(:n - 1), 1.0_wp, error)
+      associate (host => law%hosts(start%point))
+         call try_increment(host, overclosure, slip(:host%ndir - 1), 1.0_wp, error)
          if (.not. allocated(error)) call refuse_cut(host, error)
-         if (allocated(error)) return
-         associate (t => host%trial, before => state_from_statev(host%start%statev))
-            response%traction(:n) = t%stress
-            response%tangent(:n, :n) = t%ddsddr
-            response%state = state_from_statev(t%statev)
-            response%status = response%state%status
-            response%normal_energy = response%state%normal_energy
-            response%tangential_energy = t%sed - response%state%normal_energy
-            response%dissipation = t%sfd
-            response%pressure_coupling = response%state%pressure_coupling &
-               - before%pressure_coupling
-         end associate
+         if (.not. allocated(error)) response = host_response(host)
       end associate
    end subroutine update
 
