@@ -111,7 +111,7 @@ contains
          end do
          do i = 1, n
             increment = increment_type(motion=merge(-1, 1, any(way < 0))*length/n, &
-               load=load_state(), is_direct=.true.)
+               load=load_state(), is_soft=.true.)
             call solve_increment(increment, model, system, displacement, before, 1.0_wp, error)
             call assertFalse(allocated(error))
             call assertTrue(increment%is_solved, 'solved')

@@ -189,6 +189,8 @@ contains
       logical :: has_grown
       integer :: i
 
+      ! of no interest here
+      has_grown = .false.
       face%nodes = face%nodes(:4)
       face%facets = face%facets(:0)
       face%is_met = face%is_met(:0)

@@ -11,7 +11,7 @@ module asperity_solid_solve_assembly
    use asperity_solid_solve_pattern, only: block_list, block_places, find_pattern
    implicit none
    private
-   public :: equation_system, load_state, assemble, renew_pattern
+   public :: equation_system, load_state, assemble
 
    !> What acts on the joint.
    type :: load_state

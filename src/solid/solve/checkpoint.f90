@@ -24,7 +24,7 @@ contains
 
       write (unit, iostat=status) run%strokes_done, run%increments, run%iterations, run%cutbacks, &
          size(run%displacement), size(run%records)
-      if (status == 0) write (unit, iostat=status) run%displacement, run%before, run%ledger, &
+      if (status == 0) write (unit, iostat=status) run%displacement, run%ledger, &
          run%model%points, run%records
       if (status /= 0) return
       do i = 1, size(run%model%pairs)
@@ -55,7 +55,7 @@ contains
       if (n_displacements /= size(run%displacement) .or. n_records < 0) return
       deallocate (run%records)
       allocate (run%records(n_records), stat=status)
-      if (status == 0) read (unit, iostat=status) run%displacement, run%before, run%ledger, &
+      if (status == 0) read (unit, iostat=status) run%displacement, run%ledger, &
          run%model%points, run%records
       do i = 1, size(run%model%pairs)
          if (status == 0) read (unit, iostat=status) n, n_facets

@@ -19,9 +19,9 @@ module asperity_solid_solve_increment
       type(load_state) :: load
       !> Begin with the tangent, and not with the last increment's displacements, scaled
       logical :: is_fresh = .true.
-      !> A new factorisation in every iteration: GMRES with a small tolerance does not see how
-      !> softly a joint without contact is held
-      logical :: is_direct = .false.
+      !> A joint that may be without contact, and so softly held that GMRES must leave next to
+      !> nothing
+      logical :: is_soft = .false.
       !> Iterations, and whether it was solved
       integer :: iterations = 0
       logical :: is_solved = .false.
@@ -31,7 +31,7 @@ module asperity_solid_solve_increment
       real(wp) :: residual = 0.0_wp
    end type increment_type
 
-   !> Residual that GMRES leaves where a loose one does not see how softly the joint is held
+   !> Residual that GMRES leaves of a softly held joint: a larger one does not see that mode
    real(wp), parameter :: tight = 1.0e-8_wp
    !> A joint without contact drifts for long before it rests: so many times the iterations
    integer, parameter :: patience = 4
@@ -94,7 +94,7 @@ contains
       logical :: is_prediction
 
       most_iterations = model%settings%most_iterations
-      if (increment%is_direct) most_iterations = patience*most_iterations
+      if (increment%is_soft) most_iterations = patience*most_iterations
       associate (settings => model%settings)
          is_prediction = increment%is_fresh
          last_residual = huge(1.0_wp)
@@ -149,7 +149,7 @@ contains
          has_converged = .false.
          if (system%solver%has_factors) then
             call system%solver%iterate(right_side, solution, &
-               merge(tight, model%settings%forcing, increment%is_direct), has_converged, error)
+               merge(tight, model%settings%forcing, increment%is_soft), has_converged, error)
             if (allocated(error)) return
          end if
          if (has_converged) return

@@ -125,7 +125,7 @@ contains
 
       do i = 0, merge(fit_increments, 0, run%model%swelling > 0.0_wp)
          increment = increment_type(load=load_state(1.0_wp, real(i, wp)/fit_increments), &
-            is_direct=.true.)
+            is_soft=.true.)
          call try(run, increment, 0.0_wp, error)
          if (allocated(error)) return
          if (.not. increment%is_solved) then

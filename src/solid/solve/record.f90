@@ -7,10 +7,10 @@ module asperity_solid_solve_record
    use asperity_solid_solve_energy, only: energy_ledger
    implicit none
    private
-   public :: increment_record, new_record, joint_rotation
+   public :: increment_record, new_record
 
    !> Most pairs of faces
-   integer, parameter, public :: most_pairs = 3
+   integer, parameter :: most_pairs = 3
 
    !> One increment; forces and energies are those of the whole joint.
    type :: increment_record

@@ -19,8 +19,6 @@ module asperity_program_commands_solid_snapshot
       enumerator :: lower_unloaded
    end enum
    public :: no_snapshot, upper_peak, upper_unloaded, lower_peak, lower_unloaded
-   character(len=24), parameter, public :: snapshot_names(4) = [character(len=24) :: &
-      'positive peak', 'after the positive peak', 'negative peak', 'after the negative peak']
 
    !> Way back from a peak over the largest amplitude at which the joint is unloaded
    real(wp), parameter :: unloading = 0.02_wp
