@@ -34,8 +34,11 @@ module asperity_law_normal_law
       real(wp) :: area_fraction = 0.0_wp
       !> Summits in contact per nominal area, 1/mm^2 (Eq. 24)
       real(wp) :: contact_density = 0.0_wp
-      !> Stored energy per nominal area, integral of p from d to infinity, N/mm
+      !> Stored energy per nominal area, N/mm: the integral of p from d to infinity, or with memory
+      !> what of it is recoverable
       real(wp) :: energy = 0.0_wp
+      !> Plastic dissipation per nominal area since first touch, N/mm; zero without memory
+      real(wp) :: plastic_dissipation = 0.0_wp
       !> Shares of the pressure carried by elastic, elasto-plastic and plastic summits; they sum
       !> to one, also where the pressure itself underflows to zero
       real(wp) :: elastic_share = 1.0_wp, elastoplastic_share = 0.0_wp, plastic_share = 0.0_wp
@@ -89,7 +92,7 @@ contains
       if (fixed_pieces_serve(properties%w1/properties%sigma, h)) then
          call evaluate_fixed_pieces(properties, h, present(area_stiffness), pieces(1), pieces(2))
       else
-         pieces(1) = elastic_piece(properties, separation)
+         pieces(1) = elastic_piece(properties, separation, properties%w1)
          pieces(2) = elastoplastic_piece(properties, separation)
       end if
       pieces(3) = plastic_piece(properties, separation)

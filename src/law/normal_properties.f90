@@ -16,6 +16,16 @@ module asperity_law_normal_properties
    private
    public :: normal_properties, new_normal_properties, equivalent_modulus
 
+   !> What summits do that part again
+   enum, bind(c)
+      !> Unloading follows loading: the paper's law
+      enumerator :: unloading_reversible = 0
+      !> Every yielded summit recovers as an elastic one of the radius that its largest deformation
+      !> left: `asperity_law_unloading_law`
+      enumerator :: unloading_elastic
+   end enum
+   public :: unloading_reversible, unloading_elastic
+
    !> w2/w1, Eq. 11
    real(wp), parameter :: plastic_ratio = 110.0_wp
    !> b2, Eq. 15: 1 + ln 2/ln 110
@@ -29,6 +39,8 @@ module asperity_law_normal_properties
       double_double(1.3333333333333333_wp, 7.401486830834376e-17_wp)
    !> Range of the yield factor over which the law is verified
    real(wp), parameter :: yield_factor_min = 0.05_wp, yield_factor_max = 1.0_wp
+   !> Largest b3 with which elastic unloading lies below loading; k = 2/sqrt(110)
+   real(wp), parameter :: largest_force_exponent = 1.5_wp
 
    !> Properties of the normal law. Build it with `new_normal_properties`; read only afterwards.
    type :: normal_properties
@@ -57,6 +69,8 @@ module asperity_law_normal_properties
       real(wp) :: n1 = 0.0_wp
       !> Work of one summit's force up to w2, N mm
       real(wp) :: energy_2 = 0.0_wp
+      !> `unloading_reversible` or `unloading_elastic`
+      integer :: unloading = unloading_reversible
       !> Flags that hold for every result of these properties (see `asperity_law_validity`)
       integer :: validity = valid
    end type normal_properties
@@ -71,10 +85,11 @@ contains
 
    !> Check the properties of the normal law and derive its constants.
    !> `error` is set, and `properties` unusable, when a value is not above zero (1e-20 to 1e20),
-   !> the yield factor is outside 0.05 to 1, or a value is one that no face or solid has, such as
-   !> an eta R sigma below 0.0158 (see `asperity_law_plausibility`).
+   !> the yield factor is outside 0.05 to 1 (0.1907 to 1 with elastic unloading), or a value is one
+   !> that no face or solid has, such as an eta R sigma below 0.0158 (see
+   !> `asperity_law_plausibility`).
    pure subroutine from_values(properties, eta, modulus, radius, hardness, yield_factor, sigma, &
-         error, accept_unphysical)
+         error, accept_unphysical, unloading)
       !> Result
       type(normal_properties), intent(out) :: properties
       !> Asperity density, 1/mm^2
@@ -93,6 +108,8 @@ contains
       type(error_type), allocatable, intent(out) :: error
       !> Let what no face or solid has pass; results are then flagged
       logical, intent(in), optional :: accept_unphysical
+      !> `unloading_reversible` (default) or `unloading_elastic`
+      integer, intent(in), optional :: unloading
       type(double_double) :: strain, yield
       logical :: accepted
 
@@ -128,11 +145,13 @@ contains
       properties%energy_2 = properties%n1*properties%w1*(0.4_wp - 1.0_wp/(properties%b3 + 1.0_wp)) &
          + 2.0_wp*pi*radius*hardness*properties%w2**2/(properties%b3 + 1.0_wp)
 
-      if (properties%b3 > 1.5_wp) properties%validity = ior(properties%validity, stiffer_than_hertz)
+      if (properties%b3 > largest_force_exponent) &
+         properties%validity = ior(properties%validity, stiffer_than_hertz)
+      if (present(unloading)) call set_unloading(properties, unloading, error)
    end subroutine from_values
 
    !> The same of a pair of the paper.
-   pure subroutine from_pair(properties, pair, error, accept_unphysical)
+   pure subroutine from_pair(properties, pair, error, accept_unphysical, unloading)
       !> Result
       type(normal_properties), intent(out) :: properties
       !> The pair, such as `find_pair` finds
@@ -141,9 +160,11 @@ contains
       type(error_type), allocatable, intent(out) :: error
       !> Let what no face or solid has pass; results are then flagged
       logical, intent(in), optional :: accept_unphysical
+      !> `unloading_reversible` (default) or `unloading_elastic`
+      integer, intent(in), optional :: unloading
 
       call from_values(properties, pair%eta, pair%modulus, pair%radius, pair%hardness, &
-         pair%yield_factor, pair%sigma, error, accept_unphysical)
+         pair%yield_factor, pair%sigma, error, accept_unphysical, unloading)
    end subroutine from_pair
 
    !> Equivalent modulus E* of two elastic bodies, MPa (Eq. 4).
@@ -157,6 +178,25 @@ contains
 
       modulus = 1.0_wp/((1.0_wp - poisson_1**2)/modulus_1 + (1.0_wp - poisson_2**2)/modulus_2)
    end function equivalent_modulus
+
+   !> Set what summits do that part again; refused where the unloading branch would lie above the
+   !> virgin one, or cycles create energy.
+   pure subroutine set_unloading(properties, unloading, error)
+      type(normal_properties), intent(inout) :: properties
+      integer, intent(in) :: unloading
+      type(error_type), allocatable, intent(out) :: error
+
+      properties%unloading = unloading
+      if (unloading /= unloading_reversible .and. unloading /= unloading_elastic) then
+         call fatal_error(error, 'unloading = '//to_text(unloading)// &
+            ' is unknown: 0 is reversible, 1 is elastic', subject='unloading')
+      else if (unloading == unloading_elastic .and. properties%b3 > largest_force_exponent) then
+         call fatal_error(error, 'yield_factor = '//to_text(properties%yield_factor)// &
+            ' is not allowed with elastic unloading: it must be 0.1907 (2/sqrt(110)) or more, as '// &
+            'summits would unload stiffer than they load and cycles create energy; the paper '// &
+            'uses 0.4', subject='yield_factor')
+      end if
+   end subroutine set_unloading
 
    pure subroutine check_yield_factor(error, yield_factor)
       type(error_type), allocatable, intent(inout) :: error

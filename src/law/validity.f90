@@ -21,15 +21,18 @@ module asperity_law_validity
    integer, parameter, public :: roughness_number_low = 32
    !> A property outside what solids and faces have, let pass by `accept_unphysical`
    integer, parameter, public :: implausible_property = 64
+   !> Mean deformation of the summits in contact at the closest separation above 170 w1: past what
+   !> unloading was computed for (Etsion, Kligerman, Kadin 2005); by a law with memory alone
+   integer, parameter, public :: memory_beyond_data = 128
 
-   integer, parameter :: name_length = 26, remark_length = 72
-   integer, parameter :: n_flags = 7
+   integer, parameter :: name_length = 26, remark_length = 73
+   integer, parameter :: n_flags = 8
    !> Sum of all flags
    integer, parameter, public :: all_flags = 2**n_flags - 1
    character(len=name_length), parameter :: names(n_flags) = [character(len=name_length) :: &
       'area_above_nominal', 'pressure_above_hardness', 'closure_above_half_radius', &
       'stiffer_than_hertz', 'roughness_number_high', 'roughness_number_low', &
-      'implausible_property']
+      'implausible_property', 'memory_beyond_data']
    character(len=remark_length), parameter :: remarks(n_flags) = [character(len=remark_length) :: &
       'real area above nominal area: asperities overlap, pressure is too high', &
       'pressure above the hardness: outside the model', &
@@ -37,7 +40,8 @@ module asperity_law_validity
       'yield_factor below 0.1907: elasto-plastic stage stiffer than Hertz', &
       'eta*radius*sigma above 4: rougher than any measured surface', &
       'eta*radius*sigma below 0.0158: no isotropic Gaussian surface has it', &
-      'a property as no face or solid has, let pass: a slip of units?']
+      'a property as no face or solid has, let pass: a slip of units?', &
+      'closest mean deformation above 170 w1: beyond what unloading is known for']
 
 contains
 

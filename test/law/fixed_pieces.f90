@@ -129,7 +129,7 @@ contains
       call evaluate_fixed_pieces(p, h, .true., fixed(1), fixed(2))
       found(:, 1) = numbers_of(fixed(1))
       found(:, 2) = numbers_of(fixed(2))
-      wanted(:, 1) = numbers_of(elastic_piece(p, d))
+      wanted(:, 1) = numbers_of(elastic_piece(p, d, p%w1))
       wanted(:, 2) = numbers_of(elastoplastic_piece(p, d))
       wanted(:, 3) = numbers_of(plastic_piece(p, d))
       found(:, 3) = sum(found(:, :2), dim=2) + wanted(:, 3)

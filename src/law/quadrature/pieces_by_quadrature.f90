@@ -24,16 +24,17 @@ module asperity_law_quadrature_pieces_by_quadrature
 contains
 
    !> Integrals of the force, its slope, area and energy over elastic summits, in units of N1,
-   !> N1/w1, pi R w1 and N1 w1, and of the area's slope in pi R.
-   pure function elastic_piece(properties, separation) result(piece)
+   !> N1/w1, pi R w1 and N1 w1, and of the area's slope in pi R. The summits are those of
+   !> deformations up to `largest`, w1 or less.
+   pure function elastic_piece(properties, separation, largest) result(piece)
       type(normal_properties), intent(in) :: properties
-      real(wp), intent(in) :: separation
+      real(wp), intent(in) :: separation, largest
       type(piece_type) :: piece
       type(quadrature_type) :: rule
       real(wp), dimension(n_points) :: force_slope, force
       integer :: i
 
-      rule = new_quadrature(properties, separation, 0.0_wp, properties%w1)
+      rule = new_quadrature(properties, separation, 0.0_wp, largest)
       piece%exponent = rule%exponent
       do i = 1, rule%panels
          associate (ratio => rule%ratio(:, i), weight => rule%weight(:, i))
