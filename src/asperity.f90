@@ -16,11 +16,15 @@ module asperity
    use asperity_law_normal_inverse, only: separation_for_pressure
    use asperity_law_normal_law, only: evaluate_normal_law, normal_response
    use asperity_law_normal_properties, only: equivalent_modulus, new_normal_properties, &
-      normal_properties
+      normal_properties, unloading_elastic, unloading_reversible
    use asperity_law_single_asperity, only: asperity_response, evaluate_asperity, stage_elastic, &
       stage_elastoplastic, stage_open, stage_plastic
+   use asperity_law_unloading_inverse, only: retraction_for_pressure
+   use asperity_law_unloading_law, only: evaluate_unloading_law, unloading_stiffness
+   use asperity_law_unloading_summit, only: elastic_recovery, evaluate_unloading_asperity
    use asperity_law_validity, only: area_above_nominal, closure_above_half_radius, &
-      implausible_property, pressure_above_hardness, roughness_number_high, roughness_number_low, &
+      implausible_property, memory_beyond_data, pressure_above_hardness, roughness_number_high, &
+      roughness_number_low, &
       stiffer_than_hertz, valid, validity_remark, validity_text
    use asperity_paper_pairs, only: find_pair, find_surface, pair_preset, pairs, surface_preset, &
       surfaces
@@ -28,15 +32,18 @@ module asperity
    private
    public :: area_above_nominal, asperity_response, closure_above_half_radius, compiled_law, &
       computation_error, contact_properties, contact_response, contact_state, contact_states, &
-      contact_tangent, equivalent_modulus, error_type, evaluate_asperity, &
-      evaluate_compiled_law, evaluate_normal_law, file_error, find_pair, find_surface, &
-      get_contact_state, implausible_property, input_error, new_compiled_law, &
+      contact_tangent, elastic_recovery, equivalent_modulus, error_type, evaluate_asperity, &
+      evaluate_compiled_law, evaluate_normal_law, evaluate_unloading_asperity, &
+      evaluate_unloading_law, file_error, find_pair, find_surface, &
+      get_contact_state, implausible_property, input_error, memory_beyond_data, new_compiled_law, &
       new_contact_properties, new_contact_states, new_normal_properties, set_contact_state, &
       no_opposite_surface, no_rotation, no_surface_limit, normal_properties, normal_response, &
-      pair_preset, pairs, pressure_above_hardness, roughness_number_high, roughness_number_low, &
+      pair_preset, pairs, pressure_above_hardness, retraction_for_pressure, &
+      roughness_number_high, roughness_number_low, &
       rule_abaqus, rule_dissipative, separation_for_pressure, slip_backward_euler, slip_exact, &
       stage_elastic, stage_elastoplastic, stage_open, stage_plastic, status_open, status_slip, &
       status_stick, status_text, status_unset, stiffer_than_hertz, surface_preset, surfaces, &
-      update_contact_point, update_contact_points, valid, validity_remark, validity_text, &
+      unloading_elastic, unloading_reversible, unloading_stiffness, update_contact_point, &
+      update_contact_points, valid, validity_remark, validity_text, &
       version, wp
 end module asperity

@@ -31,7 +31,8 @@ class Properties(ctypes.Structure):
             "eta", "modulus", "radius", "hardness", "yield_factor", "sigma",
             "friction_coefficient", "critical_slip", "initial_separation")]
         + [(name, c_int) for name in (
-            "friction_rule", "slip_integration", "accept_unphysical", "compiled")])
+            "friction_rule", "slip_integration", "accept_unphysical", "compiled",
+            "unloading")])
 
 
 class AsperityError(Exception):
@@ -54,7 +55,7 @@ def load(file):
             ("law_separation", c_void_p, c_double, doubles),
             ("states_new", pointer, c_int),
             ("states_free", pointer),
-            ("states_update", c_void_p, c_void_p, c_int, *[doubles] * 8, ints)):
+            ("states_update", c_void_p, c_void_p, c_int, *[doubles] * 9, ints)):
         function = getattr(library, "asperity_" + name)
         function.argtypes = [*arguments, POINTER(Error)]
         function.restype = c_int
@@ -99,7 +100,7 @@ def main():
         closure = array([4.0 * pair.sigma - separation.value])
         for step in 0.4, -0.4, -0.4, 0.4:
             call("states_update", law, states, 1, closure, array([step, 0.0]), None, traction,
-                 None, None, None, None, None)
+                 None, None, None, None, None, None)
             print(f"slip {step:+.1f} mm: shear stress {traction[1]:+.4f} MPa")
 
         # what is refused raises

@@ -1,8 +1,8 @@
 !> What UINTER and VUINTER check before they compute: sizes that the deck sets, a STATEV that only
 !> they write to, and numbers that a host gone wrong may pass.
 module asperity_abaqus_checks
-   use asperity_abaqus_props_and_statev, only: n_statev, state_pressure, state_status, &
-      state_validity, state_warned
+   use asperity_abaqus_props_and_statev, only: n_statev, state_largest_closure, &
+      state_overclosure, state_pressure, state_status, state_validity, state_warned
    use asperity_base_error, only: error_type, fatal_error
    use asperity_base_finite, only: all_finite
    use asperity_base_kinds, only: wp
@@ -53,6 +53,10 @@ contains
          call fatal_error(error, 'STATEV(3), (10) or (11) = '//to_text(statev(state_pressure))// &
             ', '//to_text(statev(state_validity))//', '//to_text(statev(state_warned))// &
             ' is no pressure or sum of flags: nothing else may write to STATEV')
+      else if (statev(state_largest_closure) < statev(state_overclosure)) then
+         call fatal_error(error, 'STATEV(7) = '//to_text(statev(state_largest_closure))// &
+            ' is below STATEV(2) = '//to_text(statev(state_overclosure))//': the largest '// &
+            'closure is the present one or more; nothing else may write to STATEV')
       end if
    end subroutine check_statev
 

@@ -35,10 +35,12 @@ module asperity_abaqus_props_and_statev
       enumerator :: prop_slip_integration
       !> 1 lets properties that no face or solid has pass
       enumerator :: prop_accept_unphysical
+      !> 0 reversible, 1 elastic: summits remember how flat they were pressed
+      enumerator :: prop_unloading
    end enum
    public :: prop_pi, prop_sigma
    !> Length of the longest list
-   integer, parameter, public :: n_props = prop_accept_unphysical
+   integer, parameter, public :: n_props = prop_unloading
 
    !> Slots of STATEV; all zero is a fresh point
    enum, bind(c)
@@ -48,7 +50,7 @@ module asperity_abaqus_props_and_statev
       enumerator :: state_overclosure, state_pressure, state_normal_energy
       !> Elastic slip in the two slip directions, mm
       enumerator :: state_elastic_slip_1, state_elastic_slip_2
-      !> Largest overclosure reached, mm
+      !> Largest overclosure reached, mm: the memory of elastic unloading
       enumerator :: state_largest_closure
       !> Frictional dissipation and pressure coupling since the start, N/mm
       enumerator :: state_dissipation, state_pressure_coupling
@@ -76,7 +78,7 @@ contains
       !> Set when the list is refused
       type(error_type), allocatable, intent(out) :: error
       type(normal_properties) :: normal
-      integer :: rule, integration, accept
+      integer :: rule, integration, accept, unloading
 
       if (size(props) < prop_sigma .or. size(props) > n_props) then
          call refuse_length(error, size(props))
@@ -94,12 +96,14 @@ contains
          'for backward Euler, 0 for the default', 2, integration, error)
       call read_option(props, prop_accept_unphysical, '1 accepts unphysical values, 0 does not', &
          1, accept, error)
+      call read_option(props, prop_unloading, 'the unloading is 0 for reversible, 1 for elastic', &
+         1, unloading, error)
       if (allocated(error)) return
       if (rule == 0) rule = rule_abaqus
       if (integration == 0) integration = slip_exact
       call new_normal_properties(normal, props(prop_eta), props(prop_modulus), &
          props(prop_radius), props(prop_hardness), props(prop_yield_factor), props(prop_sigma), &
-         error, accept_unphysical=accept == 1)
+         error, accept == 1, unloading)
       if (allocated(error)) return
       if (size(props) < prop_initial_separation) then
          call new_contact_properties(properties, normal, props(prop_friction_coefficient), &
@@ -131,6 +135,7 @@ contains
       props(prop_slip_integration) = properties%slip_integration
       ! properties that exist have been accepted
       props(prop_accept_unphysical) = 1.0_wp
+      props(prop_unloading) = properties%normal%unloading
    end function props_from_properties
 
    !> State of a point from STATEV.
@@ -208,7 +213,7 @@ contains
       character(len=:), allocatable :: remedy
 
       remedy = ' (mu, gcrit, eta, E*, pi, R, H, k, sigma, d0, friction rule, slip integration, '// &
-         'accept unphysical)'
+         'accept unphysical, unloading)'
       if (length == prop_sigma - 1) remedy = '; the eight of the paper lack sigma, without '// &
          'which the law has no length scale: add sigma, the standard deviation of summit '// &
          'heights in mm, as the ninth (Table 2 prints it in um)'

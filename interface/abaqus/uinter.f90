@@ -130,6 +130,7 @@ subroutine uinter( &
    ddsddr = response%tangent(:ndir, :ndir)
    sed = response%normal_energy + response%tangential_energy
    sfd = response%dissipation
+   spd = response%plastic_dissipation
    lopenclose = merge(0, 1, response%status == status_open)
    lstate = response%status
    call warn_once(response%validity)

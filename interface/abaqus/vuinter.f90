@@ -22,12 +22,12 @@ subroutine vuinter( &
    use asperity_base_finite, only: all_finite, is_finite
    use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
+   use asperity_contact_point, only: contact_pressure
    use asperity_contact_points, only: contact_states, get_contact_state, new_contact_states, &
       set_contact_state, update_contact_points
    use asperity_contact_properties, only: contact_properties, rule_dissipative
    use asperity_contact_state, only: contact_state, no_opposite_surface, no_rotation, &
       no_surface_limit, status_slip, status_stick
-   use asperity_law_normal_law, only: evaluate_normal_law, normal_response
    use asperity_law_validity, only: validity_remark
    implicit none
    integer, intent(in) :: kstep, kinc, nfacnod, nslvnod, nmstnod
@@ -101,7 +101,6 @@ subroutine vuinter( &
    end do
 
    scd = 0.0_vp
-   spd = 0.0_vp
    svd = 0.0_vp
    fluxslv = 0.0_vp
    fluxmst = 0.0_vp
@@ -115,6 +114,7 @@ subroutine vuinter( &
       stress = 0.0_vp
       sed = 0.0_vp
       sfd = 0.0_vp
+      spd = 0.0_vp
    else if (n_to_warn == 1) then
       call tell(warning, ', NODE '//to_text(jslvuid(first_to_warn)), &
          validity_remark(flags_to_warn))
@@ -132,7 +132,7 @@ contains
       type(error_type), allocatable, intent(out) :: error
       type(contact_states) :: states
       real(wp) :: overclosure(n), slip(n, 2), rotation(n, 2, 2)
-      real(wp) :: traction(n, 3), tangential_energy(n), dissipation(n)
+      real(wp) :: traction(n, 3), tangential_energy(n), dissipation(n), plastic_dissipation(n)
       integer :: i
 
       call new_contact_states(states, n, error)
@@ -143,12 +143,14 @@ contains
       end do
       faulty = 0
       call update_contact_points(properties, states, overclosure, slip, traction, error, &
-         rotation, tangential_energy=tangential_energy, dissipation=dissipation)
+         rotation, tangential_energy=tangential_energy, dissipation=dissipation, &
+         plastic_dissipation=plastic_dissipation)
       if (allocated(error)) return
       do i = 1, n
          faulty = first + i - 1
          call scatter(faulty, get_contact_state(states, i), traction(i, :), &
-            states%normal_energy(i) + tangential_energy(i), dissipation(i), error)
+            states%normal_energy(i) + tangential_energy(i), dissipation(i), &
+            plastic_dissipation(i), error)
          if (allocated(error)) return
       end do
       faulty = 0
@@ -192,12 +194,9 @@ contains
    !> The pressure of the start in all its digits, from the overclosure, which has lost none.
    subroutine restore_pressure(state)
       type(contact_state), intent(inout) :: state
-      type(normal_response) :: normal
 
       if (state%status /= status_stick .and. state%status /= status_slip) return
-      normal = evaluate_normal_law(properties%normal, &
-         properties%initial_separation - state%overclosure)
-      state%pressure = normal%pressure
+      state%pressure = contact_pressure(properties, state)
    end subroutine restore_pressure
 
    subroutine refuse_motion(node, error)
@@ -209,10 +208,10 @@ contains
    end subroutine refuse_motion
 
    !> Results of a node, and what it has to warn of.
-   subroutine scatter(node, state, traction, energy, dissipated, error)
+   subroutine scatter(node, state, traction, energy, dissipated, flattened, error)
       integer, intent(in) :: node
       type(contact_state), intent(in) :: state
-      real(wp), intent(in) :: traction(3), energy, dissipated
+      real(wp), intent(in) :: traction(3), energy, dissipated, flattened
       type(error_type), allocatable, intent(out) :: error
       real(wp) :: slots(n_statev)
       integer :: warned, fresh
@@ -222,7 +221,7 @@ contains
       fresh = iand(state%validity, not(warned))
       call statev_from_state(state, slots)
       slots(state_warned) = ior(warned, state%validity)
-      if (any(abs([slots, traction, energy, dissipated]) > real(huge(1.0_vp), wp))) then
+      if (any(abs([slots, traction, energy, dissipated, flattened]) > real(huge(1.0_vp), wp))) then
          call fatal_error(error, 'pressure = '//to_text(state%pressure)//' or its energy is '// &
             'beyond the precision of the run: the motion has diverged')
          return
@@ -231,6 +230,7 @@ contains
       stress(:, node) = real(traction(:ndir), vp)
       sed(node) = real(energy, vp)
       sfd(node) = real(dissipated, vp)
+      spd(node) = real(flattened, vp)
       if (fresh == 0) return
       if (n_to_warn == 0) first_to_warn = node
       n_to_warn = n_to_warn + 1

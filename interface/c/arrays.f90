@@ -18,7 +18,7 @@ module asperity_c_arrays
    !> One array that a caller passed.
    type :: array_argument
       !> Its name in the header
-      character(len=17) :: name = ''
+      character(len=19) :: name = ''
       !> Where it begins; may be NULL
       type(c_ptr) :: address = c_null_ptr
       !> Bytes a point

@@ -63,6 +63,15 @@ enum asperity_slip_integration {
    ASPERITY_SLIP_BACKWARD_EULER = 2
 };
 
+/** What summits do that part again. */
+enum asperity_unloading {
+   /** Unloading follows loading: the paper's law. */
+   ASPERITY_UNLOADING_REVERSIBLE = 0,
+   /** Every yielded summit recovers as an elastic one of the radius that its largest deformation
+    * left; not below a yield factor of 0.1907. */
+   ASPERITY_UNLOADING_ELASTIC = 1
+};
+
 /** Contact status of a point. */
 enum asperity_status {
    /** Never updated: nothing is known of the point's past. */
@@ -84,7 +93,9 @@ enum asperity_validity {
    ASPERITY_ROUGHNESS_NUMBER_HIGH = 16,
    ASPERITY_ROUGHNESS_NUMBER_LOW = 32,
    /** Let pass by accept_unphysical: a property as no face or solid has. */
-   ASPERITY_IMPLAUSIBLE_PROPERTY = 64
+   ASPERITY_IMPLAUSIBLE_PROPERTY = 64,
+   /** With memory: summits were flattened further than unloading is known for. */
+   ASPERITY_MEMORY_BEYOND_DATA = 128
 };
 
 /** Overclosure of a point without opposite surface, mm; below -1e30 means the same. */
@@ -141,6 +152,8 @@ typedef struct asperity_properties {
    /** 1 compiles the normal law to polynomials, for many evaluations; 0, direct evaluation, unless
     * set. */
    int compiled;
+   /** An #asperity_unloading; #ASPERITY_UNLOADING_REVERSIBLE unless set. */
+   int unloading;
 } asperity_properties;
 
 /** State of one contact point, for a restart. All zero is a fresh point. */
@@ -153,11 +166,11 @@ typedef struct asperity_state {
    double overclosure;
    /** Pressure, MPa. */
    double pressure;
-   /** Stored normal energy per area, N/mm. */
+   /** Stored (recoverable) normal energy per area, N/mm. */
    double normal_energy;
    /** Elastic slip in the two slip directions, mm; zero while open. */
    double elastic_slip[2];
-   /** Largest overclosure reached, mm. */
+   /** Largest overclosure reached, mm: all that elastic unloading remembers. */
    double largest_closure;
    /** Frictional dissipation per area since the start, N/mm. */
    double dissipation;
@@ -175,7 +188,7 @@ int asperity_library_version(char *buffer, int length, asperity_error *error);
 
 /**
  * @brief What the validity flags of a result mean, as text; empty where none is set.
- * @param validity sum of #asperity_validity flags, 0 to 63
+ * @param validity sum of #asperity_validity flags, 0 to 255
  * @param buffer   where the text goes; one that is too short holds what fits
  * @param length   characters in buffer, with the NUL at the end; 512 hold any text
  * @param error    may be NULL
@@ -228,7 +241,7 @@ int asperity_law_properties(const asperity_law *law, asperity_properties *proper
                             asperity_error *error);
 
 /**
- * @brief The normal law at n separations.
+ * @brief The normal law at n separations, each as if the face had never been closer.
  * @param law             the law
  * @param n               number of points; with 0 the arrays may be NULL
  * @param separation      [n] separations, mm, up to 1e36 in size
@@ -313,7 +326,7 @@ int asperity_states_set(asperity_states *states, int point, const asperity_state
  *
  * Pressure is positive in compression; shear stress has the sign of the elastic slip. Energies are
  * per area and obey, on any path, work = change of (normal + tangential energy) + dissipation
- * - pressure coupling.
+ * + plastic dissipation - pressure coupling.
  *
  * @param law            the law
  * @param states         states at the start; at the end on return
@@ -328,7 +341,9 @@ int asperity_states_set(asperity_states *states, int point, const asperity_state
  *                       traction[row][i] by the overclosure (column 0) or a slip (1, 2);
  *                       unsymmetric; may be NULL
  * @param tangential_energy [n] receives stored tangential energies at the end, N/mm; may be NULL
- * @param dissipation       [n] receives dissipation of this increment, N/mm; may be NULL
+ * @param dissipation       [n] receives frictional dissipation of this increment, N/mm; may be NULL
+ * @param plastic_dissipation [n] receives plastic dissipation of summits in this increment, N/mm,
+ *                          zero without memory; may be NULL
  * @param pressure_coupling [n] receives the energy that a change of pressure put into elastic slip
  *                          in this increment, N/mm; may be NULL
  * @param validity          [n] receives sums of #asperity_validity flags of this increment; may be
@@ -339,7 +354,8 @@ int asperity_states_update(const asperity_law *law, asperity_states *states, int
                            const double *overclosure, const double *slip_increment,
                            const double *rotation, double *traction, double *tangent,
                            double *tangential_energy, double *dissipation,
-                           double *pressure_coupling, int *validity, asperity_error *error);
+                           double *plastic_dissipation, double *pressure_coupling, int *validity,
+                           asperity_error *error);
 
 #ifdef __cplusplus
 }

@@ -82,7 +82,8 @@ contains
             ! a law that exists has been accepted
             p = properties_struct(size, n%eta, n%modulus, n%radius, n%hardness, n%yield_factor, &
                n%sigma, c%friction_coefficient, c%critical_slip, c%initial_separation, &
-               c%friction_rule, c%slip_integration, 1, merge(1, 0, allocated(c%compiled)))
+               c%friction_rule, c%slip_integration, 1, merge(1, 0, allocated(c%compiled)), &
+               n%unloading)
          end associate
       end if
       code = answer(problem, error)
@@ -144,7 +145,7 @@ contains
       call check_switch(problem, 'compiled', p%compiled)
       if (allocated(problem)) return
       call new_normal_properties(normal, p%eta, p%modulus, p%radius, p%hardness, &
-         p%yield_factor, p%sigma, problem, accept_unphysical=p%accept_unphysical == 1)
+         p%yield_factor, p%sigma, problem, p%accept_unphysical == 1, p%unloading)
       if (allocated(problem)) return
       if (transfer(p%initial_separation, p%size) == transfer(four_sigma, p%size)) then
          call new_contact_properties(content, normal, p%friction_coefficient, p%critical_slip, &

@@ -114,6 +114,10 @@ contains
       else if (state%pressure < 0.0_wp) then
          call fatal_error(problem, 'pressure = '//to_text(state%pressure)//' MPa of the state '// &
             'is not allowed: it must be zero or more', code_input)
+      else if (state%largest_closure < state%overclosure) then
+         call fatal_error(problem, 'largest_closure = '//to_text(state%largest_closure)// &
+            ' mm of the state is not allowed: it must be the overclosure, '// &
+            to_text(state%overclosure)//' mm, or more', code_input)
       end if
    end subroutine check_state
 

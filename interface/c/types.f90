@@ -4,6 +4,7 @@ module asperity_c_types
    use, intrinsic :: iso_c_binding, only: c_char, c_double, c_int, c_int64_t, c_ptr, c_size_t
    use asperity_base_error, only: computation_error, input_error
    use asperity_contact_properties, only: rule_abaqus, slip_exact
+   use asperity_law_normal_properties, only: unloading_reversible
    implicit none
    private
    public :: error_struct, handle_object, properties_struct, state_struct
@@ -47,6 +48,8 @@ module asperity_c_types
       integer(c_int) :: friction_rule = rule_abaqus, slip_integration = slip_exact
       !> 0 or 1
       integer(c_int) :: accept_unphysical = 0_c_int, compiled = 0_c_int
+      !> As in `normal_properties`
+      integer(c_int) :: unloading = unloading_reversible
    end type properties_struct
 
    !> struct asperity_state: `contact_state`

@@ -23,8 +23,8 @@ contains
 
    !> Advance all points over one increment.
    integer(c_int) function asperity_states_update(law, states, n, overclosure, slip_increment, &
-         rotation, traction, tangent, tangential_energy, dissipation, pressure_coupling, &
-         validity, error) result(code) bind(c, name='asperity_states_update')
+         rotation, traction, tangent, tangential_energy, dissipation, plastic_dissipation, &
+         pressure_coupling, validity, error) result(code) bind(c, name='asperity_states_update')
       !> Handles
       type(c_ptr), value :: law, states
       !> Number of points
@@ -34,7 +34,8 @@ contains
       !> Arrays [3][n] and [3][3][n], the second may be NULL
       type(c_ptr), value :: traction, tangent
       !> Arrays [n], may be NULL
-      type(c_ptr), value :: tangential_energy, dissipation, pressure_coupling, validity
+      type(c_ptr), value :: tangential_energy, dissipation, plastic_dissipation, &
+         pressure_coupling, validity
       !> Filled when present
       type(error_struct), intent(inout), optional :: error
       type(contact_properties), pointer :: properties
@@ -52,6 +53,7 @@ contains
          array_argument('tangent', tangent, 9*8, written=.true.), &
          array_argument('tangential_energy', tangential_energy, written=.true.), &
          array_argument('dissipation', dissipation, written=.true.), &
+         array_argument('plastic_dissipation', plastic_dissipation, written=.true.), &
          array_argument('pressure_coupling', pressure_coupling, written=.true.), &
          array_argument('validity', validity, bytes=4, written=.true.)])
       call check_values(problem, 'overclosure', n, 1, overclosure, largest_overclosure)
@@ -64,12 +66,12 @@ contains
 
       !> A pointer that is not associated counts as an argument that is not there.
       subroutine update()
-         real(wp), pointer, contiguous, dimension(:) :: closure, e, d, c
+         real(wp), pointer, contiguous, dimension(:) :: closure, e, d, f, c
          real(wp), pointer, contiguous, dimension(:, :) :: slip, t
          real(wp), pointer, contiguous, dimension(:, :, :) :: r, k
          integer(c_int), pointer, contiguous :: v(:)
 
-         nullify (r, k, e, d, c, v)
+         nullify (r, k, e, d, f, c, v)
          call c_f_pointer(overclosure, closure, [n])
          call c_f_pointer(slip_increment, slip, [n, 2])
          call c_f_pointer(traction, t, [n, 3])
@@ -77,10 +79,11 @@ contains
          if (c_associated(tangent)) call c_f_pointer(tangent, k, [n, 3, 3])
          if (c_associated(tangential_energy)) call c_f_pointer(tangential_energy, e, [n])
          if (c_associated(dissipation)) call c_f_pointer(dissipation, d, [n])
+         if (c_associated(plastic_dissipation)) call c_f_pointer(plastic_dissipation, f, [n])
          if (c_associated(pressure_coupling)) call c_f_pointer(pressure_coupling, c, [n])
          if (c_associated(validity)) call c_f_pointer(validity, v, [n])
          call update_contact_points(properties, content, closure, slip, t, problem, r, k, e, d, &
-            c, v)
+            f, c, v)
       end subroutine update
 
    end function asperity_states_update

@@ -17,7 +17,8 @@ contains
    !> Friction over one increment at a known pressure: first the pressure changes, at the elastic
    !> slip of the start and as its rule says, then the point slips at the pressure of the end.
    pure subroutine slide(response, properties, start, overclosure, slip_increment, is_open, closing)
-      !> Pressure, its derivative, normal energy and validity at the end; gets all the rest
+      !> Pressure, its derivative, normal energy, plastic dissipation and validity at the end; gets
+      !> all the rest
       type(contact_response), intent(inout) :: response
       !> Friction
       type(contact_properties), intent(in) :: properties

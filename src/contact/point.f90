@@ -14,9 +14,13 @@ module asperity_contact_point
    use asperity_law_compiled_law, only: evaluate_compiled_law
    use asperity_law_normal_inverse, only: separation_for_pressure
    use asperity_law_normal_law, only: evaluate_normal_law, normal_response, vanishing_separation
+   use asperity_law_normal_properties, only: unloading_elastic
+   use asperity_law_unloading_inverse, only: retraction_for_pressure
+   use asperity_law_unloading_law, only: evaluate_unloading_law, plastic_dissipation, &
+      unloading_stiffness
    implicit none
    private
-   public :: update_contact_point, contact_tangent
+   public :: update_contact_point, contact_tangent, contact_pressure
 
 contains
 
@@ -40,11 +44,13 @@ contains
       real(wp) :: closing
       logical :: opens
 
-      call find_normal(properties, overclosure, normal)
+      call find_normal(properties, start, overclosure, normal)
       response%traction(1) = normal%pressure
       response%tangent(1, 1) = normal%stiffness
       response%normal_energy = normal%energy
       response%validity = normal%validity
+      if (normal%plastic_dissipation > 0.0_wp) response%plastic_dissipation = &
+         max(normal%plastic_dissipation - dissipated_before(properties, start), 0.0_wp)
       turned = start
       if (is_closed(start)) then
          turned%elastic_slip = matmul(rotation, start%elastic_slip)
@@ -54,12 +60,13 @@ contains
       end if
       opens = is_open(properties, normal%pressure, is_closed(start))
       closing = 0.0_wp
-      if (may_close(start) .and. .not. opens) closing = closing_overclosure(properties)
+      if (may_close(start) .and. .not. opens) closing = closing_overclosure(properties, start)
       call slide(response, properties, turned, overclosure, slip_increment, opens, closing)
    end subroutine update_contact_point
 
    !> Tangent about a state, for perturbations: sticking points stick, slipping points slip on, so
-   !> they resist only across the slip direction. Nothing changes status.
+   !> they resist only across the slip direction. Nothing changes status. With memory a point at
+   !> its largest closure parts: the stiffness is that of unloading.
    pure function contact_tangent(properties, state) result(tangent)
       !> Checked properties
       type(contact_properties), intent(in) :: properties
@@ -72,7 +79,10 @@ contains
 
       tangent = 0.0_wp
       if (state%status == status_unset) return
-      call find_normal(properties, state%overclosure, normal)
+      call find_normal(properties, state, state%overclosure, normal)
+      if (properties%normal%unloading == unloading_elastic .and. normal%pressure > 0.0_wp &
+         .and. .not. state%overclosure < state%largest_closure) normal%stiffness = &
+         unloading_stiffness(properties%normal, properties%initial_separation - state%overclosure)
       tangent(1, 1) = normal%stiffness
       if (state%status == status_open) return
       scale = properties%friction_coefficient/properties%critical_slip
@@ -87,9 +97,23 @@ contains
       end if
    end function contact_tangent
 
-   !> The normal law at an overclosure, in the way the properties choose.
-   pure subroutine find_normal(properties, overclosure, normal)
+   !> Pressure of a state, MPa, from its overclosures, for hosts whose own has been rounded.
+   pure real(wp) function contact_pressure(properties, state) result(pressure)
+      !> Checked properties
       type(contact_properties), intent(in) :: properties
+      !> State of the point
+      type(contact_state), intent(in) :: state
+      type(normal_response) :: normal
+
+      call find_normal(properties, state, state%overclosure, normal)
+      pressure = normal%pressure
+   end function contact_pressure
+
+   !> The normal law at an overclosure, in the way the properties choose. With memory the plastic
+   !> dissipation is that since first touch, and zero while the point is not closer than ever.
+   pure subroutine find_normal(properties, start, overclosure, normal)
+      type(contact_properties), intent(in) :: properties
+      type(contact_state), intent(in) :: start
       real(wp), intent(in) :: overclosure
       type(normal_response), intent(out) :: normal
 
@@ -97,6 +121,14 @@ contains
          if (separation > vanishing_separation*properties%normal%sigma) then
             ! open, as most points of a model are: no need to evaluate zeros
             normal%validity = properties%normal%validity
+         else if (properties%normal%unloading == unloading_elastic) then
+            if (remembers(properties, start) .and. overclosure < start%largest_closure) then
+               normal = evaluate_unloading_law(properties%normal, properties%initial_separation &
+                  - start%largest_closure, start%largest_closure - overclosure)
+               normal%plastic_dissipation = 0.0_wp
+            else
+               normal = evaluate_unloading_law(properties%normal, separation, 0.0_wp)
+            end if
          else if (allocated(properties%compiled)) then
             call evaluate_compiled_law(properties%compiled, separation, normal%pressure, &
                normal%stiffness, energy=normal%energy, validity=normal%validity)
@@ -105,6 +137,26 @@ contains
          end if
       end associate
    end subroutine find_normal
+
+   !> Whether a point was close enough before for its summits to have yielded.
+   pure logical function remembers(properties, state)
+      type(contact_properties), intent(in) :: properties
+      type(contact_state), intent(in) :: state
+
+      remembers = .false.
+      if (state%status /= status_unset) remembers = properties%initial_separation &
+         - state%largest_closure <= vanishing_separation*properties%normal%sigma
+   end function remembers
+
+   !> Plastic dissipation since first touch up to the start of an increment, N/mm.
+   pure real(wp) function dissipated_before(properties, start)
+      type(contact_properties), intent(in) :: properties
+      type(contact_state), intent(in) :: start
+
+      dissipated_before = 0.0_wp
+      if (remembers(properties, start)) dissipated_before = plastic_dissipation( &
+         properties%normal, properties%initial_separation - start%largest_closure)
+   end function dissipated_before
 
    !> Open below p_open; an open point closes only above twice that.
    pure logical function is_open(properties, pressure, was_closed)
@@ -120,13 +172,20 @@ contains
    end function is_open
 
    !> Overclosure at which an open point closes, mm; far below any where that is not found.
-   pure real(wp) function closing_overclosure(properties)
+   pure real(wp) function closing_overclosure(properties, start)
       type(contact_properties), intent(in) :: properties
+      type(contact_state), intent(in) :: start
       type(error_type), allocatable :: error
-      real(wp) :: separation
+      real(wp) :: separation, pressure, retraction
 
-      call separation_for_pressure(properties%normal, close_pressure_ratio*properties%p_open, &
-         separation, error)
+      pressure = close_pressure_ratio*properties%p_open
+      if (properties%normal%unloading == unloading_elastic .and. remembers(properties, start)) then
+         retraction = retraction_for_pressure(properties%normal, &
+            properties%initial_separation - start%largest_closure, pressure)
+         closing_overclosure = start%largest_closure - retraction
+         if (retraction > 0.0_wp) return
+      end if
+      call separation_for_pressure(properties%normal, pressure, separation, error)
       closing_overclosure = properties%initial_separation - separation
       if (allocated(error)) closing_overclosure = -huge(1.0_wp)
    end function closing_overclosure

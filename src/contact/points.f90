@@ -23,7 +23,7 @@ module asperity_contact_points
       real(wp), allocatable :: overclosure(:)
       !> Pressure, MPa
       real(wp), allocatable :: pressure(:)
-      !> Stored normal energy per area, N/mm
+      !> Stored (recoverable) normal energy per area, N/mm
       real(wp), allocatable :: normal_energy(:)
       !> Elastic slip in the two slip directions, mm; (points, 2)
       real(wp), allocatable :: elastic_slip(:, :)
@@ -109,8 +109,8 @@ contains
    !> states of the start. `error` is set, and nothing changed, when an array has not one entry
    !> (row) a point.
    pure subroutine update_contact_points(properties, states, overclosure, slip_increment, &
-         traction, error, rotation, tangent, tangential_energy, dissipation, pressure_coupling, &
-         validity)
+         traction, error, rotation, tangent, tangential_energy, dissipation, plastic_dissipation, &
+         pressure_coupling, validity)
       !> Checked properties
       type(contact_properties), intent(in) :: properties
       !> States at the start; at the end on return
@@ -127,10 +127,10 @@ contains
       real(wp), intent(in), contiguous, optional :: rotation(:, :, :)
       !> d traction(i)/d (overclosure, slip 1, slip 2)(j), MPa/mm; (points, 3, 3)
       real(wp), intent(out), contiguous, optional :: tangent(:, :, :)
-      !> Stored tangential energy at the end, frictional dissipation and pressure coupling of this
-      !> increment, per area, N/mm
+      !> Stored tangential energy at the end, frictional dissipation, plastic dissipation of summits
+      !> and pressure coupling of this increment, per area, N/mm
       real(wp), intent(out), contiguous, optional :: tangential_energy(:), dissipation(:), &
-         pressure_coupling(:)
+         plastic_dissipation(:), pressure_coupling(:)
       !> Validity of these results
       integer, intent(out), contiguous, optional :: validity(:)
       type(contact_response) :: response
@@ -149,6 +149,8 @@ contains
          call check_shape(error, 'tangential_energy', shape(tangential_energy), [points])
       if (present(dissipation)) &
          call check_shape(error, 'dissipation', shape(dissipation), [points])
+      if (present(plastic_dissipation)) &
+         call check_shape(error, 'plastic_dissipation', shape(plastic_dissipation), [points])
       if (present(pressure_coupling)) &
          call check_shape(error, 'pressure_coupling', shape(pressure_coupling), [points])
       if (present(validity)) call check_shape(error, 'validity', shape(validity), [points])
@@ -164,6 +166,7 @@ contains
          if (present(tangent)) tangent(i, :, :) = response%tangent
          if (present(tangential_energy)) tangential_energy(i) = response%tangential_energy
          if (present(dissipation)) dissipation(i) = response%dissipation
+         if (present(plastic_dissipation)) plastic_dissipation(i) = response%plastic_dissipation
          if (present(pressure_coupling)) pressure_coupling(i) = response%pressure_coupling
          if (present(validity)) validity(i) = response%validity
       end do

@@ -140,7 +140,7 @@ contains
 
    !> The same of a pair of the paper, with its friction.
    pure subroutine from_pair(properties, pair, error, initial_separation, friction_rule, &
-         slip_integration, compiled, accept_unphysical)
+         slip_integration, compiled, accept_unphysical, unloading)
       !> Result
       type(contact_properties), intent(out) :: properties
       !> The pair, such as `find_pair` finds
@@ -151,9 +151,11 @@ contains
       real(wp), intent(in), optional :: initial_separation
       integer, intent(in), optional :: friction_rule, slip_integration
       logical, intent(in), optional :: compiled, accept_unphysical
+      !> `unloading_reversible` (default) or `unloading_elastic`
+      integer, intent(in), optional :: unloading
       type(normal_properties) :: normal
 
-      call new_normal_properties(normal, pair, error, accept_unphysical)
+      call new_normal_properties(normal, pair, error, accept_unphysical, unloading)
       if (.not. allocated(error)) call from_normal(properties, normal, &
          pair%friction_coefficient, pair%critical_slip, error, initial_separation, &
          friction_rule, slip_integration, compiled, accept_unphysical)

@@ -38,11 +38,11 @@ module asperity_contact_state
       real(wp) :: overclosure = 0.0_wp
       !> Pressure, MPa
       real(wp) :: pressure = 0.0_wp
-      !> Stored normal energy per area, N/mm
+      !> Stored (recoverable) normal energy per area, N/mm
       real(wp) :: normal_energy = 0.0_wp
       !> Elastic slip in the two slip directions, mm; zero while open
       real(wp) :: elastic_slip(2) = 0.0_wp
-      !> Largest overclosure reached, mm: a slot for unloading memory; the law does not use it
+      !> Largest overclosure reached, mm: all that a law with memory remembers
       real(wp) :: largest_closure = 0.0_wp
       !> Frictional dissipation per area since the start, N/mm
       real(wp) :: dissipation = 0.0_wp
@@ -53,7 +53,8 @@ module asperity_contact_state
    end type contact_state
 
    !> Result of one update. Energies obey, on any path,
-   !> work = change of (normal_energy + tangential_energy) + dissipation - pressure_coupling.
+   !> work = change of (normal_energy + tangential_energy) + dissipation + plastic_dissipation
+   !>    - pressure_coupling.
    type :: contact_response
       !> Pressure and the two shear stresses, MPa: positive pressure compresses, shear stress has
       !> the sign of the elastic slip
@@ -62,12 +63,15 @@ module asperity_contact_state
       real(wp) :: tangent(3, 3) = 0.0_wp
       !> State at the end
       type(contact_state) :: state = contact_state()
-      !> Stored normal energy per area at the end, N/mm
+      !> Stored (recoverable) normal energy per area at the end, N/mm
       real(wp) :: normal_energy = 0.0_wp
       !> Stored tangential energy per area at the end, mu p gamma^2/(2 gcrit), N/mm
       real(wp) :: tangential_energy = 0.0_wp
       !> Frictional dissipation per area of this increment, N/mm; never negative
       real(wp) :: dissipation = 0.0_wp
+      !> Plastic dissipation of summits per area in this increment, N/mm; never negative, zero
+      !> without memory
+      real(wp) :: plastic_dissipation = 0.0_wp
       !> Energy per area that a pressure change put into stored elastic slip in this increment,
       !> N/mm; signed, zero for the dissipative rule
       real(wp) :: pressure_coupling = 0.0_wp

@@ -139,6 +139,7 @@ contains
          response%validity = state%validity
          response%normal_energy = state%normal_energy
          response%tangential_energy = t%sed - state%normal_energy
+         response%plastic_dissipation = t%spd
          response%dissipation = t%sfd
          response%pressure_coupling = state%pressure_coupling - start%pressure_coupling
       end associate

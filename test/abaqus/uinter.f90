@@ -207,7 +207,7 @@ contains
       props = props_from_properties(p)
       call expect_error(props(:8), 'lack sigma')
       call expect_error(props(:5), 'PROPERTIES = 5')
-      call expect_error([props, 1.0_wp], 'PROPERTIES = 14')
+      call expect_error([props, 1.0_wp], 'PROPERTIES = 15')
       call expect_error([props(2:9), 1.0_wp], 'must be pi')
       props(3) = -206.0_wp
       call expect_error(props, 'eta = -206.0')

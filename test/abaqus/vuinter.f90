@@ -253,7 +253,7 @@ contains
       props = real(props_from_properties(pair_properties()), vp)
       call expect_error(props(:8), 'lack sigma')
       call expect_error(props(:5), 'PROPERTIES = 5')
-      call expect_error([props, 1.0_vp], 'PROPERTIES = 14')
+      call expect_error([props, 1.0_vp], 'PROPERTIES = 15')
       call expect_error([props(2:9), 1.0_vp], 'must be pi')
       call expect_error([props(2:9), 1.0_vp], 'or the run has another precision')
       changed = props

@@ -41,7 +41,8 @@ contains
       call suite%addTest(TestMethod('two threads give the serial bits', test_threads))
    end function suite_vuinter_agreement
 
-   !> Random properties, both rules, both integrations, two and three components; each increment
+   !> Random properties, both rules, both integrations, two and three components, with memory and
+   !> without; each increment
    !> from the state that VUINTER keeps. Within 4 roundings of the run's precision.
    subroutine test_increments()
       integer, parameter :: n_nodes = 140, increments = 25
@@ -56,7 +57,7 @@ contains
       stream = random_stream(seed)
       worst = 0.0_wp
       seen = 0
-      do case = 0, 7
+      do case = 0, 15
          do set = 1, 3
             call new_random_nodes(stream, n_nodes, case, nodes, p)
             do i = 1, increments
@@ -84,7 +85,8 @@ contains
       type(contact_properties), intent(out) :: p
       type(error_type), allocatable :: error
 
-      call random_contact(stream, p, 1 + ibits(case, 0, 1), 1 + ibits(case, 1, 1))
+      call random_contact(stream, p, 1 + ibits(case, 0, 1), 1 + ibits(case, 1, 1), &
+         ibits(case, 3, 1))
       call new_slave_nodes(nodes, n_nodes, p, merge(2, 3, btest(case, 2)))
       ! what a list in the precision of the run says
       call properties_from_props(real(nodes%props, wp), p, error)
@@ -145,6 +147,7 @@ contains
          worst = in_roundings(largest_of(stress(:d) - t%stress), t%stress(1))
          call worsen(worst, in_roundings(abs(real(nodes%sed(node), wp) - t%sed), energy))
          call worsen(worst, in_roundings(abs(real(nodes%sfd(node), wp) - t%sfd), energy))
+         call worsen(worst, in_roundings(abs(real(nodes%spd(node), wp) - t%spd), energy + t%spd))
       end associate
       call worsen(worst, in_roundings(abs(found(state_pressure) - wanted(state_pressure)), &
          wanted(state_pressure)))

@@ -14,7 +14,7 @@ enum { n = 4 };
 typedef struct arguments {
    double separation[n], pressure[n], stiffness[n], area[n], density[n], energy[n];
    double closure[n], slip[2][n], rotation[2][2][n], traction[3][n], tangent[3][3][n];
-   double tangential[n], dissipation[n], coupling[n];
+   double tangential[n], dissipation[n], plastic[n], coupling[n];
    int validity[n];
 } arguments;
 
@@ -25,7 +25,7 @@ static const arguments fresh = {
    {{9, 9, 9, 9}, {9, 9, 9, 9}, {9, 9, 9, 9}},
    {{{9, 9, 9, 9}, {9, 9, 9, 9}, {9, 9, 9, 9}}, {{9, 9, 9, 9}, {9, 9, 9, 9}, {9, 9, 9, 9}},
     {{9, 9, 9, 9}, {9, 9, 9, 9}, {9, 9, 9, 9}}},
-   {9, 9, 9, 9}, {9, 9, 9, 9}, {9, 9, 9, 9}, {9, 9, 9, 9}
+   {9, 9, 9, 9}, {9, 9, 9, 9}, {9, 9, 9, 9}, {9, 9, 9, 9}, {9, 9, 9, 9}
 };
 
 static asperity_error error;
@@ -109,12 +109,13 @@ static void evaluate_arguments(int compiled)
    asperity_law_free(&law, NULL);
 }
 
-/* asperity_states_update with arrays[0] to [7] and validity. */
+/* asperity_states_update with arrays[0] to [8] and validity. */
 static int update(const asperity_law *law, asperity_states *states, int points, double **arrays,
                   int *validity)
 {
    return asperity_states_update(law, states, points, arrays[0], arrays[1], arrays[2], arrays[3],
-                                 arrays[4], arrays[5], arrays[6], arrays[7], validity, &error);
+                                 arrays[4], arrays[5], arrays[6], arrays[7], arrays[8], validity,
+                                 &error);
 }
 
 /* The states are those of fresh points. */
@@ -136,16 +137,17 @@ static void update_arguments(int compiled)
    asperity_law *law = wood_law(compiled);
    asperity_states *states = fresh_states(n), *clean = fresh_states(n), *none = fresh_states(0);
    arguments a = fresh;
-   double *const all[8] = {a.closure, a.slip[0], a.rotation[0][0], a.traction[0], a.tangent[0][0],
-                           a.tangential, a.dissipation, a.coupling};
-   static const int required[8] = {1, 1, 0, 1, 0, 0, 0, 0}, rows[8] = {1, 2, 4, 3, 9, 1, 1, 1};
-   static const char *const names[8] = {"overclosure", "slip_increment", "rotation", "traction",
+   double *const all[9] = {a.closure, a.slip[0], a.rotation[0][0], a.traction[0], a.tangent[0][0],
+                           a.tangential, a.dissipation, a.plastic, a.coupling};
+   static const int required[9] = {1, 1, 0, 1, 0, 0, 0, 0, 0};
+   static const int rows[9] = {1, 2, 4, 3, 9, 1, 1, 1, 1};
+   static const char *const names[9] = {"overclosure", "slip_increment", "rotation", "traction",
                                         "tangent", "tangential_energy", "dissipation",
-                                        "pressure_coupling"};
-   double *arrays[8];
+                                        "plastic_dissipation", "pressure_coupling"};
+   double *arrays[9];
    int i, k;
 
-   for (i = 0; i < 8; i++) {
+   for (i = 0; i < 9; i++) {
       memcpy(arrays, all, sizeof arrays);
       arrays[i] = NULL;
       CHECK_CODE(update(law, states, n, arrays, a.validity),
@@ -161,7 +163,7 @@ static void update_arguments(int compiled)
       arrays[i] = (double *)((char *)arrays[i] - 4);
       CHECK_CODE(update(law, states, n, arrays, a.validity), ASPERITY_BAD_INPUT);
       CHECK_MESSAGE("aligned");
-      for (k = 0; k < 8; k++) {
+      for (k = 0; k < 9; k++) {
          /* two that are only read may be one */
          int shared = k < 3 && i < 3;
          if (k == i)
@@ -209,7 +211,7 @@ static void update_arguments(int compiled)
    memset(arrays, 0, sizeof arrays);
    CHECK_CODE(update(law, none, 0, arrays, NULL), ASPERITY_OK);
    CHECK(asperity_states_update(law, states, n, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL,
-                                NULL, NULL) == ASPERITY_NULL_ARGUMENT);
+                                NULL, NULL, NULL) == ASPERITY_NULL_ARGUMENT);
    asperity_states_free(&states, NULL);
    asperity_states_free(&clean, NULL);
    asperity_states_free(&none, NULL);
@@ -350,9 +352,9 @@ static void texts(void)
    CHECK_CODE(asperity_validity_remark(flags, text, sizeof text, &error), ASPERITY_OK);
    CHECK(strstr(text, "pressure above the hardness") == text);
    CHECK(strstr(text, "; yield_factor below 0.1907") != NULL);
-   for (flags = 0; flags < 128; flags++)
+   for (flags = 0; flags < 256; flags++)
       CHECK_CODE(asperity_validity_remark(flags, text, sizeof text, &error), ASPERITY_OK);
-   CHECK_CODE(asperity_validity_remark(128, text, sizeof text, &error), ASPERITY_BAD_INPUT);
+   CHECK_CODE(asperity_validity_remark(256, text, sizeof text, &error), ASPERITY_BAD_INPUT);
    CHECK_CODE(asperity_validity_remark(-1, text, sizeof text, &error), ASPERITY_BAD_INPUT);
    CHECK_CODE(asperity_validity_remark(1, NULL, sizeof text, &error), ASPERITY_NULL_ARGUMENT);
    CHECK_CODE(asperity_validity_remark(1, text, 20, &error), ASPERITY_WRONG_LENGTH);

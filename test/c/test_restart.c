@@ -18,7 +18,7 @@ static void step(const asperity_law *law, asperity_states *states, int i, double
       slip[1][k] = 0.03 * (i % 4) - 0.01 * k;
    }
    CHECK_CODE(asperity_states_update(law, states, n, closure, slip[0], NULL, t[0], NULL, NULL, NULL,
-                                     NULL, NULL, &error), ASPERITY_OK);
+                                     NULL, NULL, NULL, &error), ASPERITY_OK);
 }
 
 void test_restart(void)

@@ -37,12 +37,14 @@ static void *run(void *argument)
          d[k] = 0.2 - closure[k];
       }
       t->errors += asperity_states_update(t->law, states, points, closure, slip[0], NULL,
-                                          t->traction[i][0], NULL, NULL, NULL, NULL, NULL, &error);
+                                          t->traction[i][0], NULL, NULL, NULL, NULL, NULL, NULL,
+                                          &error);
       t->errors += asperity_law_evaluate(t->law, points, d, t->pressure[i], s, NULL, NULL, NULL,
                                          NULL, &error);
       /* errors of one thread do not show in the other */
       t->errors += asperity_states_update(t->law, states, -1 - t->number, closure, slip[0], NULL,
-                                          t->traction[i][0], NULL, NULL, NULL, NULL, NULL, &error)
+                                          t->traction[i][0], NULL, NULL, NULL, NULL, NULL, NULL,
+                                          &error)
                    != ASPERITY_WRONG_LENGTH;
       t->errors += strstr(error.message, expected) == NULL;
    }

@@ -9,7 +9,7 @@ enum { points = 3 };
 
 typedef struct result {
    double traction[3][points], tangent[3][3][points];
-   double energy[points], dissipation[points], coupling[points];
+   double energy[points], dissipation[points], plastic[points], coupling[points];
    int validity[points];
 } result;
 
@@ -17,8 +17,8 @@ static int update(const asperity_law *law, asperity_states *states, double closu
                   double slip[2][points], const double *rotation, result *r, asperity_error *error)
 {
    return asperity_states_update(law, states, points, closure, slip[0], rotation, r->traction[0],
-                                 r->tangent[0][0], r->energy, r->dissipation, r->coupling,
-                                 r->validity, error);
+                                 r->tangent[0][0], r->energy, r->dissipation, r->plastic,
+                                 r->coupling, r->validity, error);
 }
 
 /* Three different points in one call give, bit by bit, what each gives alone. */
@@ -41,7 +41,7 @@ static void layout(int compiled)
       for (i = 0; i < points; i++) {
          asperity_states *one = fresh_states(1);
          asperity_state state, expected;
-         double s[2], t[3], k[3][3], q[2][2], e, d, c;
+         double s[2], t[3], k[3][3], q[2][2], e, d, f, c;
          int v;
          for (row = 0; row < 2; row++) {
             s[row] = slip[row][i];
@@ -50,12 +50,13 @@ static void layout(int compiled)
          }
          asperity_states_get(before, i, &state, NULL);
          asperity_states_set(one, 0, &state, NULL);
-         CHECK_CODE(asperity_states_update(law, one, 1, &closure[i], s, q[0], t, k[0], &e, &d, &c,
-                                           &v, &error), ASPERITY_OK);
+         CHECK_CODE(asperity_states_update(law, one, 1, &closure[i], s, q[0], t, k[0], &e, &d, &f,
+                                           &c, &v, &error), ASPERITY_OK);
          asperity_states_get(one, 0, &expected, NULL);
          asperity_states_get(all, i, &state, NULL);
          CHECK(memcmp(&state, &expected, sizeof state) == 0);
          CHECK(e == r.energy[i] && d == r.dissipation[i] && c == r.coupling[i]);
+         CHECK(f == r.plastic[i]);
          CHECK(v == r.validity[i]);
          for (row = 0; row < 3; row++) {
             CHECK(t[row] == r.traction[row][i]);
@@ -254,8 +255,8 @@ static void energies(int rule)
       closure = 0.09 + 0.03 * sin(3.0 * angle);
       slip[0] = i == 0 ? 0.0 : 1e-4 * cos(angle);
       slip[1] = i == 0 ? 0.0 : 2e-4 * sin(2.0 * angle);
-      if (asperity_states_update(law, states, 1, &closure, slip, NULL, t, NULL, &e, &d, &c, NULL,
-                                 &error) != ASPERITY_OK)
+      if (asperity_states_update(law, states, 1, &closure, slip, NULL, t, NULL, &e, &d, NULL, &c,
+                                 NULL, &error) != ASPERITY_OK)
          break;
       asperity_states_get(states, 0, &state, NULL);
       if (i == 0) {

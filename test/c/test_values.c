@@ -157,7 +157,7 @@ static void motions(int compiled)
          motion[i] = bad(k);
          t[0] = 9.0;
          CHECK_CODE(asperity_states_update(law, states, n, motion, motion + n, motion + 3 * n, t,
-                                           NULL, NULL, NULL, NULL, NULL, &error),
+                                           NULL, NULL, NULL, NULL, NULL, NULL, &error),
                     ASPERITY_BAD_INPUT);
          CHECK_MESSAGE(i < n ? "overclosure of point" : i < 3 * n ? "slip_increment of point"
                                                                   : "rotation of point");
@@ -176,7 +176,7 @@ static void motions(int compiled)
       motion[3] = -1e30;
       motion[6] = 1e30;
       CHECK_CODE(asperity_states_update(law, states, n, motion, motion + n, motion + 3 * n, t, NULL,
-                                        NULL, NULL, NULL, NULL, &error), ASPERITY_OK);
+                                        NULL, NULL, NULL, NULL, NULL, &error), ASPERITY_OK);
       CHECK(isfinite(t[0]) && isfinite(t[1]) && isfinite(t[2 * n]) && isfinite(t[2 * n + 1]));
       /* and what an update leaves behind may be set again */
       asperity_states_get(states, i % 2, &state, NULL);
@@ -198,7 +198,7 @@ static void states_refused(void)
    static const char *const names[] = {"overclosure", "pressure", "normal_energy",
                                        "elastic_slip[0]", "elastic_slip[1]", "largest_closure",
                                        "dissipation", "pressure_coupling"};
-   static const int wrong_status[] = {-1, 4, 1000000000}, wrong_flags[] = {-1, 128, -2147483647};
+   static const int wrong_status[] = {-1, 4, 1000000000}, wrong_flags[] = {-1, 256, -2147483647};
    asperity_states *states = fresh_states(1);
    asperity_state zero, state;
    size_t i;

@@ -5,6 +5,7 @@ program test_contact
    use test_contact_compiled_points, only: suite_compiled_points
    use test_contact_energy, only: suite_contact_energy
    use test_contact_friction, only: suite_friction
+   use test_contact_memory, only: suite_contact_memory
    use test_contact_point, only: suite_contact_point
    use test_contact_points, only: suite_contact_points
    use test_contact_properties, only: suite_contact_properties
@@ -21,6 +22,7 @@ program test_contact
    call suite%addTest(suite_contact_point())
    call suite%addTest(suite_contact_energy())
    call suite%addTest(suite_contact_tangent())
+   call suite%addTest(suite_contact_memory())
    call suite%addTest(suite_contact_points())
    call suite%addTest(suite_contact_states())
    call suite%addTest(suite_compiled_points())

@@ -3,7 +3,8 @@ module test_contact_points
    use, intrinsic :: iso_fortran_env, only: int64
    use asperity, only: contact_properties, contact_response, contact_state, contact_states, &
       error_type, get_contact_state, new_contact_states, no_rotation, rule_dissipative, &
-      status_open, status_slip, status_stick, status_unset, update_contact_point, wp
+      status_open, status_slip, status_stick, status_unset, unloading_elastic, &
+      unloading_reversible, update_contact_point, wp
    use contact_cases, only: pair_properties
    use funit, only: anyExceptions, assertEqual, assertFalse, assertGreaterThan, TestMethod, &
       TestSuite
@@ -26,7 +27,8 @@ contains
       call suite%addTest(TestMethod('no points and one point', test_few))
    end function suite_contact_points
 
-   !> Random paths of 30 points: both rules, both integrations, direct and compiled law; now and
+   !> Random paths of 30 points: both rules, both integrations, direct and compiled law, with
+   !> memory and without; now and
    !> then no opposite surface, and a rotation that turns or stretches a little.
    subroutine test_same()
       integer, parameter :: points = 30, increments = 20
@@ -40,8 +42,9 @@ contains
 
       stream = random_stream(seed)
       seen = 0
-      do set = 0, 31
-         call random_pair(stream, set, direct, compiled)
+      do set = 0, 63
+         call random_pair(stream, set, direct, compiled, &
+            merge(unloading_elastic, unloading_reversible, btest(set, 5)))
          p = direct
          if (btest(set, 2)) p = compiled
          call new_contact_states(states, points, error)
@@ -77,7 +80,7 @@ contains
       p = pair_properties(rule_dissipative)
       call new_contact_states(states, points, error)
       alone = contact_state()
-      do choice = 63, 0, -1
+      do choice = 127, 0, -1
          call random_arguments(stream, p, points, a)
          if (.not. btest(choice, 0)) deallocate (a%rotation)
          if (.not. btest(choice, 1)) deallocate (a%tangent)
@@ -85,6 +88,7 @@ contains
          if (.not. btest(choice, 3)) deallocate (a%dissipation)
          if (.not. btest(choice, 4)) deallocate (a%coupling)
          if (.not. btest(choice, 5)) deallocate (a%validity)
+         if (.not. btest(choice, 6)) deallocate (a%plastic)
          call update(p, states, a, error)
          call assertFalse(allocated(error), 'accepted')
          call compare(p, alone, a, states, seen)
@@ -144,6 +148,8 @@ contains
             a%tangential_energy(i), 0.0_wp, 'tangential energy')
          if (allocated(a%dissipation)) &
             call assertEqual(r%dissipation, a%dissipation(i), 0.0_wp, 'dissipation')
+         if (allocated(a%plastic)) call assertEqual(r%plastic_dissipation, a%plastic(i), 0.0_wp, &
+            'plastic dissipation')
          if (allocated(a%coupling)) &
             call assertEqual(r%pressure_coupling, a%coupling(i), 0.0_wp, 'pressure coupling')
          if (allocated(a%validity)) call assertEqual(r%validity, a%validity(i), 'validity')

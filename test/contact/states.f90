@@ -57,10 +57,10 @@ contains
    !> without: the message names it, and the states stay.
    subroutine test_extents()
       integer, parameter :: points = 4
-      character(len=*), parameter :: names(9) = [character(len=17) :: 'overclosure', &
+      character(len=*), parameter :: names(10) = [character(len=19) :: 'overclosure', &
          'slip_increment', 'traction', 'rotation', 'tangent', 'tangential_energy', 'dissipation', &
-         'pressure_coupling', 'validity']
-      integer, parameter :: ranks(9) = [1, 2, 2, 3, 3, 1, 1, 1, 1]
+         'pressure_coupling', 'validity', 'plastic_dissipation']
+      integer, parameter :: ranks(10) = [1, 2, 2, 3, 3, 1, 1, 1, 1, 1]
       type(random_stream) :: stream
       type(contact_properties) :: p
       type(contact_states) :: states
@@ -155,6 +155,7 @@ contains
       if (array /= 7) deallocate (a%dissipation)
       if (array /= 8) deallocate (a%coupling)
       if (array /= 9) deallocate (a%validity)
+      if (array /= 10) deallocate (a%plastic)
    end subroutine leave_out_others
 
    !> Give one array, by its number in test_extents, other extents.
@@ -180,8 +181,10 @@ contains
          a%dissipation = spread(zero, 1, n(1))
       case (8)
          a%coupling = spread(zero, 1, n(1))
-      case default
+      case (9)
          a%validity = spread(0, 1, n(1))
+      case default
+         a%plastic = spread(zero, 1, n(1))
       end select
    end subroutine resize
 

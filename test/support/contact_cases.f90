@@ -1,7 +1,8 @@
 !> Properties and random contact points for the tests of the update and of UINTER.
 module contact_cases
    use asperity, only: contact_properties, error_type, find_pair, new_contact_properties, &
-      normal_properties, pair_preset, rule_abaqus, slip_exact, wp
+      normal_properties, pair_preset, rule_abaqus, slip_exact, &
+      unloading_reversible, wp
    use random_inputs, only: random_properties, random_stream
    implicit none
    private
@@ -33,14 +34,20 @@ contains
    end function pair_properties
 
    !> Random properties over the range of metals and wood.
-   subroutine random_contact(stream, properties, friction_rule, slip_integration)
+   subroutine random_contact(stream, properties, friction_rule, slip_integration, unloading)
       type(random_stream), intent(inout) :: stream
       type(contact_properties), intent(out) :: properties
       integer, intent(in) :: friction_rule, slip_integration
+      !> Reversible when absent
+      integer, intent(in), optional :: unloading
       type(normal_properties) :: normal
       type(error_type), allocatable :: error
+      real(wp) :: yield_factor_min
 
-      call random_properties(stream, normal, 1.0e-5_wp, 1.0_wp, 0.1_wp)
+      yield_factor_min = 0.1_wp
+      if (present(unloading)) yield_factor_min = merge(0.1_wp, 0.2_wp, &
+         unloading == unloading_reversible)
+      call random_properties(stream, normal, 1.0e-5_wp, 1.0_wp, yield_factor_min, unloading)
       call new_contact_properties(properties, normal, stream%uniform(0.05_wp, 1.0_wp), &
          normal%sigma*stream%log_uniform(0.1_wp, 10.0_wp), error, &
          normal%sigma*stream%uniform(-1.0_wp, 6.0_wp), friction_rule, slip_integration, &

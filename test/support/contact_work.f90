@@ -1,9 +1,10 @@
 !> Work into a contact point, integrated by Gauss quadrature of the tractions along the path of an
 !> increment, never taken from the ledgers.
 module contact_work
-   use asperity, only: contact_properties, contact_response, contact_state, &
-      evaluate_compiled_law, evaluate_normal_law, no_rotation, normal_response, &
-      slip_backward_euler, status_open, status_slip, status_unset, update_contact_point, wp
+   use asperity, only: contact_properties, contact_response, contact_state, elastic_recovery, &
+      evaluate_compiled_law, evaluate_normal_law, evaluate_unloading_law, no_rotation, &
+      normal_response, slip_backward_euler, status_open, status_slip, status_unset, &
+      unloading_elastic, update_contact_point, wp
    use asperity_law_quadrature_gauss_legendre, only: n_points, nodes, weights
    implicit none
    private
@@ -13,8 +14,8 @@ module contact_work
 
 contains
 
-   !> Integral of p d(overclosure), in panels of two sigma, from the state's overclosure or from
-   !> where the pressure vanishes.
+   !> Integral of p d(overclosure) from the state's overclosure or from where the pressure vanishes:
+   !> over what the face remembers, then over what it never passed, in panels of two sigma.
    function normal_work(p, start, overclosure) result(work)
       type(contact_properties), intent(in) :: p
       type(contact_state), intent(in) :: start
@@ -24,8 +25,15 @@ contains
 
       from = start%overclosure
       if (start%status == status_unset) from = p%initial_separation - 12.0_wp*p%normal%sigma
-      panels = max(1, ceiling(0.5_wp*abs(overclosure - from)/p%normal%sigma))
       work = 0.0_wp
+      if (p%normal%unloading == unloading_elastic .and. start%status /= status_unset) then
+         associate (largest => start%largest_closure)
+            work = given_back(p, largest, from) - given_back(p, largest, min(overclosure, largest))
+            from = largest
+         end associate
+      end if
+      if (p%normal%unloading == unloading_elastic .and. from >= overclosure) return
+      panels = max(1, ceiling(0.5_wp*abs(overclosure - from)/p%normal%sigma))
       do panel = 1, panels
          left = from + (overclosure - from)*real(panel - 1, wp)/panels
          right = from + (overclosure - from)*real(panel, wp)/panels
@@ -36,7 +44,35 @@ contains
       end do
    end function normal_work
 
-   !> Pressure at an overclosure, by the law that the update takes.
+   !> Work that the face gives back while it parts from its largest closure to a smaller one: panels
+   !> end where the law is not smooth, at w1 and where the last elasto-plastic summit lets go, and
+   !> are not longer than the distance from the largest closure.
+   function given_back(p, largest, overclosure) result(work)
+      type(contact_properties), intent(in) :: p
+      real(wp), intent(in) :: largest, overclosure
+      real(wp) :: work, left, right, whole
+      type(normal_response) :: law
+      integer :: i
+
+      work = 0.0_wp
+      left = 0.0_wp
+      whole = min(largest - overclosure, 40.0_wp*p%normal%sigma)
+      associate (n => p%normal, kink => elastic_recovery(p%normal, p%normal%w2))
+         do while (left < whole)
+            right = max(n%w1, 1.6_wp*left)
+            if (left < kink .and. right > kink) right = kink
+            right = min(right, whole)
+            do i = 1, n_points
+               law = evaluate_unloading_law(n, p%initial_separation - largest, &
+                  0.5_wp*(left + right + nodes(i)*(right - left)))
+               work = work + 0.5_wp*(right - left)*weights(i)*law%pressure
+            end do
+            left = right
+         end do
+      end associate
+   end function given_back
+
+   !> Pressure at an overclosure that was never passed, by the law that the update takes.
    function pressure_at(p, overclosure) result(pressure)
       type(contact_properties), intent(in) :: p
       real(wp), intent(in) :: overclosure

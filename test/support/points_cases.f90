@@ -14,7 +14,7 @@ module points_cases
    type :: call_arguments
       real(wp), allocatable :: overclosure(:), slip(:, :), traction(:, :)
       real(wp), allocatable :: rotation(:, :, :), tangent(:, :, :)
-      real(wp), allocatable :: tangential_energy(:), dissipation(:), coupling(:)
+      real(wp), allocatable :: tangential_energy(:), dissipation(:), plastic(:), coupling(:)
       integer, allocatable :: validity(:)
    end type call_arguments
 
@@ -28,7 +28,7 @@ contains
       type(error_type), allocatable, intent(out) :: error
 
       call update_contact_points(p, states, a%overclosure, a%slip, a%traction, error, a%rotation, &
-         a%tangent, a%tangential_energy, a%dissipation, a%coupling, a%validity)
+         a%tangent, a%tangential_energy, a%dissipation, a%plastic, a%coupling, a%validity)
    end subroutine update
 
    !> Separations of -9 to 9 sigma, slips of up to 1.5 gcrit; results hold what is never one.
@@ -43,8 +43,8 @@ contains
 
       allocate (a%overclosure(points), a%slip(points, 2), a%rotation(points, 2, 2))
       allocate (a%traction(points, 3), a%tangent(points, 3, 3), source=unset)
-      allocate (a%tangential_energy(points), a%dissipation(points), a%coupling(points), &
-         source=unset)
+      allocate (a%tangential_energy(points), a%dissipation(points), a%plastic(points), &
+         a%coupling(points), source=unset)
       allocate (a%validity(points), source=-9)
       do i = 1, points
          a%overclosure(i) = p%initial_separation &
@@ -70,13 +70,16 @@ contains
    end function numbers_of
 
    !> Random properties with the direct and with the compiled law; `choice` says how friction works.
-   subroutine random_pair(stream, choice, direct, compiled)
+   subroutine random_pair(stream, choice, direct, compiled, unloading)
       type(random_stream), intent(inout) :: stream
       integer, intent(in) :: choice
       type(contact_properties), intent(out) :: direct, compiled
+      !> Reversible when absent
+      integer, intent(in), optional :: unloading
 
       call random_contact(stream, direct, merge(rule_dissipative, rule_abaqus, btest(choice, 0)), &
-         merge(slip_exact, slip_backward_euler, btest(choice, 1)))
+         merge(slip_exact, slip_backward_euler, btest(choice, 1)), &
+         unloading)
       call compile(direct, compiled)
    end subroutine random_pair
 

@@ -47,13 +47,15 @@ contains
    end function log_uniform
 
    !> Random properties with w1/sigma between the limits and eta R sigma between 0.03 and 4.
-   subroutine random_properties(stream, properties, w1_min, w1_max, yield_factor_min)
+   subroutine random_properties(stream, properties, w1_min, w1_max, yield_factor_min, unloading)
       type(random_stream), intent(inout) :: stream
       type(normal_properties), intent(out) :: properties
       !> Limits of w1/sigma
       real(wp), intent(in) :: w1_min, w1_max
       !> Smallest yield factor
       real(wp), intent(in) :: yield_factor_min
+      !> As of the properties
+      integer, intent(in), optional :: unloading
       type(error_type), allocatable :: error
       real(wp) :: sigma, radius, hardness, yield_factor, elastic_modulus, eta
 
@@ -65,7 +67,7 @@ contains
          *sqrt(radius/(sigma*stream%log_uniform(w1_min, w1_max)))
       eta = stream%log_uniform(0.03_wp, 4.0_wp)/(radius*sigma)
       call new_normal_properties(properties, eta, elastic_modulus, radius, hardness, &
-         yield_factor, sigma, error, accept_unphysical=.true.)
+         yield_factor, sigma, error, accept_unphysical=.true., unloading=unloading)
       if (allocated(error)) error stop 'random_properties: '//error%message
    end subroutine random_properties
 

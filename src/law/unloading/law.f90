@@ -18,7 +18,7 @@ module asperity_law_unloading_law
    use asperity_law_validity, only: area_above_nominal, memory_beyond_data, pressure_above_hardness
    implicit none
    private
-   public :: evaluate_unloading_law, unloading_stiffness
+   public :: evaluate_unloading_law, unloading_stiffness, plastic_dissipation
 
    !> Mean deformation over w1 of the summits in contact up to which unloading was computed
    real(wp), parameter :: largest_mean_ratio = 170.0_wp
@@ -72,6 +72,19 @@ contains
       response = brute_force(properties, closest_separation, 0.0_wp)
       stiffness = response%stiffness
    end function unloading_stiffness
+
+   !> Plastic dissipation per nominal area since first touch, N/mm, when the face has been as close
+   !> as this: the work less what is recoverable.
+   pure elemental real(wp) function plastic_dissipation(properties, closest_separation)
+      !> Checked properties
+      type(normal_properties), intent(in) :: properties
+      !> Closest separation so far, mm
+      real(wp), intent(in) :: closest_separation
+      type(normal_response) :: response
+
+      response = evaluate_unloading_law(properties, closest_separation, 0.0_wp)
+      plastic_dissipation = response%plastic_dissipation
+   end function plastic_dissipation
 
    pure real(wp) function mean_deformation(properties, separation)
       type(normal_properties), intent(in) :: properties
