@@ -190,7 +190,7 @@ int asperity_library_version(char *buffer, int length, asperity_error *error);
  * @brief What the validity flags of a result mean, as text; empty where none is set.
  * @param validity sum of #asperity_validity flags, 0 to 255
  * @param buffer   where the text goes; one that is too short holds what fits
- * @param length   characters in buffer, with the NUL at the end; 512 hold any text
+ * @param length   characters in buffer, with the NUL at the end; 1024 hold any text
  * @param error    may be NULL
  */
 int asperity_validity_remark(int validity, char *buffer, int length, asperity_error *error);
@@ -259,7 +259,32 @@ int asperity_law_evaluate(const asperity_law *law, int n, const double *separati
                           asperity_error *error);
 
 /**
- * @brief Separation at which the law gives a pressure.
+ * @brief The law with memory at n closest separations and retractions from them. The law must be
+ *        one of #ASPERITY_UNLOADING_ELASTIC.
+ * @param law                 the law
+ * @param n                   number of points; with 0 the arrays may be NULL
+ * @param closest_separation  [n] closest separations so far, mm, up to 1e36 in size
+ * @param retraction          [n] separations less the closest ones, mm; with zero or less the face
+ *                            is as close as never before
+ * @param pressure            [n] receives pressures, MPa
+ * @param stiffness           [n] receives stiffnesses -dp/dd at fixed memory, MPa/mm
+ * @param area_fraction       [n] receives real area over nominal area; may be NULL
+ * @param contact_density     [n] receives summits in contact per area, 1/mm2; may be NULL
+ * @param energy              [n] receives recoverable energies per area, N/mm; may be NULL
+ * @param plastic_dissipation [n] receives plastic dissipation per area since first touch, N/mm; may
+ *                            be NULL
+ * @param validity            [n] receives sums of #asperity_validity flags; may be NULL
+ * @param error               may be NULL
+ */
+int asperity_law_evaluate_unloading(const asperity_law *law, int n,
+                                    const double *closest_separation, const double *retraction,
+                                    double *pressure, double *stiffness, double *area_fraction,
+                                    double *contact_density, double *energy,
+                                    double *plastic_dissipation, int *validity,
+                                    asperity_error *error);
+
+/**
+ * @brief Separation at which the law gives a pressure, when the face was never closer.
  * @param law        the law
  * @param pressure   pressure, MPa, above zero
  * @param separation receives the separation, mm

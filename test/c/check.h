@@ -42,6 +42,7 @@ reference reference_law(const asperity_properties *p, double separation);
 void test_layout(void);
 void test_law(void);
 void test_update(void);
+void test_unloading(void);
 void test_restart(void);
 void test_arguments(void);
 void test_values(void);

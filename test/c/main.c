@@ -107,6 +107,7 @@ int main(int argc, char **argv)
    test_layout();
    test_law();
    test_update();
+   test_unloading();
    test_restart();
    test_arguments();
    test_values();

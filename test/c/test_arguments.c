@@ -330,7 +330,7 @@ static void handles(void)
 
 static void texts(void)
 {
-   char text[512], one;
+   char text[1024], one;
    int flags, length;
 
    CHECK_CODE(asperity_library_version(NULL, 16, &error), ASPERITY_NULL_ARGUMENT);
