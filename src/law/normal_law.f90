@@ -18,7 +18,7 @@ module asperity_law_normal_law
       pressure_above_hardness, valid
    implicit none
    private
-   public :: normal_response, evaluate_normal_law, evaluate_scaled_law
+   public :: normal_response, evaluate_normal_law, evaluate_scaled_law, sum_pieces
 
    !> Beyond this d/sigma the factor exp(-h^2/2), and with it the law, is zero in double precision:
    !> no summit touches, and no limit is passed
@@ -85,8 +85,7 @@ contains
       !> Derivative of the area fraction by closure, 1/mm, over the factor
       real(wp), intent(out), optional :: area_stiffness
       type(piece_type) :: pieces(3)
-      real(wp) :: h, moments(0:2), total, root(3), share(3)
-      integer :: i
+      real(wp) :: h, moments(0:2)
 
       h = separation/properties%sigma
       if (fixed_pieces_serve(properties%w1/properties%sigma, h)) then
@@ -97,11 +96,33 @@ contains
       end if
       pieces(3) = plastic_piece(properties, separation)
       moments = tail_moments(h)
+      call sum_pieces(properties, pieces, scaled, area_stiffness)
+      associate (p => properties, r => scaled)
+         r%contact_density = p%eta*moments(0)
+         r%validity = p%validity
+         if (p%sigma*moments(1) > 0.5_wp*p%radius*moments(0) &
+               .and. separation <= vanishing_separation*p%sigma) &
+            r%validity = ior(r%validity, closure_above_half_radius)
+      end associate
+   end subroutine evaluate_scaled_law
+
+   !> Add up the elastic, the elasto-plastic and the plastic piece.
+   pure subroutine sum_pieces(properties, pieces, scaled, area_stiffness)
+      !> Checked properties
+      type(normal_properties), intent(in) :: properties
+      !> The three pieces
+      type(piece_type), intent(in) :: pieces(3)
+      !> Pressure, stiffness, area fraction, energy and shares, over the pieces' common factor
+      type(normal_response), intent(out) :: scaled
+      !> Derivative of the area fraction by closure, 1/mm, over the factor
+      real(wp), intent(out), optional :: area_stiffness
+      real(wp) :: total, root(3), share(3)
+      integer :: i
+
       do i = 1, 3
          root(i) = 1.0_wp
          if (pieces(i)%exponent > 0.0_wp) root(i) = exp(-0.5_wp*pieces(i)%exponent)
       end do
-
       associate (p => properties, r => scaled)
          total = sum(root*root*pieces%pressure)
          r%pressure = p%eta*p%n1*total
@@ -110,7 +131,6 @@ contains
          if (present(area_stiffness)) &
             area_stiffness = p%eta*pi*p%radius*sum(root*root*pieces%area_slope)
          r%energy = p%eta*p%n1*p%w1*sum(root*root*pieces%energy)
-         r%contact_density = p%eta*moments(0)
          if (total > 0.0_wp) then
             ! root by root, so that a share underflows only when it is no normal number itself
             share = pieces%pressure/total*root*root
@@ -118,11 +138,7 @@ contains
             r%elastoplastic_share = share(2)
             r%plastic_share = share(3)
          end if
-         r%validity = p%validity
-         if (p%sigma*moments(1) > 0.5_wp*p%radius*moments(0) &
-               .and. separation <= vanishing_separation*p%sigma) &
-            r%validity = ior(r%validity, closure_above_half_radius)
       end associate
-   end subroutine evaluate_scaled_law
+   end subroutine sum_pieces
 
 end module asperity_law_normal_law

@@ -27,7 +27,7 @@ module asperity_law_normal_properties
    public :: unloading_reversible, unloading_elastic
 
    !> w2/w1, Eq. 11
-   real(wp), parameter :: plastic_ratio = 110.0_wp
+   real(wp), parameter, public :: plastic_ratio = 110.0_wp
    !> b2, Eq. 15: 1 + ln 2/ln 110
    real(wp), parameter, public :: plastic_area_exponent = &
       1.0_wp + log(2.0_wp)/log(plastic_ratio)

@@ -9,7 +9,8 @@ module asperity_law_quadrature_heights
    use asperity_law_quadrature_gauss_legendre, only: n_points, nodes, weights
    implicit none
    private
-   public :: quadrature_type, new_quadrature, new_log_quadrature, relative_exponent
+   public :: quadrature_type, new_quadrature, new_log_quadrature, find_dense_range, &
+      relative_exponent
 
    !> Gauss points, one column a panel. The weights hold the density of heights, to be multiplied
    !> by exp(-exponent - max(h, 0)^2/2), which makes it one at its largest.
@@ -77,27 +78,47 @@ contains
       end do
    end function new_log_quadrature
 
-   !> Find the anchor, the densest point of the range, from which lengths are measured, so that
-   !> nothing is lost where the range is narrow and far from zero; and the range about it, cut to
-   !> where the density matters. Where that lies inside the range on both sides, the panel is added.
+   !> Find the range about the anchor; where it lies inside from..to on both sides, its panel is
+   !> added.
    pure subroutine place_anchor(rule, properties, separation, from, to, anchor, y, lower, upper)
       type(quadrature_type), intent(out) :: rule
       type(normal_properties), intent(in) :: properties
       real(wp), intent(in) :: separation, from, to
+      !> See `find_dense_range`
+      real(wp), intent(out) :: anchor, y, lower, upper
+      real(wp) :: reach
+
+      call find_dense_range(properties, separation, from, to, anchor, y, lower, upper, &
+         rule%exponent)
+      reach = density_reach(y)
+      if (lower > (from - anchor)/properties%sigma .and. upper < (to - anchor)/properties%sigma) &
+         call add_bell(rule, properties, anchor, reach)
+   end subroutine place_anchor
+
+   !> Find the anchor, the densest point of a range of deformations, from which lengths are
+   !> measured, so that nothing is lost where the range is narrow and far from zero; and the range
+   !> about it, cut to where the density matters.
+   pure subroutine find_dense_range(properties, separation, from, to, anchor, y, lower, upper, &
+         exponent)
+      !> Checked properties
+      type(normal_properties), intent(in) :: properties
+      !> Separation d, mm
+      real(wp), intent(in) :: separation
+      !> Range of the deformation w, mm
+      real(wp), intent(in) :: from, to
       !> Anchor, mm; height there over sigma; range about it, in sigma
       real(wp), intent(out) :: anchor, y, lower, upper
+      !> Of the density at the anchor, less max(h, 0)^2/2
+      real(wp), intent(out) :: exponent
       real(wp) :: reach
 
       anchor = min(max(-separation, from), to)
       y = (separation + anchor)/properties%sigma
       reach = density_reach(y)
-      lower = (from - anchor)/properties%sigma
-      upper = (to - anchor)/properties%sigma
-      rule%exponent = relative_exponent(separation/properties%sigma, anchor/properties%sigma, y)
-      if (lower < -reach .and. upper > reach) call add_bell(rule, properties, anchor, reach)
-      lower = max(lower, -reach)
-      upper = min(upper, reach)
-   end subroutine place_anchor
+      lower = max((from - anchor)/properties%sigma, -reach)
+      upper = min((to - anchor)/properties%sigma, reach)
+      exponent = relative_exponent(separation/properties%sigma, anchor/properties%sigma, y)
+   end subroutine find_dense_range
 
    !> Add the Gauss points in lower..upper sigma beyond the anchor, in one panel or two: the
    !> density narrows in sqrt(w), so a wide range is split at a quarter of its upper end (1/16 to

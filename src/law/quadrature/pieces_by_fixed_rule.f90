@@ -11,7 +11,7 @@ module asperity_law_quadrature_pieces_by_fixed_rule
    use asperity_law_quadrature_pieces_by_quadrature, only: piece_type
    implicit none
    private
-   public :: fixed_pieces_serve, evaluate_fixed_pieces
+   public :: fixed_pieces_serve, evaluate_fixed_pieces, fixed_elastic_piece
 
    !> Largest w1/sigma, smallest d/sigma and largest product of the two: test/test_fixed_pieces
    real(wp), parameter :: largest_ratio = 0.025_wp, lowest = -7.0_wp, largest_product = 0.28_wp
@@ -68,10 +68,7 @@ contains
       scale = phi_0*a
       associate (first => density(:n_elastic), rest => density(n_elastic + 1:), &
             p => properties)
-         elastic%pressure = scale*weighted(n_elastic, elastic_force, first)
-         elastic%stiffness = scale*weighted(n_elastic, elastic_slope, first)
-         elastic%area = scale*weighted(n_elastic, elastic_area, first)
-         elastic%energy = scale*weighted(n_elastic, elastic_energy, first)
+         elastic = elastic_sums(scale, first, with_area_slope)
          force = force_powers(p%b3_less_1, 2.0_wp/p%yield_factor)*rest
          inverse = 1.0_wp/(p%b3 + 1.0_wp)
          plain = weighted(n_elastoplastic, by_log, rest)
@@ -80,12 +77,51 @@ contains
          elastoplastic%area = scale*weighted(n_elastoplastic, area_weight, rest)
          elastoplastic%energy = scale*(inverse*weighted(n_elastoplastic, work_weight, force) &
             + (0.4_wp - inverse)*plain)
-         if (with_area_slope) then
-            elastic%area_slope = scale*weighted(n_elastic, by_root, first)
+         if (with_area_slope) &
             elastoplastic%area_slope = scale*weighted(n_elastoplastic, area_slope_weight, rest)
-         end if
       end associate
    end subroutine evaluate_fixed_pieces
+
+   !> The elastic piece of deformations up to `largest` w1, where the fixed rule serves: that of
+   !> another w1, in units of this one.
+   pure function fixed_elastic_piece(properties, h, largest) result(piece)
+      !> Checked properties
+      type(normal_properties), intent(in) :: properties
+      !> d/sigma
+      real(wp), intent(in) :: h
+      !> Largest deformation over w1, above zero up to one
+      real(wp), intent(in) :: largest
+      !> Integrals, with an exponent of zero
+      type(piece_type) :: piece
+      real(wp) :: a, t(n_elastic), exponent(n_elastic), density(n_elastic)
+
+      a = largest*properties%w1/properties%sigma
+      t = a*ratio(:n_elastic)
+      if (h > 0.0_wp) then
+         exponent = -t*(h + 0.5_wp*t)
+      else
+         exponent = -0.5_wp*(t + h)**2
+      end if
+      call exponentials(n_elastic, exponent, density)
+      piece = elastic_sums(phi_0*a, density, .false.)
+      piece%stiffness = piece%stiffness*sqrt(largest)
+      piece%pressure = piece%pressure*largest*sqrt(largest)
+      piece%area = piece%area*largest
+      piece%energy = piece%energy*largest*largest*sqrt(largest)
+   end function fixed_elastic_piece
+
+   !> Integrals over elastic summits from the density at their points.
+   pure function elastic_sums(scale, density, with_area_slope) result(piece)
+      real(wp), intent(in) :: scale, density(n_elastic)
+      logical, intent(in) :: with_area_slope
+      type(piece_type) :: piece
+
+      piece%pressure = scale*weighted(n_elastic, elastic_force, density)
+      piece%stiffness = scale*weighted(n_elastic, elastic_slope, density)
+      piece%area = scale*weighted(n_elastic, elastic_area, density)
+      piece%energy = scale*weighted(n_elastic, elastic_energy, density)
+      if (with_area_slope) piece%area_slope = scale*weighted(n_elastic, by_root, density)
+   end function elastic_sums
 
    !> Sum of weights times values in four parts, side by side; n is a multiple of four.
    pure real(wp) function weighted(n, weight, values)

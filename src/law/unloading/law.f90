@@ -4,24 +4,31 @@
 !> d = d_m + u the pressure is eta Int N_u(w) phi(d_m + w) dw over the summits that still touch,
 !> e(w) > u, and alike for area, stiffness and stored energy.
 !>
-!> The virgin branch and the elastic summits are those of the law without memory.
+!> The virgin branch and the elastic summits are those of the law without memory. The paper's law
+!> has none; this one is Etsion, Kligerman and Kadin's idea with the paper's summits.
 module asperity_law_unloading_law
-   use asperity_base_constants, only: pi
    use asperity_base_kinds, only: wp
    use asperity_law_gaussian_tail, only: tail_moments
-   use asperity_law_normal_law, only: evaluate_normal_law, normal_response
+   use asperity_law_normal_law, only: evaluate_normal_law, normal_response, sum_pieces, &
+      vanishing_separation
    use asperity_law_normal_properties, only: normal_properties
-   use asperity_law_quadrature_gauss_legendre, only: n_points, nodes, weights
-   use asperity_law_single_asperity, only: asperity_response
-   use asperity_law_unloading_summit, only: elastic_recovery, evaluate_unloading_asperity, &
-      recovery_exponent
-   use asperity_law_validity, only: area_above_nominal, memory_beyond_data, pressure_above_hardness
+   use asperity_law_quadrature_heights, only: relative_exponent
+   use asperity_law_quadrature_pieces_by_quadrature, only: piece_type, plastic_piece
+   use asperity_law_unloading_pieces, only: elastic_unloading_piece, &
+      elastoplastic_unloading_piece, plastic_unloading_piece
+   use asperity_law_unloading_summit, only: contact_edge
+   use asperity_law_validity, only: area_above_nominal, closure_above_half_radius, &
+      memory_beyond_data, pressure_above_hardness
    implicit none
    private
-   public :: evaluate_unloading_law, unloading_stiffness, plastic_dissipation
+   public :: evaluate_unloading_law, evaluate_unloading_branch, unloading_stiffness, &
+      plastic_dissipation
 
    !> Mean deformation over w1 of the summits in contact up to which unloading was computed
    real(wp), parameter :: largest_mean_ratio = 170.0_wp
+   !> Larger retractions over w1 are taken for this one: all is zero long before, and its powers are
+   !> finite
+   real(wp), parameter :: largest_retraction = 1.0e60_wp
 
 contains
 
@@ -29,6 +36,9 @@ contains
    !> retraction of zero or less the face is as close as never before: pressure, stiffness and area
    !> are those of the law without memory. The energy is what is recoverable; it and the plastic
    !> dissipation add up to the work since first touch wherever the face was pressed without pause.
+   !> Relative error below 1e-11 in every component that is a normal number, for
+   !> -8 <= d_m/sigma <= 8, 1e-6 <= w1/sigma <= 1e2, and retractions until the pressure is 1e-12 of
+   !> that at d_m.
    pure elemental function evaluate_unloading_law(properties, closest_separation, retraction) &
          result(response)
       !> Checked properties
@@ -37,28 +47,57 @@ contains
       real(wp), intent(in) :: closest_separation
       !> Separation less the closest one so far, mm
       real(wp), intent(in) :: retraction
-      type(normal_response) :: response, virgin, unloaded
-      real(wp) :: closest
+      type(normal_response) :: response
 
-      closest = closest_separation + min(retraction, 0.0_wp)
-      virgin = evaluate_normal_law(properties, closest)
-      unloaded = brute_force(properties, closest, max(retraction, 0.0_wp))
       if (retraction > 0.0_wp) then
-         response = unloaded
-         unloaded = brute_force(properties, closest, 0.0_wp)
+         call evaluate_unloading_branch(properties, closest_separation, retraction, response)
+         response%plastic_dissipation = plastic_dissipation(properties, closest_separation)
       else
-         response = virgin
-         response%energy = unloaded%energy
+         call evaluate_virgin_branch(properties, closest_separation + retraction, response)
       end if
-      response%plastic_dissipation = max(virgin%energy - unloaded%energy, 0.0_wp)
-      response%validity = properties%validity
-      if (response%area_fraction > 1.0_wp) &
-         response%validity = ior(response%validity, area_above_nominal)
-      if (response%pressure > properties%hardness) &
-         response%validity = ior(response%validity, pressure_above_hardness)
-      if (mean_deformation(properties, closest) > largest_mean_ratio*properties%w1) &
-         response%validity = ior(response%validity, memory_beyond_data)
    end function evaluate_unloading_law
+
+   !> The virgin branch: the law without memory, and its work as what is recoverable and what is
+   !> not.
+   pure subroutine evaluate_virgin_branch(properties, separation, response)
+      type(normal_properties), intent(in) :: properties
+      real(wp), intent(in) :: separation
+      type(normal_response), intent(out) :: response
+      type(normal_response) :: unloading
+      real(wp) :: dissipation
+
+      response = evaluate_normal_law(properties, separation)
+      call evaluate_yielded(properties, separation, 0.0_wp, unloading, dissipation)
+      response%energy = unloading%energy
+      response%plastic_dissipation = dissipation
+      response%validity = ior(response%validity, memory_flags(properties, separation))
+   end subroutine evaluate_virgin_branch
+
+   !> The unloading branch without the plastic dissipation, a constant on it.
+   pure subroutine evaluate_unloading_branch(properties, closest_separation, retraction, response)
+      !> Checked properties
+      type(normal_properties), intent(in) :: properties
+      !> Closest separation so far, mm
+      real(wp), intent(in) :: closest_separation
+      !> Separation less the closest one so far, mm; zero or more
+      real(wp), intent(in) :: retraction
+      !> Its `plastic_dissipation` is zero
+      type(normal_response), intent(out) :: response
+      real(wp) :: u, edge, y, moments(0:2)
+
+      u = min(retraction, largest_retraction*properties%w1)
+      call evaluate_yielded(properties, closest_separation, u, response)
+      associate (p => properties, r => response)
+         edge = contact_edge(p, u)/p%sigma
+         y = closest_separation/p%sigma + edge
+         moments = tail_moments(y)
+         r%contact_density = p%eta*moments(0)*decay_of(p, closest_separation, &
+            relative_exponent(closest_separation/p%sigma, edge, max(y, 0.0_wp)))**2
+         r%validity = ior(p%validity, memory_flags(p, closest_separation))
+         if (r%area_fraction > 1.0_wp) r%validity = ior(r%validity, area_above_nominal)
+         if (r%pressure > p%hardness) r%validity = ior(r%validity, pressure_above_hardness)
+      end associate
+   end subroutine evaluate_unloading_branch
 
    !> Stiffness at the closest separation for parting from it, MPa/mm.
    pure elemental real(wp) function unloading_stiffness(properties, closest_separation) &
@@ -69,83 +108,82 @@ contains
       real(wp), intent(in) :: closest_separation
       type(normal_response) :: response
 
-      response = brute_force(properties, closest_separation, 0.0_wp)
+      call evaluate_yielded(properties, closest_separation, 0.0_wp, response)
       stiffness = response%stiffness
    end function unloading_stiffness
 
-   !> Plastic dissipation per nominal area since first touch, N/mm, when the face has been as close
-   !> as this: the work less what is recoverable.
-   pure elemental real(wp) function plastic_dissipation(properties, closest_separation)
+   !> Plastic dissipation per nominal area from first touch up to the closest separation, N/mm:
+   !> virgin work less what is recoverable, summed as a difference summit by summit. It never falls
+   !> as the face comes closer.
+   pure elemental real(wp) function plastic_dissipation(properties, closest_separation) &
+         result(dissipation)
       !> Checked properties
       type(normal_properties), intent(in) :: properties
       !> Closest separation so far, mm
       real(wp), intent(in) :: closest_separation
       type(normal_response) :: response
 
-      response = evaluate_unloading_law(properties, closest_separation, 0.0_wp)
-      plastic_dissipation = response%plastic_dissipation
+      call evaluate_yielded(properties, closest_separation, 0.0_wp, response, dissipation)
    end function plastic_dissipation
 
-   pure real(wp) function mean_deformation(properties, separation)
+   !> Pressure, stiffness, area, energy and shares at a retraction, and the plastic dissipation at a
+   !> retraction of zero.
+   pure subroutine evaluate_yielded(properties, closest_separation, retraction, response, dissipation)
       type(normal_properties), intent(in) :: properties
-      real(wp), intent(in) :: separation
+      real(wp), intent(in) :: closest_separation, retraction
+      type(normal_response), intent(out) :: response
+      real(wp), intent(out), optional :: dissipation
+      type(piece_type) :: pieces(3), virgin
+      real(wp) :: shift, decay, of_elastoplastic
+
+      pieces(1) = elastic_unloading_piece(properties, closest_separation, retraction)
+      pieces(3) = plastic_unloading_piece(properties, closest_separation, retraction)
+      if (.not. present(dissipation)) then
+         call elastoplastic_unloading_piece(properties, closest_separation, retraction, pieces(2))
+      else
+         call elastoplastic_unloading_piece(properties, closest_separation, retraction, pieces(2), &
+            of_elastoplastic)
+         virgin = plastic_piece(properties, closest_separation)
+         dissipation = properties%eta*properties%n1*properties%w1*( &
+            of_elastoplastic*decay_of(properties, closest_separation, pieces(2)%exponent)**2 &
+            + (virgin%energy*decay_of(properties, closest_separation, virgin%exponent)**2 &
+            - pieces(3)%energy*decay_of(properties, closest_separation, pieces(3)%exponent)**2))
+      end if
+
+      shift = minval(pieces%exponent, mask=pieces%pressure > 0.0_wp)
+      pieces%exponent = max(pieces%exponent - shift, 0.0_wp)
+      call sum_pieces(properties, pieces, response)
+      decay = decay_of(properties, closest_separation, shift)
+      associate (r => response)
+         r%pressure = r%pressure*decay*decay
+         r%stiffness = r%stiffness*decay*decay
+         r%area_fraction = r%area_fraction*decay*decay
+         r%energy = r%energy*decay*decay
+      end associate
+   end subroutine evaluate_yielded
+
+   !> Root of exp(-exponent - max(h, 0)^2/2).
+   pure real(wp) function decay_of(properties, separation, exponent)
+      type(normal_properties), intent(in) :: properties
+      real(wp), intent(in) :: separation, exponent
+
+      decay_of = exp(-0.5_wp*(exponent + 0.5_wp*max(separation/properties%sigma, 0.0_wp)**2))
+   end function decay_of
+
+   !> Flags of the deformations at the closest separation, which the face remembers.
+   pure integer function memory_flags(properties, closest_separation) result(flags)
+      type(normal_properties), intent(in) :: properties
+      real(wp), intent(in) :: closest_separation
       real(wp) :: moments(0:2)
 
-      moments = tail_moments(separation/properties%sigma)
-      mean_deformation = properties%sigma*moments(1)/moments(0)
-   end function mean_deformation
-
-   pure function brute_force(properties, closest, retraction) result(r)
-      type(normal_properties), intent(in) :: properties
-      real(wp), intent(in) :: closest, retraction
-      type(normal_response) :: r
-      integer, parameter :: panels = 6
-      type(asperity_response) :: one
-      real(wp) :: w_c, from, to, first, last, v, w, weight, share(3), width
-      integer :: piece, panel, i
-
-      associate (p => properties, u => retraction)
-         if (u < p%w1) then
-            w_c = u
-         else if (u < elastic_recovery(p, p%w2)) then
-            w_c = p%w1*(u/p%w1)**(1.0_wp/recovery_exponent(p))
-         else
-            w_c = (p%yield_factor*u)**2/(2.0_wp*p%w1)
-         end if
-         r%contact_density = 0.5_wp*p%eta*erfc((closest + w_c)/(sqrt(2.0_wp)*p%sigma))
-         share = 0.0_wp
-         do piece = 1, 3
-            from = max(w_c, merge(0.0_wp, merge(p%w1, p%w2, piece == 2), piece == 1))
-            to = merge(p%w1, merge(p%w2, max(40.0_wp*p%sigma - closest, 2.0_wp*p%w2), piece == 2), &
-               piece == 1)
-            to = min(to, max(12.0_wp*p%sigma, w_c + 12.0_wp*p%sigma - min(closest, 0.0_wp)))
-            if (.not. to > from) cycle
-            ! w = w_c + v^2, even in v
-            first = sqrt(from - w_c)
-            last = sqrt(to - w_c)
-            width = (last - first)/panels
-            do panel = 1, panels
-               do i = 1, n_points
-                  v = first + width*(panel - 0.5_wp + 0.5_wp*nodes(i))
-                  w = w_c + v*v
-                  weight = width*weights(i)*v*p%eta/(sqrt(2.0_wp*pi)*p%sigma) &
-                     *exp(-0.5_wp*((closest + w)/p%sigma)**2)
-                  one = evaluate_unloading_asperity(p, w, u)
-                  share(piece) = share(piece) + weight*one%force
-                  r%stiffness = r%stiffness + weight*one%force_slope
-                  r%area_fraction = r%area_fraction + weight*one%area
-                  r%energy = r%energy + weight*one%energy
-               end do
-            end do
-         end do
-         r%pressure = sum(share)
-         if (r%pressure > 0.0_wp) then
-            share = share/r%pressure
-            r%elastic_share = share(1)
-            r%elastoplastic_share = share(2)
-            r%plastic_share = share(3)
-         end if
+      flags = 0
+      associate (p => properties)
+         if (closest_separation > vanishing_separation*p%sigma) return
+         moments = tail_moments(closest_separation/p%sigma)
+         if (p%sigma*moments(1) > 0.5_wp*p%radius*moments(0)) flags = closure_above_half_radius
+         if (p%sigma*moments(1) > largest_mean_ratio*p%w1*moments(0)) &
+            flags = ior(flags, memory_beyond_data)
       end associate
-   end function brute_force
+   end function memory_flags
 
 end module asperity_law_unloading_law

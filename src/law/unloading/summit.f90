@@ -11,7 +11,7 @@ module asperity_law_unloading_summit
    use asperity_law_single_asperity, only: asperity_response, evaluate_asperity, stage_open
    implicit none
    private
-   public :: evaluate_unloading_asperity, elastic_recovery, recovery_exponent
+   public :: evaluate_unloading_asperity, elastic_recovery, recovery_exponent, contact_edge
 
 contains
 
@@ -41,6 +41,24 @@ contains
 
       recovery_exponent = properties%b3 - 0.5_wp*properties%b2
    end function recovery_exponent
+
+   !> Largest deformation of the summit that just loses contact, mm: the inverse of
+   !> `elastic_recovery`.
+   pure elemental real(wp) function contact_edge(properties, retraction) result(deformation)
+      !> Checked properties
+      type(normal_properties), intent(in) :: properties
+      !> How far summits have parted since their largest deformation, mm; zero or more
+      real(wp), intent(in) :: retraction
+
+      associate (p => properties, u => retraction)
+         if (u < p%w1) then
+            deformation = u
+         else
+            deformation = p%w1*(u/p%w1)**(1.0_wp/recovery_exponent(p))
+            if (.not. deformation < p%w2) deformation = 0.5_wp*(p%yield_factor*u)**2/p%w1
+         end if
+      end associate
+   end function contact_edge
 
    !> Evaluate one summit that was pressed to a largest deformation and has parted again. The stage
    !> is that of the largest deformation, `stage_open` once it has lost contact; slopes are by the
