@@ -18,7 +18,7 @@ module asperity_law_normal_law
       pressure_above_hardness, valid
    implicit none
    private
-   public :: normal_response, evaluate_normal_law, evaluate_scaled_law, sum_pieces
+   public :: normal_response, evaluate_normal_law, evaluate_scaled_law, sum_pieces, apply_decay
 
    !> Beyond this d/sigma the factor exp(-h^2/2), and with it the law, is zero in double precision:
    !> no summit touches, and no limit is passed
@@ -57,10 +57,21 @@ contains
       !> Separation d, mm; any finite value up to 1e100 sigma in size
       real(wp), intent(in) :: separation
       type(normal_response) :: response
-      real(wp) :: decay
 
       call evaluate_scaled_law(properties, separation, response)
-      decay = exp(-0.5_wp*max(separation/properties%sigma, 0.0_wp)**2)
+      call apply_decay(properties, exp(-0.5_wp*max(separation/properties%sigma, 0.0_wp)**2), &
+         response)
+   end function evaluate_normal_law
+
+   !> Multiply what was scaled by the factor, and set the flags of area and pressure.
+   pure subroutine apply_decay(properties, decay, response)
+      !> Checked properties
+      type(normal_properties), intent(in) :: properties
+      !> The factor
+      real(wp), intent(in) :: decay
+      !> Scaled values on entry
+      type(normal_response), intent(inout) :: response
+
       associate (r => response)
          r%pressure = r%pressure*decay
          r%stiffness = r%stiffness*decay
@@ -71,10 +82,10 @@ contains
          if (r%pressure > properties%hardness) &
             r%validity = ior(r%validity, pressure_above_hardness)
       end associate
-   end function evaluate_normal_law
+   end subroutine apply_decay
 
    !> The law without the factor exp(-max(h, 0)^2/2), which underflows far out.
-   pure subroutine evaluate_scaled_law(properties, separation, scaled, area_stiffness)
+   pure subroutine evaluate_scaled_law(properties, separation, scaled, area_stiffness, pieces)
       !> Checked properties
       type(normal_properties), intent(in) :: properties
       !> Separation d, mm
@@ -84,19 +95,23 @@ contains
       type(normal_response), intent(out) :: scaled
       !> Derivative of the area fraction by closure, 1/mm, over the factor
       real(wp), intent(out), optional :: area_stiffness
-      type(piece_type) :: pieces(3)
+      !> The three pieces, with recoverable energy and dissipation of the elasto-plastic one
+      type(piece_type), intent(out), optional :: pieces(3)
+      type(piece_type) :: found(3)
       real(wp) :: h, moments(0:2)
 
       h = separation/properties%sigma
       if (fixed_pieces_serve(properties%w1/properties%sigma, h)) then
-         call evaluate_fixed_pieces(properties, h, present(area_stiffness), pieces(1), pieces(2))
+         call evaluate_fixed_pieces(properties, h, present(area_stiffness), present(pieces), &
+            found(1), found(2))
       else
-         pieces(1) = elastic_piece(properties, separation, properties%w1)
-         pieces(2) = elastoplastic_piece(properties, separation)
+         found(1) = elastic_piece(properties, separation, properties%w1)
+         found(2) = elastoplastic_piece(properties, separation, present(pieces))
       end if
-      pieces(3) = plastic_piece(properties, separation)
+      found(3) = plastic_piece(properties, separation)
       moments = tail_moments(h)
-      call sum_pieces(properties, pieces, scaled, area_stiffness)
+      call sum_pieces(properties, found, scaled, area_stiffness)
+      if (present(pieces)) pieces = found
       associate (p => properties, r => scaled)
          r%contact_density = p%eta*moments(0)
          r%validity = p%validity

@@ -126,11 +126,11 @@ contains
       real(wp) :: d
 
       d = h*p%sigma
-      call evaluate_fixed_pieces(p, h, .true., fixed(1), fixed(2))
+      call evaluate_fixed_pieces(p, h, .true., .true., fixed(1), fixed(2))
       found(:, 1) = numbers_of(fixed(1))
       found(:, 2) = numbers_of(fixed(2))
       wanted(:, 1) = numbers_of(elastic_piece(p, d, p%w1))
-      wanted(:, 2) = numbers_of(elastoplastic_piece(p, d))
+      wanted(:, 2) = numbers_of(elastoplastic_piece(p, d, .true.))
       wanted(:, 3) = numbers_of(plastic_piece(p, d))
       found(:, 3) = sum(found(:, :2), dim=2) + wanted(:, 3)
       wanted(:, 3) = sum(wanted, dim=2)
@@ -199,9 +199,10 @@ contains
       type(piece_type) :: with(2), without(2)
       integer :: i
 
-      call evaluate_fixed_pieces(properties_with(0.01_wp, 0.4_wp), 1.5_wp, .true., with(1), with(2))
-      call evaluate_fixed_pieces(properties_with(0.01_wp, 0.4_wp), 1.5_wp, .false., without(1), &
-         without(2))
+      call evaluate_fixed_pieces(properties_with(0.01_wp, 0.4_wp), 1.5_wp, .true., .true., with(1), &
+         with(2))
+      call evaluate_fixed_pieces(properties_with(0.01_wp, 0.4_wp), 1.5_wp, .false., .false., &
+         without(1), without(2))
       do i = 1, 2
          call assertGreaterThan(with(i)%area_slope, 0.0_wp, 'with')
          with(i)%area_slope = 0.0_wp

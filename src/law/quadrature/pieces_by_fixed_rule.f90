@@ -25,11 +25,14 @@ module asperity_law_quadrature_pieces_by_fixed_rule
    real(wp), parameter :: elastic_slope(n_elastic) = 1.5_wp*by_root*root_ratio
    real(wp), parameter :: elastic_area(n_elastic) = by_root*root_ratio**2
    real(wp), parameter :: elastic_energy(n_elastic) = 0.4_wp*by_root*root_ratio**5
-   ! and of the elasto-plastic sums; those with the force's power lack it
+   ! and of the elasto-plastic sums; those with the force's power lack it, the recoverable energy, of
+   ! force times recovery, lacks its square
    real(wp), parameter :: by_log(n_elastoplastic) = elastoplastic_weight*elastoplastic_ratio
    real(wp), parameter :: force_weight(n_elastoplastic) = by_log*elastoplastic_ratio
    real(wp), parameter :: work_weight(n_elastoplastic) = by_log*elastoplastic_ratio**2
    real(wp), parameter :: area_weight(n_elastoplastic) = by_log*exp(plastic_area_exponent*log_ratio)
+   real(wp), parameter :: recoverable_weight(n_elastoplastic) = 0.4_wp*by_log &
+      *exp((2.0_wp - 0.5_wp*plastic_area_exponent)*log_ratio)
    real(wp), parameter :: area_slope_weight(n_elastoplastic) = plastic_area_exponent*by_log &
       *exp((plastic_area_exponent - 1.0_wp)*log_ratio)
 
@@ -44,7 +47,7 @@ contains
    end function fixed_pieces_serve
 
    !> Both pieces, where the fixed rule serves.
-   pure subroutine evaluate_fixed_pieces(properties, h, with_area_slope, elastic, &
+   pure subroutine evaluate_fixed_pieces(properties, h, with_area_slope, with_memory, elastic, &
          elastoplastic)
       !> Checked properties
       type(normal_properties), intent(in) :: properties
@@ -52,9 +55,12 @@ contains
       real(wp), intent(in) :: h
       !> Whether the area's slope is wanted
       logical, intent(in) :: with_area_slope
+      !> Whether recoverable energy and dissipation are wanted
+      logical, intent(in) :: with_memory
       !> Integrals, with exponents of zero
       type(piece_type), intent(out) :: elastic, elastoplastic
-      real(wp) :: a, scale, inverse, t(n), exponent(n), density(n), force(n_elastoplastic), plain
+      real(wp) :: a, scale, inverse, t(n), exponent(n), density(n), plain
+      real(wp), dimension(n_elastoplastic) :: power, force
 
       a = properties%w1/properties%sigma
       t = a*ratio
@@ -69,7 +75,8 @@ contains
       associate (first => density(:n_elastic), rest => density(n_elastic + 1:), &
             p => properties)
          elastic = elastic_sums(scale, first, with_area_slope)
-         force = force_powers(p%b3_less_1, 2.0_wp/p%yield_factor)*rest
+         power = force_powers(p%b3_less_1, 2.0_wp/p%yield_factor)
+         force = power*rest
          inverse = 1.0_wp/(p%b3 + 1.0_wp)
          plain = weighted(n_elastoplastic, by_log, rest)
          elastoplastic%pressure = scale*weighted(n_elastoplastic, force_weight, force)
@@ -79,6 +86,11 @@ contains
             + (0.4_wp - inverse)*plain)
          if (with_area_slope) &
             elastoplastic%area_slope = scale*weighted(n_elastoplastic, area_slope_weight, rest)
+         if (with_memory) then
+            elastoplastic%recoverable = scale*weighted(n_elastoplastic, recoverable_weight, &
+               power*force)
+            elastoplastic%dissipation = elastoplastic%energy - elastoplastic%recoverable
+         end if
       end associate
    end subroutine evaluate_fixed_pieces
 

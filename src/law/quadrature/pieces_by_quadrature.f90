@@ -17,6 +17,9 @@ module asperity_law_quadrature_pieces_by_quadrature
       !> Force, its slope, area, its slope and energy, in units of N1, N1/w1, pi R w1, pi R, N1 w1
       real(wp) :: pressure = 0.0_wp, stiffness = 0.0_wp
       real(wp) :: area = 0.0_wp, area_slope = 0.0_wp, energy = 0.0_wp
+      !> Of an elasto-plastic energy what unloading gives back and what it does not (see
+      !> `asperity_law_unloading_law`), on request; their sum is the energy
+      real(wp) :: recoverable = 0.0_wp, dissipation = 0.0_wp
       !> See above; never negative
       real(wp) :: exponent = 0.0_wp
    end type piece_type
@@ -50,12 +53,14 @@ contains
    end function elastic_piece
 
    !> The same over elasto-plastic summits.
-   pure function elastoplastic_piece(properties, separation) result(piece)
+   pure function elastoplastic_piece(properties, separation, with_memory) result(piece)
       type(normal_properties), intent(in) :: properties
       real(wp), intent(in) :: separation
+      !> Whether recoverable energy and dissipation are wanted
+      logical, intent(in) :: with_memory
       type(piece_type) :: piece
       type(quadrature_type) :: rule
-      real(wp), dimension(n_points) :: force, area
+      real(wp), dimension(n_points) :: force, area, work, recoverable
       real(wp) :: inverse
       integer :: i
 
@@ -65,8 +70,15 @@ contains
       do i = 1, rule%panels
          associate (ratio => rule%ratio(:, i), weight => rule%weight(:, i), b2 => properties%b2)
             call exponentials(n_points, properties%b3_less_1*rule%log_ratio(:, i), force)
-            force = weight*ratio*force
             call exponentials(n_points, b2*rule%log_ratio(:, i), area)
+            if (with_memory) then
+               ! 2/5 of force times recovery, the force over the root of the area
+               recoverable = 0.4_wp*(ratio*force)**2/sqrt(area)
+               work = 0.4_wp - inverse + inverse*ratio**2*force
+               piece%recoverable = piece%recoverable + pairwise_sum(weight*recoverable)
+               piece%dissipation = piece%dissipation + pairwise_sum(weight*(work - recoverable))
+            end if
+            force = weight*ratio*force
             area = weight*area
             piece%stiffness = piece%stiffness + properties%b3*pairwise_sum(force/ratio)
             piece%pressure = piece%pressure + pairwise_sum(force)

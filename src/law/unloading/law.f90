@@ -9,16 +9,15 @@
 module asperity_law_unloading_law
    use asperity_base_kinds, only: wp
    use asperity_law_gaussian_tail, only: tail_moments
-   use asperity_law_normal_law, only: evaluate_normal_law, normal_response, sum_pieces, &
-      vanishing_separation
+   use asperity_law_normal_law, only: apply_decay, evaluate_scaled_law, normal_response, &
+      sum_pieces, vanishing_separation
    use asperity_law_normal_properties, only: normal_properties
    use asperity_law_quadrature_heights, only: relative_exponent
-   use asperity_law_quadrature_pieces_by_quadrature, only: piece_type, plastic_piece
+   use asperity_law_quadrature_pieces_by_quadrature, only: piece_type
    use asperity_law_unloading_pieces, only: elastic_unloading_piece, &
       elastoplastic_unloading_piece, plastic_unloading_piece
-   use asperity_law_unloading_summit, only: contact_edge
-   use asperity_law_validity, only: area_above_nominal, closure_above_half_radius, &
-      memory_beyond_data, pressure_above_hardness
+   use asperity_law_unloading_summit, only: find_contact_edge
+   use asperity_law_validity, only: closure_above_half_radius, memory_beyond_data
    implicit none
    private
    public :: evaluate_unloading_law, evaluate_unloading_branch, unloading_stiffness, &
@@ -63,14 +62,20 @@ contains
       type(normal_properties), intent(in) :: properties
       real(wp), intent(in) :: separation
       type(normal_response), intent(out) :: response
-      type(normal_response) :: unloading
-      real(wp) :: dissipation
+      type(piece_type) :: pieces(3), plastic
+      real(wp) :: root(3)
 
-      response = evaluate_normal_law(properties, separation)
-      call evaluate_yielded(properties, separation, 0.0_wp, unloading, dissipation)
-      response%energy = unloading%energy
-      response%plastic_dissipation = dissipation
-      response%validity = ior(response%validity, memory_flags(properties, separation))
+      call evaluate_scaled_law(properties, separation, response, pieces=pieces)
+      plastic = plastic_unloading_piece(properties, separation, 0.0_wp)
+      root = exp(-0.5_wp*pieces%exponent)
+      associate (p => properties, r => response)
+         r%energy = p%eta*p%n1*p%w1*sum(root*root*[pieces(1)%energy, pieces(2)%recoverable, &
+            plastic%energy])
+         r%plastic_dissipation = p%eta*p%n1*p%w1*sum(root(2:)*root(2:)*[pieces(2)%dissipation, &
+            pieces(3)%energy - plastic%energy])*decay_at(p, separation)
+         r%validity = ior(r%validity, memory_flags(p, separation))
+         call apply_decay(p, decay_at(p, separation), r)
+      end associate
    end subroutine evaluate_virgin_branch
 
    !> The unloading branch without the plastic dissipation, a constant on it.
@@ -83,19 +88,26 @@ contains
       real(wp), intent(in) :: retraction
       !> Its `plastic_dissipation` is zero
       type(normal_response), intent(out) :: response
-      real(wp) :: u, edge, y, moments(0:2)
+      type(piece_type) :: pieces(3)
+      real(wp) :: u, edge, log_edge, shift, h, y, moments(0:2)
 
       u = min(retraction, largest_retraction*properties%w1)
-      call evaluate_yielded(properties, closest_separation, u, response)
+      call find_contact_edge(properties, u, edge, log_edge)
+      pieces(1) = elastic_unloading_piece(properties, closest_separation, u)
+      pieces(2) = elastoplastic_unloading_piece(properties, closest_separation, u, edge, log_edge)
+      pieces(3) = plastic_unloading_piece(properties, closest_separation, u)
+      ! the largest piece keeps its digits where all underflow
+      shift = minval(pieces%exponent, mask=pieces%pressure > 0.0_wp)
+      pieces%exponent = max(pieces%exponent - shift, 0.0_wp)
+      call sum_pieces(properties, pieces, response)
       associate (p => properties, r => response)
-         edge = contact_edge(p, u)/p%sigma
-         y = closest_separation/p%sigma + edge
+         h = closest_separation/p%sigma
+         y = h + edge/p%sigma
          moments = tail_moments(y)
-         r%contact_density = p%eta*moments(0)*decay_of(p, closest_separation, &
-            relative_exponent(closest_separation/p%sigma, edge, max(y, 0.0_wp)))**2
+         r%contact_density = p%eta*moments(0) &
+            *exp(shift - relative_exponent(h, edge/p%sigma, max(y, 0.0_wp)))
          r%validity = ior(p%validity, memory_flags(p, closest_separation))
-         if (r%area_fraction > 1.0_wp) r%validity = ior(r%validity, area_above_nominal)
-         if (r%pressure > p%hardness) r%validity = ior(r%validity, pressure_above_hardness)
+         call apply_decay(p, exp(-shift)*decay_at(p, closest_separation), r)
       end associate
    end subroutine evaluate_unloading_branch
 
@@ -108,7 +120,7 @@ contains
       real(wp), intent(in) :: closest_separation
       type(normal_response) :: response
 
-      call evaluate_yielded(properties, closest_separation, 0.0_wp, response)
+      call evaluate_unloading_branch(properties, closest_separation, 0.0_wp, response)
       stiffness = response%stiffness
    end function unloading_stiffness
 
@@ -123,52 +135,17 @@ contains
       real(wp), intent(in) :: closest_separation
       type(normal_response) :: response
 
-      call evaluate_yielded(properties, closest_separation, 0.0_wp, response, dissipation)
+      call evaluate_virgin_branch(properties, closest_separation, response)
+      dissipation = response%plastic_dissipation
    end function plastic_dissipation
 
-   !> Pressure, stiffness, area, energy and shares at a retraction, and the plastic dissipation at a
-   !> retraction of zero.
-   pure subroutine evaluate_yielded(properties, closest_separation, retraction, response, dissipation)
+   !> The factor that scaled values lack.
+   pure real(wp) function decay_at(properties, separation)
       type(normal_properties), intent(in) :: properties
-      real(wp), intent(in) :: closest_separation, retraction
-      type(normal_response), intent(out) :: response
-      real(wp), intent(out), optional :: dissipation
-      type(piece_type) :: pieces(3), virgin
-      real(wp) :: shift, decay, of_elastoplastic
+      real(wp), intent(in) :: separation
 
-      pieces(1) = elastic_unloading_piece(properties, closest_separation, retraction)
-      pieces(3) = plastic_unloading_piece(properties, closest_separation, retraction)
-      if (.not. present(dissipation)) then
-         call elastoplastic_unloading_piece(properties, closest_separation, retraction, pieces(2))
-      else
-         call elastoplastic_unloading_piece(properties, closest_separation, retraction, pieces(2), &
-            of_elastoplastic)
-         virgin = plastic_piece(properties, closest_separation)
-         dissipation = properties%eta*properties%n1*properties%w1*( &
-            of_elastoplastic*decay_of(properties, closest_separation, pieces(2)%exponent)**2 &
-            + (virgin%energy*decay_of(properties, closest_separation, virgin%exponent)**2 &
-            - pieces(3)%energy*decay_of(properties, closest_separation, pieces(3)%exponent)**2))
-      end if
-
-      shift = minval(pieces%exponent, mask=pieces%pressure > 0.0_wp)
-      pieces%exponent = max(pieces%exponent - shift, 0.0_wp)
-      call sum_pieces(properties, pieces, response)
-      decay = decay_of(properties, closest_separation, shift)
-      associate (r => response)
-         r%pressure = r%pressure*decay*decay
-         r%stiffness = r%stiffness*decay*decay
-         r%area_fraction = r%area_fraction*decay*decay
-         r%energy = r%energy*decay*decay
-      end associate
-   end subroutine evaluate_yielded
-
-   !> Root of exp(-exponent - max(h, 0)^2/2).
-   pure real(wp) function decay_of(properties, separation, exponent)
-      type(normal_properties), intent(in) :: properties
-      real(wp), intent(in) :: separation, exponent
-
-      decay_of = exp(-0.5_wp*(exponent + 0.5_wp*max(separation/properties%sigma, 0.0_wp)**2))
-   end function decay_of
+      decay_at = exp(-0.5_wp*max(separation/properties%sigma, 0.0_wp)**2)
+   end function decay_at
 
    !> Flags of the deformations at the closest separation, which the face remembers.
    pure integer function memory_flags(properties, closest_separation) result(flags)

@@ -24,6 +24,12 @@ module asperity_law_unloading_pieces
    !> Gauss points on 0..1, and weights
    real(wp), parameter :: points(n) = log_ratio/log_plastic_ratio
    real(wp), parameter :: weights(n) = elastoplastic_weight/log_plastic_ratio
+   !> The root of the area of an elasto-plastic summit, in pi R w1, is sqrt(x) exp(area_slope ln x): the
+   !> second factor grows from 1 to sqrt(2), by powers from the middle
+   real(wp), parameter :: log_2 = log(2.0_wp), root_of_root_2 = sqrt(sqrt(2.0_wp))
+   real(wp), parameter :: area_slope = 0.5_wp*log_2/log_plastic_ratio
+   real(wp), parameter :: series(0:9) = 1.0_wp/[1.0_wp, 1.0_wp, 2.0_wp, 6.0_wp, 24.0_wp, &
+      120.0_wp, 720.0_wp, 5040.0_wp, 40320.0_wp, 362880.0_wp]
    !> Ends of the panels that a range of deformations is split into where one is not enough
    real(wp), parameter :: three(0:3) = [0.0_wp, 1.0_wp, 2.0_wp, 3.0_wp]/3.0_wp
    real(wp), parameter :: six(0:6) = [0.0_wp, 1.0_wp, 2.0_wp, 3.0_wp, 4.0_wp, 5.0_wp, 6.0_wp]/6.0_wp
@@ -33,8 +39,6 @@ module asperity_law_unloading_pieces
    real(wp), parameter :: lowest = -1.0_wp
    !> Largest w1/sigma with one panel of elasto-plastic summits, smallest with one of plastic ones
    real(wp), parameter :: elastoplastic_limit = 0.02_wp, plastic_limit = 1.0e-3_wp
-   !> Logarithm of w/w1 that stands for that of zero
-   real(wp), parameter :: lowest_log = -50.0_wp
 
 contains
 
@@ -68,71 +72,81 @@ contains
 
    !> Summits of a largest deformation between w1 and w2. With x = w/w1 the recovery is x^c, and the
    !> variable is v, ln x = ln x_u + v^2, x_u the ratio that just loses contact: 1 - u/e is
-   !> 1 - exp(-c v^2). At a retraction of zero also the plastic dissipation.
-   pure subroutine elastoplastic_unloading_piece(properties, closest_separation, retraction, piece, &
-         dissipation)
+   !> 1 - exp(-c v^2).
+   pure function elastoplastic_unloading_piece(properties, closest_separation, retraction, edge, &
+         log_edge) result(piece)
       !> Checked properties
       type(normal_properties), intent(in) :: properties
       !> Closest separation so far, mm
       real(wp), intent(in) :: closest_separation
       !> Separation less the closest one, mm; zero or more
       real(wp), intent(in) :: retraction
+      !> See `find_contact_edge`
+      real(wp), intent(in) :: edge, log_edge
       !> Integrals, by the density at the closest separation
-      type(piece_type), intent(out) :: piece
-      !> Plastic dissipation up to the closest separation, in units of N1 w1
-      real(wp), intent(out), optional :: dissipation
+      type(piece_type) :: piece
 
+      if (.not. edge < properties%w2) return
       if (closest_separation < lowest*properties%sigma) then
-         call sum_elastoplastic(properties, closest_separation, retraction, six, piece, dissipation)
+         piece = sum_elastoplastic(properties, closest_separation, retraction, edge, log_edge, six)
       else if (properties%w1 > elastoplastic_limit*properties%sigma) then
-         call sum_elastoplastic(properties, closest_separation, retraction, three, piece, &
-            dissipation)
+         piece = sum_elastoplastic(properties, closest_separation, retraction, edge, log_edge, three)
       else
-         call sum_elastoplastic(properties, closest_separation, retraction, one, piece, dissipation)
+         piece = sum_elastoplastic(properties, closest_separation, retraction, edge, log_edge, one)
       end if
-   end subroutine elastoplastic_unloading_piece
+   end function elastoplastic_unloading_piece
 
-   pure subroutine sum_elastoplastic(properties, closest_separation, retraction, ends, piece, &
-         dissipation)
+   pure function sum_elastoplastic(properties, closest_separation, retraction, edge, log_edge, &
+         ends) result(piece)
       type(normal_properties), intent(in) :: properties
-      real(wp), intent(in) :: closest_separation, retraction, ends(0:)
-      type(piece_type), intent(out) :: piece
-      real(wp), intent(out), optional :: dissipation
-      real(wp) :: u, c, edge, anchor, y, lower, upper, first, last, width, inverse, start
-      real(wp), dimension(n) :: v, log_x, x, recovery, radius, left, t, weight
-      integer :: panel
+      real(wp), intent(in) :: closest_separation, retraction, edge, log_edge, ends(0:)
+      type(piece_type) :: piece
+      real(wp) :: u, c, from, anchor, y, lower, upper, first, last, width, start, a, v, log_x, t, z
+      real(wp) :: exponents(2*n), powers(2*n)
+      real(wp), dimension(n) :: density, weight, left, radius
+      integer :: panel, i
 
-      if (present(dissipation)) dissipation = 0.0_wp
       associate (p => properties)
          u = retraction/p%w1
          c = recovery_exponent(p)
-         edge = lowest_log
-         if (u > 0.0_wp) edge = max(log(u)/c, lowest_log)
-         if (edge >= log_plastic_ratio) return
-         start = max(edge, 0.0_wp)
-         call find_dense_range(p, closest_separation, p%w1*exp(start), p%w2, anchor, y, lower, &
-            upper, piece%exponent)
+         from = max(p%w1, edge)
+         call find_dense_range(p, closest_separation, from, p%w2, anchor, y, lower, upper, &
+            piece%exponent)
+         first = max(log_edge, 0.0_wp)
+         if (lower > (from - anchor)/p%sigma) first = log((anchor + lower*p%sigma)/p%w1)
+         last = log_plastic_ratio
+         if (upper < (p%w2 - anchor)/p%sigma) last = log((anchor + upper*p%sigma)/p%w1)
+         first = sqrt(max(first - log_edge, 0.0_wp))
+         last = sqrt(max(last - log_edge, 0.0_wp))
          anchor = anchor/p%sigma
-         first = sqrt(max(log((anchor + lower)*p%sigma/p%w1), start) - edge)
-         last = sqrt(max(min(log((anchor + upper)*p%sigma/p%w1), log_plastic_ratio), start) - edge)
-         inverse = 1.0_wp/(p%b3 + 1.0_wp)
+         a = p%w1/p%sigma
          do panel = 1, ubound(ends, 1)
             width = (last - first)*(ends(panel) - ends(panel - 1))
-            v = first + (last - first)*ends(panel - 1) + width*points
-            log_x = edge + v*v
-            call exponentials(n, log_x, x)
-            call exponentials(n, c*log_x, recovery)
-            call exponentials(n, 0.5_wp*p%b2*log_x, radius)
-            t = p%w1/p%sigma*x - anchor
-            call exponentials(n, -t*(y + 0.5_wp*t), weight)
-            weight = (2.0_wp*phi_0*width*p%w1/p%sigma)*weights*v*x*weight
-            if (present(dissipation)) dissipation = dissipation + sum_of(weight*(0.4_wp - inverse &
-               + radius*recovery*(inverse*x - 0.4_wp*recovery)))
-            left = max(recovery - u, 0.0_wp)
-            call add_summits(piece, weight, radius*sqrt(left/recovery), left)
+            start = first + (last - first)*ends(panel - 1)
+            do i = 1, n
+               v = start + width*points(i)
+               log_x = log_edge + v*v
+               exponents(i) = log_x
+               exponents(n + i) = c*log_x
+               weight(i) = weights(i)*v
+               z = area_slope*log_x - 0.25_wp*log_2
+               radius(i) = root_of_root_2*((((series(0) + z*series(1)) + z*z*(series(2) + z*series(3))) &
+                  + z**4*((series(4) + z*series(5)) + z*z*(series(6) + z*series(7)))) &
+                  + z**8*(series(8) + z*series(9)))
+            end do
+            call exponentials(2*n, exponents, powers)
+            do i = 1, n
+               t = a*powers(i) - anchor
+               weight(i) = weight(i)*powers(i)
+               exponents(i) = -t*(y + 0.5_wp*t)
+               left(i) = max(powers(n + i) - u, 0.0_wp)
+               radius(i) = radius(i)*sqrt(powers(i)*left(i)/powers(n + i))
+            end do
+            call exponentials(n, exponents(:n), density)
+            call add_summits(piece, 2.0_wp*phi_0*a*width, weight, density, radius, left)
          end do
       end associate
-   end subroutine sum_elastoplastic
+   end function sum_elastoplastic
 
    !> Summits of a largest deformation above w2: e = sqrt(2 x)/k, and the variable is
    !> sqrt(x - x_u).
@@ -158,9 +172,9 @@ contains
       type(normal_properties), intent(in) :: properties
       real(wp), intent(in) :: closest_separation, retraction, ends(0:)
       type(piece_type) :: piece
-      real(wp) :: u, edge, anchor, y, lower, upper, first, last, width
-      real(wp), dimension(n) :: v, recovery, left, t, weight
-      integer :: panel
+      real(wp) :: u, edge, anchor, y, lower, upper, first, last, width, start, v, scale, t, recovery
+      real(wp), dimension(n) :: exponents, density, weight, left, radius
+      integer :: panel, i
 
       associate (p => properties)
          u = retraction/p%w1
@@ -172,24 +186,33 @@ contains
          anchor = anchor/p%sigma
          first = sqrt(max(anchor - edge + lower, p%w2/p%sigma - edge, 0.0_wp))
          last = sqrt(anchor - edge + upper)
+         scale = 2.0_wp*p%sigma/(p%w1*p%yield_factor**2)
          do panel = 1, ubound(ends, 1)
             width = (last - first)*(ends(panel) - ends(panel - 1))
-            v = first + (last - first)*ends(panel - 1) + width*points
-            t = v*v - (anchor - edge)
-            call exponentials(n, -t*(y + 0.5_wp*t), weight)
-            weight = (2.0_wp*phi_0*width)*weights*v*weight
-            left = (2.0_wp*p%sigma/(p%w1*p%yield_factor**2))*(v*v)
-            recovery = sqrt(u*u + left)
-            left = left/(recovery + u)
-            call add_summits(piece, weight, p%yield_factor*sqrt(recovery*left), left)
+            start = first + (last - first)*ends(panel - 1)
+            do i = 1, n
+               v = start + width*points(i)
+               weight(i) = weights(i)*v
+               v = v*v
+               t = v - (anchor - edge)
+               exponents(i) = -t*(y + 0.5_wp*t)
+               left(i) = scale*v
+               recovery = sqrt(u*u + left(i))
+               left(i) = left(i)/(recovery + u)
+               radius(i) = p%yield_factor*sqrt(recovery*left(i))
+            end do
+            call exponentials(n, exponents, density)
+            call add_summits(piece, 2.0_wp*phi_0*width, weight, density, radius, left)
          end do
       end associate
    end function sum_plastic
 
-   !> Add what summits of given contact radii and elastic deformations carry.
-   pure subroutine add_summits(piece, weight, radius, left)
+   !> Add what summits of given contact radii and elastic deformations carry, in four parts side by
+   !> side.
+   pure subroutine add_summits(piece, scale, weight, density, radius, left)
       type(piece_type), intent(inout) :: piece
-      real(wp), dimension(n), intent(in) :: weight, radius, left
+      real(wp), intent(in) :: scale
+      real(wp), dimension(n), intent(in) :: weight, density, radius, left
       real(wp), dimension(4) :: stiffness, force, energy, area, w, f
       integer :: i
 
@@ -198,29 +221,17 @@ contains
       energy = 0.0_wp
       area = 0.0_wp
       do i = 1, n, 4
-         w = weight(i:i + 3)*radius(i:i + 3)
+         w = weight(i:i + 3)*density(i:i + 3)*radius(i:i + 3)
          f = w*left(i:i + 3)
          stiffness = stiffness + w
          force = force + f
          energy = energy + f*left(i:i + 3)
          area = area + w*radius(i:i + 3)
       end do
-      piece%stiffness = piece%stiffness + 1.5_wp*sum(stiffness)
-      piece%pressure = piece%pressure + sum(force)
-      piece%energy = piece%energy + 0.4_wp*sum(energy)
-      piece%area = piece%area + sum(area)
+      piece%stiffness = piece%stiffness + 1.5_wp*scale*sum(stiffness)
+      piece%pressure = piece%pressure + scale*sum(force)
+      piece%energy = piece%energy + 0.4_wp*scale*sum(energy)
+      piece%area = piece%area + scale*sum(area)
    end subroutine add_summits
-
-   pure real(wp) function sum_of(values)
-      real(wp), intent(in) :: values(n)
-      real(wp) :: parts(4)
-      integer :: i
-
-      parts = 0.0_wp
-      do i = 1, n, 4
-         parts = parts + values(i:i + 3)
-      end do
-      sum_of = sum(parts)
-   end function sum_of
 
 end module asperity_law_unloading_pieces

@@ -11,7 +11,9 @@ module asperity_law_unloading_summit
    use asperity_law_single_asperity, only: asperity_response, evaluate_asperity, stage_open
    implicit none
    private
-   public :: evaluate_unloading_asperity, elastic_recovery, recovery_exponent, contact_edge
+   public :: evaluate_unloading_asperity, elastic_recovery, recovery_exponent, find_contact_edge
+
+   real(wp), parameter :: lowest_log = -50.0_wp
 
 contains
 
@@ -42,23 +44,29 @@ contains
       recovery_exponent = properties%b3 - 0.5_wp*properties%b2
    end function recovery_exponent
 
-   !> Largest deformation of the summit that just loses contact, mm: the inverse of
-   !> `elastic_recovery`.
-   pure elemental real(wp) function contact_edge(properties, retraction) result(deformation)
+   !> Find the summit that just loses contact: the inverse of `elastic_recovery`.
+   pure elemental subroutine find_contact_edge(properties, retraction, deformation, log_ratio)
       !> Checked properties
       type(normal_properties), intent(in) :: properties
       !> How far summits have parted since their largest deformation, mm; zero or more
       real(wp), intent(in) :: retraction
+      !> Its largest deformation, mm
+      real(wp), intent(out) :: deformation
+      !> ln(w/w1) of the deformation w at which the formula of elasto-plastic summits gives a
+      !> recovery of the retraction, also beyond these summits; -50 stands for anything below
+      real(wp), intent(out) :: log_ratio
 
       associate (p => properties, u => retraction)
+         log_ratio = lowest_log
+         if (u > 0.0_wp) log_ratio = max(log(u/p%w1)/recovery_exponent(p), lowest_log)
          if (u < p%w1) then
             deformation = u
          else
-            deformation = p%w1*(u/p%w1)**(1.0_wp/recovery_exponent(p))
+            deformation = p%w1*exp(log_ratio)
             if (.not. deformation < p%w2) deformation = 0.5_wp*(p%yield_factor*u)**2/p%w1
          end if
       end associate
-   end function contact_edge
+   end subroutine find_contact_edge
 
    !> Evaluate one summit that was pressed to a largest deformation and has parted again. The stage
    !> is that of the largest deformation, `stage_open` once it has lost contact; slopes are by the
