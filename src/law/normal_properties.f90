@@ -192,9 +192,9 @@ contains
             ' is unknown: 0 is reversible, 1 is elastic', subject='unloading')
       else if (unloading == unloading_elastic .and. properties%b3 > largest_force_exponent) then
          call fatal_error(error, 'yield_factor = '//to_text(properties%yield_factor)// &
-            ' is not allowed with elastic unloading: it must be 0.1907 (2/sqrt(110)) or more, as '// &
-            'summits would unload stiffer than they load and cycles create energy; the paper '// &
-            'uses 0.4', subject='yield_factor')
+            ' is not allowed with elastic unloading: it must be 0.1907 (2/sqrt(110)) or more, '// &
+            'as summits would unload stiffer than they load and cycles create energy; the '// &
+            'paper uses 0.4', subject='yield_factor')
       end if
    end subroutine set_unloading
 

@@ -25,8 +25,8 @@ module asperity_law_quadrature_pieces_by_fixed_rule
    real(wp), parameter :: elastic_slope(n_elastic) = 1.5_wp*by_root*root_ratio
    real(wp), parameter :: elastic_area(n_elastic) = by_root*root_ratio**2
    real(wp), parameter :: elastic_energy(n_elastic) = 0.4_wp*by_root*root_ratio**5
-   ! and of the elasto-plastic sums; those with the force's power lack it, the recoverable energy, of
-   ! force times recovery, lacks its square
+   ! and of the elasto-plastic sums; those with the force's power lack it, that of the recoverable
+   ! energy, force times recovery, lacks its square
    real(wp), parameter :: by_log(n_elastoplastic) = elastoplastic_weight*elastoplastic_ratio
    real(wp), parameter :: force_weight(n_elastoplastic) = by_log*elastoplastic_ratio
    real(wp), parameter :: work_weight(n_elastoplastic) = by_log*elastoplastic_ratio**2

@@ -13,9 +13,9 @@ module asperity_law_unloading_inverse
 
 contains
 
-   !> Retraction from the closest separation at which the pressure is the given one, mm, to round-off
-   !> of the direct evaluation; zero when it is that of the closest separation or above. Newton on
-   !> ln p, which falls ever steeper, kept inside a bracket.
+   !> Retraction from the closest separation at which the pressure is the given one, mm, to
+   !> round-off of the direct evaluation; zero when it is that of the closest separation or above.
+   !> Newton on ln p, which falls ever steeper, kept inside a bracket.
    pure real(wp) function retraction_for_pressure(properties, closest_separation, pressure) &
          result(retraction)
       !> Checked properties

@@ -24,15 +24,16 @@ module asperity_law_unloading_pieces
    !> Gauss points on 0..1, and weights
    real(wp), parameter :: points(n) = log_ratio/log_plastic_ratio
    real(wp), parameter :: weights(n) = elastoplastic_weight/log_plastic_ratio
-   !> The root of the area of an elasto-plastic summit, in pi R w1, is sqrt(x) exp(area_slope ln x): the
-   !> second factor grows from 1 to sqrt(2), by powers from the middle
+   !> The root of the area of an elasto-plastic summit, in pi R w1, is sqrt(x) exp(area_slope ln x):
+   !> the second factor grows from 1 to sqrt(2), by powers from the middle
    real(wp), parameter :: log_2 = log(2.0_wp), root_of_root_2 = sqrt(sqrt(2.0_wp))
    real(wp), parameter :: area_slope = 0.5_wp*log_2/log_plastic_ratio
    real(wp), parameter :: series(0:9) = 1.0_wp/[1.0_wp, 1.0_wp, 2.0_wp, 6.0_wp, 24.0_wp, &
       120.0_wp, 720.0_wp, 5040.0_wp, 40320.0_wp, 362880.0_wp]
    !> Ends of the panels that a range of deformations is split into where one is not enough
    real(wp), parameter :: three(0:3) = [0.0_wp, 1.0_wp, 2.0_wp, 3.0_wp]/3.0_wp
-   real(wp), parameter :: six(0:6) = [0.0_wp, 1.0_wp, 2.0_wp, 3.0_wp, 4.0_wp, 5.0_wp, 6.0_wp]/6.0_wp
+   real(wp), parameter :: six(0:6) = [0.0_wp, 1.0_wp, 2.0_wp, 3.0_wp, 4.0_wp, 5.0_wp, 6.0_wp] &
+      /6.0_wp
    real(wp), parameter :: four(0:4) = [0.0_wp, 0.05_wp, 0.3_wp, 0.65_wp, 1.0_wp]
    real(wp), parameter :: one(0:1) = [0.0_wp, 1.0_wp]
    !> Below this d/sigma the density has a peak inside the range
@@ -130,9 +131,7 @@ contains
                exponents(n + i) = c*log_x
                weight(i) = weights(i)*v
                z = area_slope*log_x - 0.25_wp*log_2
-               radius(i) = root_of_root_2*((((series(0) + z*series(1)) + z*z*(series(2) + z*series(3))) &
-                  + z**4*((series(4) + z*series(5)) + z*z*(series(6) + z*series(7)))) &
-                  + z**8*(series(8) + z*series(9)))
+               radius(i) = root_of_root_2*exponential_series(z)
             end do
             call exponentials(2*n, exponents, powers)
             do i = 1, n
@@ -206,6 +205,18 @@ contains
          end do
       end associate
    end function sum_plastic
+
+   !> exp(z) for |z| <= ln(2)/4, to round-off.
+   pure real(wp) function exponential_series(z)
+      real(wp), intent(in) :: z
+      real(wp) :: z2, z4
+
+      z2 = z*z
+      z4 = z2*z2
+      exponential_series = ((series(0) + z*series(1)) + z2*(series(2) + z*series(3))) &
+         + z4*((series(4) + z*series(5)) + z2*(series(6) + z*series(7))) &
+         + z4*z4*(series(8) + z*series(9))
+   end function exponential_series
 
    !> Add what summits of given contact radii and elastic deformations carry, in four parts side by
    !> side.
