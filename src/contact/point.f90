@@ -16,8 +16,8 @@ module asperity_contact_point
    use asperity_law_normal_law, only: evaluate_normal_law, normal_response, vanishing_separation
    use asperity_law_normal_properties, only: unloading_elastic
    use asperity_law_unloading_inverse, only: retraction_for_pressure
-   use asperity_law_unloading_law, only: evaluate_unloading_law, plastic_dissipation, &
-      unloading_stiffness
+   use asperity_law_unloading_law, only: evaluate_unloading_branch, evaluate_unloading_law, &
+      plastic_dissipation, unloading_stiffness
    implicit none
    private
    public :: update_contact_point, contact_tangent, contact_pressure
@@ -123,9 +123,9 @@ contains
             normal%validity = properties%normal%validity
          else if (properties%normal%unloading == unloading_elastic) then
             if (remembers(properties, start) .and. overclosure < start%largest_closure) then
-               normal = evaluate_unloading_law(properties%normal, properties%initial_separation &
-                  - start%largest_closure, start%largest_closure - overclosure)
-               normal%plastic_dissipation = 0.0_wp
+               call evaluate_unloading_branch(properties%normal, &
+                  properties%initial_separation - start%largest_closure, &
+                  start%largest_closure - overclosure, normal)
             else
                normal = evaluate_unloading_law(properties%normal, separation, 0.0_wp)
             end if
