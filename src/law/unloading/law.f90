@@ -24,7 +24,7 @@ module asperity_law_unloading_law
       plastic_dissipation
 
    !> Mean deformation over w1 of the summits in contact up to which unloading was computed
-   real(wp), parameter :: largest_mean_ratio = 170.0_wp
+   real(wp), parameter, public :: largest_mean_ratio = 170.0_wp
    !> Larger retractions over w1 are taken for this one: all is zero long before, and its powers are
    !> finite
    real(wp), parameter :: largest_retraction = 1.0e60_wp
