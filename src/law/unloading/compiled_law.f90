@@ -246,10 +246,13 @@ contains
       real(wp) :: c(0:degree_x + 2), decay, x, closure
       integer :: i
 
-      c = cell%coefficients(:, degree_h)
-      do i = degree_h - 1, 0, -1
-         c = c*t + cell%coefficients(:, i)
-      end do
+      ! four powers of h at a time, so that the next step need not wait for each
+      associate (a => cell%coefficients)
+         c = a(:, degree_h - 1) + t*a(:, degree_h)
+         do i = degree_h - 5, 0, -4
+            c = c*t**4 + ((a(:, i) + t*a(:, i + 1)) + t**2*(a(:, i + 2) + t*a(:, i + 3)))
+         end do
+      end associate
       x = (cell%origin - u)*cell%inverse_size
       closure = x*cell%length
       if (cell%power == 2) x = sqrt(max(x, 0.0_wp))
