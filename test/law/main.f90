@@ -5,6 +5,7 @@ program test_law
    use test_law_compiled_energy, only: suite_compiled_energy
    use test_law_compiled_law, only: suite_compiled_law
    use test_law_compiled_unloading, only: suite_compiled_unloading
+   use test_law_compiled_unloading_limits, only: suite_compiled_unloading_limits
    use test_law_exponential, only: suite_exponential
    use test_law_fixed_pieces, only: suite_fixed_pieces
    use test_law_gaussian_tail, only: suite_gaussian_tail
@@ -36,5 +37,6 @@ program test_law
    call suite%addTest(suite_compiled_law())
    call suite%addTest(suite_compiled_energy())
    call suite%addTest(suite_compiled_unloading())
+   call suite%addTest(suite_compiled_unloading_limits())
    call run_suite(suite)
 end program test_law
