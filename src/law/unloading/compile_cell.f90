@@ -34,6 +34,15 @@ contains
       call evaluate_unloading_branch(properties, h*properties%sigma, u*properties%sigma, response)
    end function unloaded
 
+   pure elemental real(wp) function stiffness_at(properties, h, u) result(stiffness)
+      type(normal_properties), intent(in) :: properties
+      real(wp), intent(in) :: h, u
+      type(normal_response) :: response
+
+      response = unloaded(properties, h, u)
+      stiffness = response%stiffness
+   end function stiffness_at
+
    !> A polynomial of h through values at the points of a strip; zero where they are about to
    !> underflow.
    pure subroutine fit_in_strip(polynomial, values)
@@ -83,15 +92,14 @@ contains
       type(normal_properties), intent(in) :: properties
       real(wp), intent(in) :: middle, from, to
       logical, intent(in) :: root
-      type(normal_response) :: r(0:degree_x)
-      real(wp) :: u(0:degree_x), c(0:degree_x)
+      real(wp), dimension(0:degree_x) :: u, stiffness, c
       integer :: i
 
       u = points_of(from, to, root)
       do i = -1, 1
-         r = unloaded(properties, middle + i*strip_half_width, u)
-         c = chebyshev_coefficients(r%stiffness)
-         is_good = maxval(abs(c(degree_x - 1:))) < good_tail*minval(r%stiffness)
+         stiffness = stiffness_at(properties, middle + i*strip_half_width, u)
+         c = chebyshev_coefficients(stiffness)
+         is_good = maxval(abs(c(degree_x - 1:))) < good_tail*minval(stiffness)
          if (.not. is_good) return
       end do
    end function is_good
@@ -121,7 +129,7 @@ contains
       real(wp), intent(in) :: middle, from, to
       !> Whether x is a root
       logical, intent(in) :: root
-      type(normal_response) :: r(0:degree_x)
+      type(normal_response) :: r
       real(wp) :: c(0:degree_x + 2, 0:degree_h), h(0:degree_h), u(0:degree_x), scale, shift
       integer :: i
 
@@ -141,14 +149,14 @@ contains
       cell%length = properties%sigma/cell%inverse_size
       h = middle + strip_half_width*chebyshev_points(degree_h)
       do i = 0, degree_h
-         r(0) = unloaded(properties, h(i), cell%origin)
-         c(0:1, i) = [r(0)%energy, r(0)%pressure]
+         r = unloaded(properties, h(i), cell%origin)
+         c(0:1, i) = [r%energy, r%pressure]
       end do
       cell%decay = 0.5_wp*log(c(1, 0)/c(1, degree_h))
       u = points_of(from, to, root)
       do i = 0, degree_h
-         r = unloaded(properties, h(i), u)
-         c(2:, i) = powers_of_chebyshev(chebyshev_coefficients(r%stiffness), scale, shift)
+         c(2:, i) = powers_of_chebyshev(chebyshev_coefficients( &
+            stiffness_at(properties, h(i), u)), scale, shift)
          c(:, i) = c(:, i)*exp(cell%decay*(h(i) - middle)/strip_half_width)
       end do
       do i = 0, degree_x + 2

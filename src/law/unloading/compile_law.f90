@@ -16,7 +16,7 @@ module asperity_law_unloading_compile_law
    use asperity_law_unloading_compiled_law, only: brackets_per_sigma, compiled_unloading_law, &
       n_brackets, n_strips, n_strips_with_cells
    use asperity_law_unloading_inverse, only: retraction_for_pressure
-   use asperity_law_unloading_law, only: largest_mean_ratio, plastic_dissipation
+   use asperity_law_unloading_law, only: evaluate_unloading_law, largest_mean_ratio
    use asperity_law_unloading_summit, only: elastic_recovery
    implicit none
    private
@@ -67,14 +67,18 @@ contains
    pure subroutine compile_strip(law, strip)
       type(compiled_unloading_law), intent(inout) :: law
       integer, intent(in) :: strip
-      real(wp) :: h(0:degree_h)
-      type(normal_response) :: r(0:degree_h)
+      real(wp), dimension(0:degree_h) :: h, energy, dissipation
+      type(normal_response) :: r
+      integer :: i
 
       h = middle_of(strip) + strip_half_width*chebyshev_points(degree_h)
-      r = unloaded(law%virgin%properties, h, 0.0_wp)
-      call fit_in_strip(law%energy(strip), r%energy)
-      call fit_in_strip(law%plastic_dissipation(strip), &
-         plastic_dissipation(law%virgin%properties, h*law%virgin%properties%sigma))
+      do i = 0, degree_h
+         r = evaluate_unloading_law(law%virgin%properties, h(i)*law%virgin%properties%sigma, 0.0_wp)
+         energy(i) = r%energy
+         dissipation(i) = r%plastic_dissipation
+      end do
+      call fit_in_strip(law%energy(strip), energy)
+      call fit_in_strip(law%plastic_dissipation(strip), dissipation)
    end subroutine compile_strip
 
    !> The cells of the unloading branch.
