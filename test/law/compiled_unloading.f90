@@ -41,17 +41,19 @@ contains
       type(normal_properties) :: p
       type(compiled_unloading_law) :: law
       real(wp) :: h, u, worst(3)
-      integer :: i, j
+      integer :: i, j, without_cell
 
       write (*, '(5x, a, i0)') 'seed ', seed
       stream = random_stream(seed)
       worst = 0.0_wp
+      without_cell = 0
       do i = 1, n_sets
          call random_properties(stream, p, 1.0e-6_wp, 1.0e2_wp, yield_factor_min)
          call compile(law, p)
          do j = 1, n_points
             h = stream%uniform(-8.0_wp, 8.0_wp)
             u = furthest_at(law, h)
+            if (u > law%furthest(1 + int((h + 8.0_wp)/2.0_wp))) without_cell = without_cell + 1
             if (mod(j, 2) == 0) then
                u = u*stream%uniform(0.0_wp, 1.0_wp)
             else
@@ -60,6 +62,7 @@ contains
             call worsen(worst, abs(compiled_at(law, h, u)/direct_at(law, h, u) - 1.0_wp))
          end do
       end do
+      call assertEqual(0, without_cell, 'points of the range without a cell')
       do j = 1, 3
          call record('compiled_unloading.'//trim(names(j)), worst(j))
          call assertLessThan(worst(j), 1.0e-9_wp, trim(names(j)))
