@@ -69,7 +69,7 @@ contains
       real(wp), intent(in) :: t, u
       !> MPa, MPa/mm and N/mm
       real(wp), intent(out) :: pressure, stiffness, energy
-      real(wp) :: c(0:degree_x + 2), decay, x, closure
+      real(wp) :: c(0:degree_x + 2), decay, x, closure, k(2), p(2), e(2)
       integer :: i
 
       ! four powers of h at a time, so that the next step need not wait for each
@@ -82,18 +82,19 @@ contains
       x = (cell%origin - u)*cell%inverse_size
       closure = x*cell%length
       if (cell%power == 2) x = sqrt(max(x, 0.0_wp))
-      stiffness = 0.0_wp
-      pressure = 0.0_wp
-      energy = 0.0_wp
-      do i = degree_x, 0, -1
-         stiffness = stiffness*x + c(i + 2)
-         pressure = pressure*x + c(i + 2)*once(i, cell%power)
-         energy = energy*x + c(i + 2)*twice(i, cell%power)
+      ! even and odd powers of x apart, for the same reason
+      k = 0.0_wp
+      p = 0.0_wp
+      e = 0.0_wp
+      do i = degree_x - 1, 0, -2
+         k = k*x**2 + c(i + 2:i + 3)
+         p = p*x**2 + c(i + 2:i + 3)*once(i:i + 1, cell%power)
+         e = e*x**2 + c(i + 2:i + 3)*twice(i:i + 1, cell%power)
       end do
       decay = exp(-cell%decay*t)
-      energy = decay*(c(0) + closure*(c(1) + closure*energy))
-      pressure = decay*(c(1) + closure*pressure)
-      stiffness = decay*stiffness
+      energy = decay*(c(0) + closure*(c(1) + closure*(e(1) + x*e(2))))
+      pressure = decay*(c(1) + closure*(p(1) + x*p(2)))
+      stiffness = decay*(k(1) + x*k(2))
    end subroutine evaluate_cell
 
 end module asperity_law_unloading_cell
