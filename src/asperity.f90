@@ -19,6 +19,9 @@ module asperity
       normal_properties, unloading_elastic, unloading_reversible
    use asperity_law_single_asperity, only: asperity_response, evaluate_asperity, stage_elastic, &
       stage_elastoplastic, stage_open, stage_plastic
+   use asperity_law_unloading_compile_law, only: new_compiled_unloading_law
+   use asperity_law_unloading_compiled_law, only: compiled_plastic_dissipation, &
+      compiled_unloading_law, evaluate_compiled_unloading_law
    use asperity_law_unloading_inverse, only: retraction_for_pressure
    use asperity_law_unloading_law, only: evaluate_unloading_law, unloading_stiffness
    use asperity_law_unloading_summit, only: elastic_recovery, evaluate_unloading_asperity
@@ -31,6 +34,8 @@ module asperity
    implicit none
    private
    public :: area_above_nominal, asperity_response, closure_above_half_radius, compiled_law, &
+      compiled_plastic_dissipation, compiled_unloading_law, evaluate_compiled_unloading_law, &
+      new_compiled_unloading_law, &
       computation_error, contact_properties, contact_response, contact_state, contact_states, &
       contact_tangent, elastic_recovery, equivalent_modulus, error_type, evaluate_asperity, &
       evaluate_compiled_law, evaluate_normal_law, evaluate_unloading_asperity, &
