@@ -15,6 +15,8 @@ module asperity_contact_point
    use asperity_law_normal_inverse, only: separation_for_pressure
    use asperity_law_normal_law, only: evaluate_normal_law, normal_response, vanishing_separation
    use asperity_law_normal_properties, only: unloading_elastic
+   use asperity_law_unloading_compiled_law, only: compiled_plastic_dissipation, &
+      evaluate_compiled_unloading_law
    use asperity_law_unloading_inverse, only: retraction_for_pressure
    use asperity_law_unloading_law, only: evaluate_unloading_branch, evaluate_unloading_law, &
       plastic_dissipation, unloading_stiffness
@@ -123,11 +125,10 @@ contains
             normal%validity = properties%normal%validity
          else if (properties%normal%unloading == unloading_elastic) then
             if (remembers(properties, start) .and. overclosure < start%largest_closure) then
-               call evaluate_unloading_branch(properties%normal, &
-                  properties%initial_separation - start%largest_closure, &
-                  start%largest_closure - overclosure, normal)
+               call find_with_memory(properties, properties%initial_separation &
+                  - start%largest_closure, start%largest_closure - overclosure, normal)
             else
-               normal = evaluate_unloading_law(properties%normal, separation, 0.0_wp)
+               call find_with_memory(properties, separation, 0.0_wp, normal)
             end if
          else if (allocated(properties%compiled)) then
             call evaluate_compiled_law(properties%compiled, separation, normal%pressure, &
@@ -137,6 +138,24 @@ contains
          end if
       end associate
    end subroutine find_normal
+
+   !> The law with memory, compiled or directly; no plastic dissipation on the unloading branch.
+   pure subroutine find_with_memory(properties, closest_separation, retraction, normal)
+      type(contact_properties), intent(in) :: properties
+      real(wp), intent(in) :: closest_separation, retraction
+      type(normal_response), intent(inout) :: normal
+
+      if (allocated(properties%compiled_unloading)) then
+         call evaluate_compiled_unloading_law(properties%compiled_unloading, closest_separation, &
+            retraction, normal%pressure, normal%stiffness, normal%energy, normal%validity)
+         if (.not. retraction > 0.0_wp) normal%plastic_dissipation = &
+            compiled_plastic_dissipation(properties%compiled_unloading, closest_separation)
+      else if (retraction > 0.0_wp) then
+         call evaluate_unloading_branch(properties%normal, closest_separation, retraction, normal)
+      else
+         normal = evaluate_unloading_law(properties%normal, closest_separation, 0.0_wp)
+      end if
+   end subroutine find_with_memory
 
    !> Whether a point was close enough before for its summits to have yielded.
    pure logical function remembers(properties, state)
@@ -154,8 +173,15 @@ contains
       type(contact_state), intent(in) :: start
 
       dissipated_before = 0.0_wp
-      if (remembers(properties, start)) dissipated_before = plastic_dissipation( &
-         properties%normal, properties%initial_separation - start%largest_closure)
+      if (.not. remembers(properties, start)) return
+      associate (closest_separation => properties%initial_separation - start%largest_closure)
+         if (allocated(properties%compiled_unloading)) then
+            dissipated_before = compiled_plastic_dissipation(properties%compiled_unloading, &
+               closest_separation)
+         else
+            dissipated_before = plastic_dissipation(properties%normal, closest_separation)
+         end if
+      end associate
    end function dissipated_before
 
    !> Open below p_open; an open point closes only above twice that.

@@ -8,8 +8,11 @@ module asperity_contact_properties
    use asperity_law_compile_law, only: new_compiled_law
    use asperity_law_compiled_law, only: compiled_law
    use asperity_law_normal_law, only: vanishing_separation
-   use asperity_law_normal_properties, only: new_normal_properties, normal_properties
+   use asperity_law_normal_properties, only: new_normal_properties, normal_properties, &
+      unloading_elastic
    use asperity_law_plausibility, only: check_plausible_length, length_max
+   use asperity_law_unloading_compile_law, only: new_compiled_unloading_law
+   use asperity_law_unloading_compiled_law, only: compiled_unloading_law
    use asperity_paper_pairs, only: pair_preset
    implicit none
    private
@@ -62,6 +65,8 @@ module asperity_contact_properties
       real(wp) :: p_open = 0.0_wp
       !> The compiled normal law, where it was asked for; the law is evaluated directly otherwise
       type(compiled_law), allocatable :: compiled
+      !> The same with elastic unloading
+      type(compiled_unloading_law), allocatable :: compiled_unloading
    end type contact_properties
 
    !> From checked properties of the normal law, or from a pair of the paper.
@@ -134,8 +139,13 @@ contains
       end if
       if (allocated(error) .or. .not. present(compiled)) return
       if (.not. compiled) return
-      allocate (properties%compiled)
-      call new_compiled_law(properties%compiled, properties%normal, error)
+      if (normal%unloading == unloading_elastic) then
+         allocate (properties%compiled_unloading)
+         call new_compiled_unloading_law(properties%compiled_unloading, properties%normal, error)
+      else
+         allocate (properties%compiled)
+         call new_compiled_law(properties%compiled, properties%normal, error)
+      end if
    end subroutine from_normal
 
    !> The same of a pair of the paper, with its friction.

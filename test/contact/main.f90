@@ -2,6 +2,7 @@
 program test_contact
    use funit, only: TestSuite
    use run_suites, only: run_suite
+   use test_contact_compiled_memory, only: suite_compiled_memory
    use test_contact_compiled_points, only: suite_compiled_points
    use test_contact_energy, only: suite_contact_energy
    use test_contact_friction, only: suite_friction
@@ -26,5 +27,6 @@ program test_contact
    call suite%addTest(suite_contact_points())
    call suite%addTest(suite_contact_states())
    call suite%addTest(suite_compiled_points())
+   call suite%addTest(suite_compiled_memory())
    call run_suite(suite)
 end program test_contact
