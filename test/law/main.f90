@@ -17,6 +17,10 @@ program test_law
    use test_law_pairs, only: suite_presets
    use test_law_plausibility, only: suite_plausibility
    use test_law_single_asperity, only: suite_single_asperity
+   use test_law_unloading_energy, only: suite_unloading_energy
+   use test_law_unloading_law, only: suite_unloading_law
+   use test_law_unloading_reference, only: suite_unloading_reference
+   use test_law_unloading_summit, only: suite_unloading_summit
    use test_law_validity, only: suite_validity
    implicit none
    type(TestSuite) :: suite
@@ -38,5 +42,9 @@ program test_law
    call suite%addTest(suite_compiled_energy())
    call suite%addTest(suite_compiled_unloading())
    call suite%addTest(suite_compiled_unloading_limits())
+   call suite%addTest(suite_unloading_summit())
+   call suite%addTest(suite_unloading_law())
+   call suite%addTest(suite_unloading_energy())
+   call suite%addTest(suite_unloading_reference())
    call run_suite(suite)
 end program test_law

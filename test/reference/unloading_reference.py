@@ -23,7 +23,6 @@ INPUTS = "sigma eta modulus radius hardness yield_factor closest_separation retr
 OUTPUTS = ("pressure stiffness area_fraction contact_density energy plastic_dissipation "
            "elastic_share elastoplastic_share plastic_share").split()
 AGREEMENT = mp.mpf(10)**-27
-LEAST_YIELD_FACTOR = 2/110**0.5
 rules = {}
 
 
@@ -175,11 +174,11 @@ def cases():
                 values = properties(ratio, yield_factor, stream)
                 for part in 0.0, 1e-6, 1.0:
                     yield "edge", values, h*values[0], part
-    for ratio in 0.01, 0.1:  # the summits that just lose contact begin the next stage
+    for ratio in 0.01, 0.1:  # summits about to lose contact are the last or the first of a stage
         values = properties(ratio, 0.4, stream)
         w1 = (0.75*float(mp.pi)*0.4*values[4]/values[2])**2*values[3]
-        for recovery in 1.0, 37.08:
-            for factor in 1 - 1e-9, 1 + 1e-9:
+        for recovery in 1.0, 220**0.5/0.4:
+            for factor in 0.999, 1.001:
                 yield "stage", values, 0.5*values[0], -recovery*factor*w1
 
 

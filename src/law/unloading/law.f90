@@ -105,7 +105,7 @@ contains
          y = h + edge/p%sigma
          moments = tail_moments(y)
          r%contact_density = p%eta*moments(0) &
-            *exp(shift - relative_exponent(h, edge/p%sigma, max(y, 0.0_wp)))
+            *exp(min(shift - relative_exponent(h, edge/p%sigma, max(y, 0.0_wp)), 0.0_wp))
          r%validity = ior(p%validity, memory_flags(p, closest_separation))
          call apply_decay(p, exp(-shift)*decay_at(p, closest_separation), r)
       end associate

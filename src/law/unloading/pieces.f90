@@ -30,6 +30,9 @@ module asperity_law_unloading_pieces
    real(wp), parameter :: area_slope = 0.5_wp*log_2/log_plastic_ratio
    real(wp), parameter :: series(0:9) = 1.0_wp/[1.0_wp, 1.0_wp, 2.0_wp, 6.0_wp, 24.0_wp, &
       120.0_wp, 720.0_wp, 5040.0_wp, 40320.0_wp, 362880.0_wp]
+   !> Exponents of the density are kept within what `exponentials` takes, as rounding of deformations
+   !> carries them away where no summit touches
+   real(wp), parameter :: lowest_exponent = -100.0_wp
    !> Ends of the panels that a range of deformations is split into where one is not enough
    real(wp), parameter :: three(0:3) = [0.0_wp, 1.0_wp, 2.0_wp, 3.0_wp]/3.0_wp
    real(wp), parameter :: six(0:6) = [0.0_wp, 1.0_wp, 2.0_wp, 3.0_wp, 4.0_wp, 5.0_wp, 6.0_wp] &
@@ -137,7 +140,7 @@ contains
             do i = 1, n
                t = a*powers(i) - anchor
                weight(i) = weight(i)*powers(i)
-               exponents(i) = -t*(y + 0.5_wp*t)
+               exponents(i) = max(min(-t*(y + 0.5_wp*t), 0.0_wp), lowest_exponent)
                left(i) = max(powers(n + i) - u, 0.0_wp)
                radius(i) = radius(i)*sqrt(powers(i)*left(i)/powers(n + i))
             end do
@@ -194,7 +197,7 @@ contains
                weight(i) = weights(i)*v
                v = v*v
                t = v - (anchor - edge)
-               exponents(i) = -t*(y + 0.5_wp*t)
+               exponents(i) = max(min(-t*(y + 0.5_wp*t), 0.0_wp), lowest_exponent)
                left(i) = scale*v
                recovery = sqrt(u*u + left(i))
                left(i) = left(i)/(recovery + u)
