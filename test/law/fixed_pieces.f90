@@ -37,6 +37,7 @@ contains
       call suite%addTest(TestMethod('at the corners of its range', test_corners))
       call suite%addTest(TestMethod('no seam where it begins and ends', test_seams))
       call suite%addTest(TestMethod('without the slope of the area', test_without_slope))
+      call suite%addTest(TestMethod('recoverable energy and dissipation', test_memory))
       call suite%addTest(TestMethod('where it serves', test_range))
       call suite%addTest(TestMethod('powers of the force', test_force_powers))
       call suite%addTest(TestMethod('points and weights integrate powers', test_weights))
@@ -199,8 +200,8 @@ contains
       type(piece_type) :: with(2), without(2)
       integer :: i
 
-      call evaluate_fixed_pieces(properties_with(0.01_wp, 0.4_wp), 1.5_wp, .true., .true., with(1), &
-         with(2))
+      call evaluate_fixed_pieces(properties_with(0.01_wp, 0.4_wp), 1.5_wp, .true., .true., &
+         with(1), with(2))
       call evaluate_fixed_pieces(properties_with(0.01_wp, 0.4_wp), 1.5_wp, .false., .false., &
          without(1), without(2))
       do i = 1, 2
@@ -209,6 +210,35 @@ contains
          call assertEqual(numbers_of(with(i)), numbers_of(without(i)), 0.0_wp, 'the rest')
       end do
    end subroutine test_without_slope
+
+   !> Against the general quadrature, which sums the dissipation summit by summit. The difference of
+   !> energy and recoverable energy that the fixed rule takes loses a digit or two.
+   subroutine test_memory()
+      type(random_stream) :: stream
+      type(normal_properties) :: p
+      type(piece_type) :: fixed(2), wanted
+      real(wp) :: a, h, worst(2)
+      integer :: i
+
+      stream = random_stream(seed + 3)
+      worst = 0.0_wp
+      do i = 1, 20000
+         call random_properties(stream, p, 1.0e-8_wp, largest_ratio, 0.1908_wp)
+         a = p%w1/p%sigma
+         h = stream%uniform(lowest, min(37.0_wp, largest_product/a))
+         if (.not. fixed_pieces_serve(a, h)) cycle
+         call evaluate_fixed_pieces(p, h, .false., .true., fixed(1), fixed(2))
+         wanted = elastoplastic_piece(p, h*p%sigma, .true.)
+         call worsen(worst, abs([fixed(2)%recoverable/wanted%recoverable, &
+            fixed(2)%dissipation/wanted%dissipation]*exp(wanted%exponent) - 1.0_wp))
+         call assertRelativelyEqual(wanted%energy, wanted%recoverable + wanted%dissipation, &
+            1.0e-14_wp, 'sum')
+      end do
+      call record('fixed_pieces.recoverable', worst(1))
+      call record('fixed_pieces.dissipation', worst(2))
+      call assertLessThan(worst(1), 1.0e-12_wp, 'recoverable')
+      call assertLessThan(worst(2), 1.0e-11_wp, 'dissipation')
+   end subroutine test_memory
 
    !> The limits themselves; nothing bounds the separation of small w1/sigma.
    subroutine test_range()

@@ -30,8 +30,8 @@ module asperity_law_unloading_pieces
    real(wp), parameter :: area_slope = 0.5_wp*log_2/log_plastic_ratio
    real(wp), parameter :: series(0:9) = 1.0_wp/[1.0_wp, 1.0_wp, 2.0_wp, 6.0_wp, 24.0_wp, &
       120.0_wp, 720.0_wp, 5040.0_wp, 40320.0_wp, 362880.0_wp]
-   !> Exponents of the density are kept within what `exponentials` takes, as rounding of deformations
-   !> carries them away where no summit touches
+   !> Exponents of the density are kept within what `exponentials` takes, as rounding of
+   !> deformations carries them away where no summit touches
    real(wp), parameter :: lowest_exponent = -100.0_wp
    !> Ends of the panels that a range of deformations is split into where one is not enough
    real(wp), parameter :: three(0:3) = [0.0_wp, 1.0_wp, 2.0_wp, 3.0_wp]/3.0_wp
@@ -94,7 +94,8 @@ contains
       if (closest_separation < lowest*properties%sigma) then
          piece = sum_elastoplastic(properties, closest_separation, retraction, edge, log_edge, six)
       else if (properties%w1 > elastoplastic_limit*properties%sigma) then
-         piece = sum_elastoplastic(properties, closest_separation, retraction, edge, log_edge, three)
+         piece = sum_elastoplastic(properties, closest_separation, retraction, edge, log_edge, &
+            three)
       else
          piece = sum_elastoplastic(properties, closest_separation, retraction, edge, log_edge, one)
       end if
