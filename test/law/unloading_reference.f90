@@ -131,7 +131,7 @@ contains
       call get_environment_variable('ASPERITY_TEST_DATA', path, status=status)
       if (status /= 0) path = 'test/data'
       open (newunit=unit, file=trim(path)//'/'//name, status='old', action='read', iostat=status)
-      if (status /= 0) error stop 'no table of the law with memory (ASPERITY_TEST_DATA is its folder)'
+      if (status /= 0) error stop 'no such table (ASPERITY_TEST_DATA is its folder)'
       read (unit, '(a)') line
       call assertEqual(header, trim(line), 'columns of '//name)
    end subroutine open_table
