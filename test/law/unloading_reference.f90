@@ -67,7 +67,8 @@ contains
    subroutine test_range()
       character(len=*), parameter :: header = 'kind,sigma,eta,modulus,radius,hardness,'// &
          'yield_factor,closest_separation,retraction,pressure,stiffness,area_fraction,'// &
-         'contact_density,energy,plastic_dissipation,elastic_share,elastoplastic_share,plastic_share'
+         'contact_density,energy,plastic_dissipation,elastic_share,elastoplastic_share,'// &
+         'plastic_share'
       character(len=19), parameter :: columns(9) = [character(len=19) :: 'pressure', &
          'stiffness', 'area_fraction', 'contact_density', 'energy', 'plastic_dissipation', &
          'elastic_share', 'elastoplastic_share', 'plastic_share']
