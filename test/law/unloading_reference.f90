@@ -106,7 +106,7 @@ contains
          end do
       end do
       close (unit)
-      call assertEqual(258, rows, 'rows')
+      call assertEqual(267, rows, 'rows')
       do j = 1, 9
          call record('unloading_law.'//trim(columns(j))//'.relative_error', worst(j))
       end do

@@ -180,6 +180,10 @@ def cases():
         for recovery in 1.0, 220**0.5/0.4:
             for factor in 0.999, 1.001:
                 yield "stage", values, 0.5*values[0], -recovery*factor*w1
+    for ratio in 0.12, 0.16, 0.25:  # the density peaks among elasto-plastic summits
+        values = properties(ratio, 0.4, stream)
+        for part in 0.0, 0.5, 1.2:
+            yield "peak", values, -8*values[0], -part*ratio*values[0]
 
 
 def main():

@@ -33,16 +33,15 @@ module asperity_law_unloading_pieces
    !> Exponents of the density are kept within what `exponentials` takes, as rounding of
    !> deformations carries them away where no summit touches
    real(wp), parameter :: lowest_exponent = -100.0_wp
-   !> Ends of the panels that a range of deformations is split into where one is not enough
-   real(wp), parameter :: three(0:3) = [0.0_wp, 1.0_wp, 2.0_wp, 3.0_wp]/3.0_wp
-   real(wp), parameter :: six(0:6) = [0.0_wp, 1.0_wp, 2.0_wp, 3.0_wp, 4.0_wp, 5.0_wp, 6.0_wp] &
-      /6.0_wp
-   real(wp), parameter :: four(0:4) = [0.0_wp, 0.05_wp, 0.3_wp, 0.65_wp, 1.0_wp]
-   real(wp), parameter :: one(0:1) = [0.0_wp, 1.0_wp]
    !> Below this d/sigma the density has a peak inside the range
    real(wp), parameter :: lowest = -1.0_wp
-   !> Largest w1/sigma with one panel of elasto-plastic summits, smallest with one of plastic ones
-   real(wp), parameter :: elastoplastic_limit = 0.02_wp, plastic_limit = 1.0e-3_wp
+   !> Largest w1/sigma, and product of it and d/sigma, with one panel of elasto-plastic summits
+   real(wp), parameter :: largest_ratio = 0.02_wp, largest_product = 0.09_wp
+   !> Smallest w1/sigma with one panel of plastic summits; otherwise the ends of the panels that
+   !> their range is split into
+   real(wp), parameter :: smallest_ratio = 1.0e-3_wp
+   real(wp), parameter :: one(0:1) = [0.0_wp, 1.0_wp]
+   real(wp), parameter :: four(0:4) = [0.0_wp, 0.05_wp, 0.3_wp, 0.65_wp, 1.0_wp]
 
 contains
 
@@ -89,28 +88,12 @@ contains
       real(wp), intent(in) :: edge, log_edge
       !> Integrals, by the density at the closest separation
       type(piece_type) :: piece
-
-      if (.not. edge < properties%w2) return
-      if (closest_separation < lowest*properties%sigma) then
-         piece = sum_elastoplastic(properties, closest_separation, retraction, edge, log_edge, six)
-      else if (properties%w1 > elastoplastic_limit*properties%sigma) then
-         piece = sum_elastoplastic(properties, closest_separation, retraction, edge, log_edge, &
-            three)
-      else
-         piece = sum_elastoplastic(properties, closest_separation, retraction, edge, log_edge, one)
-      end if
-   end function elastoplastic_unloading_piece
-
-   pure function sum_elastoplastic(properties, closest_separation, retraction, edge, log_edge, &
-         ends) result(piece)
-      type(normal_properties), intent(in) :: properties
-      real(wp), intent(in) :: closest_separation, retraction, edge, log_edge, ends(0:)
-      type(piece_type) :: piece
       real(wp) :: u, c, from, anchor, y, lower, upper, first, last, width, start, a, v, log_x, t, z
       real(wp) :: exponents(2*n), powers(2*n)
       real(wp), dimension(n) :: density, weight, left, radius
-      integer :: panel, i
+      integer :: panel, panels, i
 
+      if (.not. edge < properties%w2) return
       associate (p => properties)
          u = retraction/p%w1
          c = recovery_exponent(p)
@@ -125,9 +108,15 @@ contains
          last = sqrt(max(last - log_edge, 0.0_wp))
          anchor = anchor/p%sigma
          a = p%w1/p%sigma
-         do panel = 1, ubound(ends, 1)
-            width = (last - first)*(ends(panel) - ends(panel - 1))
-            start = first + (last - first)*ends(panel - 1)
+         panels = 3
+         if (closest_separation < lowest*p%sigma) then
+            panels = 10
+         else if (a <= largest_ratio .and. a*closest_separation <= largest_product*p%sigma) then
+            panels = 1
+         end if
+         width = (last - first)/panels
+         do panel = 1, panels
+            start = first + width*(panel - 1)
             do i = 1, n
                v = start + width*points(i)
                log_x = log_edge + v*v
@@ -149,7 +138,7 @@ contains
             call add_summits(piece, 2.0_wp*phi_0*a*width, weight, density, radius, left)
          end do
       end associate
-   end function sum_elastoplastic
+   end function elastoplastic_unloading_piece
 
    !> Summits of a largest deformation above w2: e = sqrt(2 x)/k, and the variable is
    !> sqrt(x - x_u).
@@ -164,7 +153,7 @@ contains
       type(piece_type) :: piece
 
       if (closest_separation < lowest*properties%sigma &
-            .or. properties%w1 < plastic_limit*properties%sigma) then
+            .or. properties%w1 < smallest_ratio*properties%sigma) then
          piece = sum_plastic(properties, closest_separation, retraction, four)
       else
          piece = sum_plastic(properties, closest_separation, retraction, one)
