@@ -74,7 +74,7 @@ contains
       scale = phi_0*a
       associate (first => density(:n_elastic), rest => density(n_elastic + 1:), &
             p => properties)
-         elastic = elastic_sums(scale, first, with_area_slope)
+         call sum_elastic(scale, first, with_area_slope, elastic)
          power = force_powers(p%b3_less_1, 2.0_wp/p%yield_factor)
          force = power*rest
          inverse = 1.0_wp/(p%b3 + 1.0_wp)
@@ -115,25 +115,25 @@ contains
          exponent = -0.5_wp*(t + h)**2
       end if
       call exponentials(n_elastic, exponent, density)
-      piece = elastic_sums(phi_0*a, density, .false.)
+      call sum_elastic(phi_0*a, density, .false., piece)
       piece%stiffness = piece%stiffness*sqrt(largest)
       piece%pressure = piece%pressure*largest*sqrt(largest)
       piece%area = piece%area*largest
       piece%energy = piece%energy*largest*largest*sqrt(largest)
    end function fixed_elastic_piece
 
-   !> Integrals over elastic summits from the density at their points.
-   pure function elastic_sums(scale, density, with_area_slope) result(piece)
+   !> Set the integrals over elastic summits from the density at their points.
+   pure subroutine sum_elastic(scale, density, with_area_slope, piece)
       real(wp), intent(in) :: scale, density(n_elastic)
       logical, intent(in) :: with_area_slope
-      type(piece_type) :: piece
+      type(piece_type), intent(inout) :: piece
 
       piece%pressure = scale*weighted(n_elastic, elastic_force, density)
       piece%stiffness = scale*weighted(n_elastic, elastic_slope, density)
       piece%area = scale*weighted(n_elastic, elastic_area, density)
       piece%energy = scale*weighted(n_elastic, elastic_energy, density)
       if (with_area_slope) piece%area_slope = scale*weighted(n_elastic, by_root, density)
-   end function elastic_sums
+   end subroutine sum_elastic
 
    !> Sum of weights times values in four parts, side by side; n is a multiple of four.
    pure real(wp) function weighted(n, weight, values)
