@@ -259,8 +259,8 @@ int asperity_law_evaluate(const asperity_law *law, int n, const double *separati
                           asperity_error *error);
 
 /**
- * @brief The law with memory at n closest separations and retractions from them. The law must be
- *        one of #ASPERITY_UNLOADING_ELASTIC.
+ * @brief The law with memory at n closest separations and retractions from them, by direct
+ *        evaluation. The law must be one of #ASPERITY_UNLOADING_ELASTIC.
  * @param law                 the law
  * @param n                   number of points; with 0 the arrays may be NULL
  * @param closest_separation  [n] closest separations so far, mm, up to 1e36 in size

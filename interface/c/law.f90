@@ -15,7 +15,7 @@ module asperity_c_law
 
    !> Words that must be free before a law is built, as the library does not ask of each of its
    !> small allocations whether it succeeded
-   integer, parameter :: head_room = 2**15
+   integer, parameter :: head_room = 2**17
 
 contains
 
@@ -82,7 +82,8 @@ contains
             ! a law that exists has been accepted
             p = properties_struct(size, n%eta, n%modulus, n%radius, n%hardness, n%yield_factor, &
                n%sigma, c%friction_coefficient, c%critical_slip, c%initial_separation, &
-               c%friction_rule, c%slip_integration, 1, merge(1, 0, allocated(c%compiled)), &
+               c%friction_rule, c%slip_integration, 1, &
+               merge(1, 0, allocated(c%compiled) .or. allocated(c%compiled_unloading)), &
                n%unloading)
          end associate
       end if
