@@ -63,7 +63,8 @@ contains
       end if
    end subroutine random_unloading
 
-   !> Both branches at the closest separation, by different quadratures.
+   !> Both branches at the closest separation, by different quadratures; also where the face is
+   !> pressed flat.
    subroutine test_continuity()
       type(random_stream) :: stream
       type(normal_properties) :: p
@@ -75,6 +76,7 @@ contains
       worst = 0.0_wp
       do i = 1, 3000
          call random_unloading(stream, i, p, d, u)
+         if (mod(i, 3) == 0) d = 5.0_wp*min(d, 0.0_wp)
          virgin = evaluate_unloading_law(p, d, 0.0_wp)
          call evaluate_unloading_branch(p, d, 0.0_wp, r)
          call worsen(worst, abs([r%pressure/virgin%pressure, r%area_fraction/virgin%area_fraction, &

@@ -57,10 +57,12 @@ contains
          call assertRelativelyEqual([4.0_wp/3.0_wp*p%modulus*sqrt(radius*d)*d, pi*radius*d, &
             2.0_wp*p%modulus*sqrt(radius*d), 8.0_wp/15.0_wp*p%modulus*sqrt(radius*d)*d*d], &
             [r%force, r%area, r%force_slope, r%energy], 1.0e-11_wp, 'Hertz')
-         call assertRelativelyEqual(r%force/r%area, r%mean_pressure, 1.0e-14_wp, 'mean pressure')
+         call assertRelativelyEqual([r%force/r%area, 0.5_wp*r%mean_pressure/d, pi*radius], &
+            [r%mean_pressure, r%mean_pressure_slope, r%area_slope], 1.0e-11_wp, 'slopes')
          r = evaluate_unloading_asperity(p, w, e*1.0000001_wp)
          call assertEqual(stage_open, r%stage)
-         call assertEqual(0.0_wp, [r%force, r%area, r%force_slope, r%energy])
+         call assertEqual(0.0_wp, [r%force, r%area, r%force_slope, r%energy, r%area_slope, &
+            r%mean_pressure, r%mean_pressure_slope])
       end do
    end subroutine test_hertz
 
