@@ -13,7 +13,7 @@ module test_law_unloading_law
       unloading_stiffness
    use asperity_law_unloading_summit, only: elastic_recovery
    use asperity_law_validity, only: closure_above_half_radius, memory_beyond_data, valid
-   use extremes, only: worsen
+   use extremes, only: largest_of, worsen
    use funit, only: anyExceptions, assertEqual, assertFalse, assertGreaterThan, assertLessThan, &
       assertLessThanOrEqual, assertRelativelyEqual, assertTrue, TestMethod, TestSuite
    use measurements, only: record
@@ -64,12 +64,13 @@ contains
    end subroutine random_unloading
 
    !> Both branches at the closest separation, by different quadratures; also where the face is
-   !> pressed flat.
+   !> pressed flat. There deformations are rounded to eps |d|, over which the density changes by up
+   !> to 9.5 times as much in sigma, in either.
    subroutine test_continuity()
       type(random_stream) :: stream
       type(normal_properties) :: p
       type(normal_response) :: virgin, r
-      real(wp) :: d, u, worst
+      real(wp) :: d, u, difference, worst
       integer :: i
 
       stream = random_stream(71)
@@ -79,14 +80,16 @@ contains
          if (mod(i, 3) == 0) d = 5.0_wp*min(d, 0.0_wp)
          virgin = evaluate_unloading_law(p, d, 0.0_wp)
          call evaluate_unloading_branch(p, d, 0.0_wp, r)
-         call worsen(worst, abs([r%pressure/virgin%pressure, r%area_fraction/virgin%area_fraction, &
-            r%contact_density/virgin%contact_density, r%energy/virgin%energy] - 1.0_wp))
+         difference = largest_of([r%pressure/virgin%pressure, r%area_fraction &
+            /virgin%area_fraction, r%contact_density/virgin%contact_density, &
+            r%energy/virgin%energy] - 1.0_wp)
+         call worsen(worst, difference)
+         call assertLessThan(difference, 1.0e-13_wp + 19.0_wp*eps*abs(d)/p%sigma, 'difference')
          call assertLessThanOrEqual((1.0_wp - 1.0e-12_wp)*virgin%stiffness, r%stiffness, 'stiffer')
          call assertEqual(r%stiffness, unloading_stiffness(p, d), 0.0_wp, 'its own name')
          call assertEqual(virgin%validity, r%validity, 'validity')
       end do
       call record('unloading_law.continuity', worst)
-      call assertLessThan(worst, 1.0e-13_wp, 'difference')
    end subroutine test_continuity
 
    !> Today's law; its work is what is recoverable and what is not.
