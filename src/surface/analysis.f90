@@ -10,7 +10,7 @@ module asperity_surface_analysis
       missing_points, thinned
    use asperity_surface_parameters_from_sums, only: parameters_of
    use asperity_surface_parameters_parameters, only: n_parameters
-   use asperity_surface_parameters_sum_tiles, only: sum_map
+   use asperity_surface_parameters_sum_tiles, only: sum_map, sum_summits
    use asperity_surface_parameters_tile_sums, only: summed, surface_sums_type
    use asperity_surface_parameters_uncertainty, only: uncertainties
    use asperity_surface_prepare_fill_holes, only: fill_missing, missing_share
@@ -190,9 +190,10 @@ contains
       call parameters_of(whole, analysis%cell_area, analysis%values(:, 1))
       if (present(tell)) call tell('uncertainties')
       if (settings%pruning > 0.0_wp .and. rise*settings%pruning <= 1.0_wp) then
-         call find_summits(map, rise*settings%pruning, other_summits, error)
-         if (allocated(error)) return
-         call sum_map(map, other_summits, settings%tiles, settings%tiles, raised)
+         raised = analysis%sums
+         call sum_summits(map, analysis%summits, &
+            analysis%summits%relief >= rise*analysis%summits%pruned_below, settings%tiles, &
+            settings%tiles, raised)
          call uncertainties(analysis%sums, analysis%cell_area, analysis%uncertainty, raised, rise)
       else
          call uncertainties(analysis%sums, analysis%cell_area, analysis%uncertainty)

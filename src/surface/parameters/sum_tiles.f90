@@ -1,4 +1,4 @@
-!> Sums over the tiles of a map, in one sweep.
+!> Sums over the tiles of a map, its points in one sweep.
 module asperity_surface_parameters_sum_tiles
    use asperity_base_kinds, only: wp
    use asperity_base_no_value, only: none
@@ -7,7 +7,7 @@ module asperity_surface_parameters_sum_tiles
    use asperity_surface_summits_find, only: summit_set
    implicit none
    private
-   public :: sum_map
+   public :: sum_map, sum_summits
 
    !> A row with a point more either side: heights, 0 where missing, and 1 where measured, else 0.
    !> Products with the weights leave missing points out without a branch for each
@@ -31,8 +31,8 @@ contains
       type(weighted_row) :: rows(3)
       integer :: j, n, tile_x, tile
 
+      allocate (sums(tiles_x*tiles_y))
       associate (nx => size(map%heights, 1), ny => size(map%heights, 2))
-         allocate (sums(tiles_x*tiles_y))
          do n = 1, 3
             allocate (rows(n)%z(0:nx + 1), rows(n)%weight(0:nx + 1))
          end do
@@ -49,15 +49,35 @@ contains
          do tile = 1, size(sums)
             call divide_by_steps(sums(tile), map%step_x, map%step_y)
          end do
+      end associate
+      call sum_summits(map, summits, summits%is_peak, tiles_x, tiles_y, sums)
+   end subroutine sum_map
+
+   !> Sum summits and peaks anew over the same tiles, in place of those that are in the sums.
+   pure subroutine sum_summits(map, summits, is_peak, tiles_x, tiles_y, sums)
+      !> The map and its summits
+      type(height_map), intent(in) :: map
+      type(summit_set), intent(in) :: summits
+      !> Which of them are peaks
+      logical, intent(in) :: is_peak(:)
+      !> Tiles along x and y
+      integer, intent(in) :: tiles_x, tiles_y
+      !> Sums of each tile
+      type(surface_sums_type), intent(inout) :: sums(:)
+      integer :: n, tile
+
+      sums%summits = summit_sums_type()
+      sums%peaks = summit_sums_type()
+      associate (nx => size(map%heights, 1), ny => size(map%heights, 2))
          do n = 1, size(summits%height)
             tile = tile_of(summits%i(n), nx, tiles_x) &
                + tiles_x*(tile_of(summits%j(n), ny, tiles_y) - 1)
             call add_summit(sums(tile)%summits, summits%height(n), summits%curvature(n))
-            if (summits%is_peak(n)) &
+            if (is_peak(n)) &
                call add_summit(sums(tile)%peaks, summits%height(n), summits%curvature(n))
          end do
       end associate
-   end subroutine sum_map
+   end subroutine sum_summits
 
    !> Where a row is kept: each takes the place of the third before.
    pure integer function slot(j)

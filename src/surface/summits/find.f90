@@ -20,7 +20,8 @@ module asperity_surface_summits_find
       integer, allocatable :: i(:), j(:)
       !> Heights, mm, and mean curvatures -(z_xx + z_yy)/2, 1/mm
       real(wp), allocatable :: height(:), curvature(:)
-      !> Whether its hill is left after pruning
+      !> Relief of its hill, mm, and whether that is left after pruning
+      real(wp), allocatable :: relief(:)
       logical, allocatable :: is_peak(:)
       !> Hills of less relief than this were pruned, mm
       real(wp) :: pruned_below = 0.0_wp
@@ -40,7 +41,8 @@ contains
       !> Set when the share is not allowed or the map has too many points to number
       type(error_type), allocatable, intent(out) :: error
       integer, allocatable :: tops(:)
-      logical, allocatable :: stays(:), is_inner(:)
+      real(wp), allocatable :: relief(:)
+      logical, allocatable :: is_inner(:)
       integer :: n, inner
       logical :: is_allowed
 
@@ -56,10 +58,10 @@ contains
          return
       end if
       summits%pruned_below = share*height_range(map%heights)
-      call find_hills(map%heights, summits%pruned_below, map%source, tops, stays, error)
-      ! 28 bytes a summit, and one whether it is inside
+      call find_hills(map%heights, map%source, tops, relief, error)
+      ! 36 bytes a summit, and 4 whether it is inside
       if (.not. allocated(error)) &
-         call check_room(map%source, 32_int64*size(tops, kind=int64), error)
+         call check_room(map%source, 40_int64*size(tops, kind=int64), error)
       if (allocated(error)) return
       associate (nx => size(map%heights, 1))
          allocate (is_inner(size(tops)))
@@ -69,14 +71,15 @@ contains
          end do
          inner = count(is_inner)
          allocate (summits%i(inner), summits%j(inner), summits%height(inner), &
-            summits%curvature(inner), summits%is_peak(inner))
+            summits%curvature(inner), summits%relief(inner), summits%is_peak(inner))
          inner = 0
          do n = 1, size(tops)
             if (.not. is_inner(n)) cycle
             inner = inner + 1
             summits%i(inner) = modulo(tops(n) - 1, nx) + 1
             summits%j(inner) = (tops(n) - 1)/nx + 1
-            summits%is_peak(inner) = stays(n)
+            summits%relief(inner) = relief(n)
+            summits%is_peak(inner) = relief(n) >= summits%pruned_below
          end do
       end associate
       do n = 1, inner

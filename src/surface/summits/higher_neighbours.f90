@@ -4,7 +4,7 @@ module asperity_surface_summits_higher_neighbours
    use asperity_base_no_value, only: none
    implicit none
    private
-   public :: first_rows, group_table, higher_in_row, highest_in_row, new_group_table, next_rows
+   public :: first_rows, group_table, higher_in_row, new_group_table, next_rows
 
    !> Neighbours in turn from that along x: steps along x and y. The first four come later in
    !> storage, so that they are higher at equal height
@@ -82,29 +82,6 @@ contains
          end associate
       end do
    end subroutine higher_in_row
-
-   !> The highest neighbour's turn, the last in storage of equal ones, of a point that is no top.
-   pure integer function highest_in_row(rows, i)
-      !> Rows as `next_rows` leaves them
-      real(wp), intent(in), contiguous :: rows(0:, 0:)
-      !> The point
-      integer, intent(in) :: i
-      !> In the order of storage
-      integer, parameter :: order(8) = [5, 6, 7, 4, 0, 3, 2, 1]
-      real(wp) :: highest
-      integer :: n
-
-      highest = nothing
-      highest_in_row = 0
-      do n = 1, size(order)
-         associate (height => rows(i + turn_x(order(n)), 1 + turn_y(order(n))))
-            if (height >= highest) then
-               highest = height
-               highest_in_row = order(n)
-            end if
-         end associate
-      end do
-   end function highest_in_row
 
    !> Groups of each set of higher neighbours. Those next in turn touch, and so do two beside the
    !> point with a corner between them, whether that is higher or not.

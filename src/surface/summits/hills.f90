@@ -1,11 +1,11 @@
-!> Hills of a map, and which are left after Wolf pruning.
+!> Hills of a map, and their relief, by which Wolf pruning leaves them or not.
 !>
 !> Points are ordered by height, equal ones by place in storage; neighbours are the eight around,
-!> missing points are none. A hill is what steepest ascent leads to one top. Let the map sink into
-!> the sea backwards, the water falling from above the highest point: tops become islands, and at a
-!> saddle two islands become one. The lower top ends there; its relief is its height less the
-!> saddle's. The highest top of a connected part of the map never ends. A hill stays when its
-!> relief is at least the least one asked for.
+!> missing points are none. A hill is what ascent leads to one top. Let the map sink into the sea
+!> backwards, the water falling from above the highest point: tops become islands, and at a saddle
+!> two islands become one. The lower top ends there; its relief is its height less the saddle's.
+!> The highest top of a connected part of the map never ends. A hill stays when its relief is at
+!> least the least one asked for.
 !>
 !> This is Wolf pruning, which takes the hill of the smallest difference between its top and its
 !> highest saddle, joins it to the hill across that saddle, and repeats while that difference is
@@ -27,7 +27,7 @@ module asperity_surface_summits_hills
    use asperity_base_kinds, only: wp
    use asperity_base_memory, only: check_memory, check_room
    use asperity_surface_summits_higher_neighbours, only: first_rows, group_table, higher_in_row, &
-      highest_in_row, new_group_table, next_rows, nothing, turn_x, turn_y
+      new_group_table, next_rows, nothing, turn_x, turn_y
    use asperity_surface_summits_saddle_order, only: saddle_type, sort_saddles
    implicit none
    private
@@ -36,17 +36,15 @@ module asperity_surface_summits_hills
 contains
 
    !> Find all hills.
-   pure subroutine find_hills(z, least_relief, name, tops, stays, error)
+   pure subroutine find_hills(z, name, tops, relief, error)
       !> Heights, `none` where there is none
       real(wp), intent(in), contiguous :: z(:, :)
-      !> Least relief
-      real(wp), intent(in) :: least_relief
       !> Name of the map
       character(len=*), intent(in) :: name
       !> Places of their tops in storage from 1, in that order
       integer, allocatable, intent(out) :: tops(:)
-      !> Whether a hill has that relief
-      logical, allocatable, intent(out) :: stays(:)
+      !> Relief of each, in the unit of the heights; `huge` of one that never ends
+      real(wp), allocatable, intent(out) :: relief(:)
       !> Set when there is not enough memory
       type(error_type), allocatable, intent(out) :: error
       integer, allocatable :: hill(:, :)
@@ -59,13 +57,13 @@ contains
       if (allocated(error)) return
       call collect_saddles(z, table, hill, saddles, n)
       call sort_saddles(saddles(:n))
-      ! heights and numbers of hills besides
-      call check_room(name, 16_int64*size(tops, kind=int64), error)
+      ! heights, reliefs and numbers of hills besides
+      call check_room(name, 24_int64*size(tops, kind=int64), error)
       if (allocated(error)) return
-      call join_hills(z, least_relief, table, hill, saddles(:n), tops, stays)
+      call join_hills(z, table, hill, saddles(:n), tops, relief)
    end subroutine find_hills
 
-   !> Give each point the number of its hill. Points first hold minus the place of their highest
+   !> Give each point the number of its hill. Points first hold minus the place of a higher
    !> neighbour, tops their number.
    pure subroutine climb(z, name, table, hill, tops, saddles, error)
       real(wp), intent(in), contiguous :: z(:, :)
@@ -77,7 +75,7 @@ contains
       type(error_type), allocatable, intent(out) :: error
       real(wp), allocatable :: rows(:, :)
       integer, allocatable :: higher(:)
-      integer :: i, j, n_tops, n_saddles, highest, status
+      integer :: i, j, n_tops, n_saddles, status
 
       allocate (hill(size(z, 1), size(z, 2)), stat=status)
       call check_memory(status, name, 4_int64*size(z, kind=int64), error)
@@ -97,8 +95,9 @@ contains
                n_tops = n_tops + 1
                hill(i, j) = n_tops
             else
-               highest = highest_in_row(rows, i)
-               hill(i, j) = -(i + turn_x(highest) + (j + turn_y(highest) - 1)*size(z, 1))
+               associate (turn => table%one_of(1, higher(i)))
+                  hill(i, j) = -(i + turn_x(turn) + (j + turn_y(turn) - 1)*size(z, 1))
+               end associate
                if (table%groups(higher(i)) > 1) n_saddles = n_saddles + 1
             end if
          end do
@@ -181,20 +180,19 @@ contains
 
    !> Join hills from the highest saddle down. A hill points to the one it was joined to, the
    !> highest of an island to itself.
-   pure subroutine join_hills(z, least_relief, table, hill, saddles, tops, stays)
+   pure subroutine join_hills(z, table, hill, saddles, tops, relief)
       real(wp), intent(in), contiguous :: z(:, :)
-      real(wp), intent(in) :: least_relief
       type(group_table), intent(in) :: table
       integer, intent(in), contiguous :: hill(:, :)
       type(saddle_type), intent(in) :: saddles(:)
       integer, intent(in) :: tops(:)
-      logical, allocatable, intent(out) :: stays(:)
+      real(wp), allocatable, intent(out) :: relief(:)
       real(wp), allocatable :: heights(:)
       integer, allocatable :: joined_to(:)
       integer :: n, k, i, j, a, b, lower
 
-      allocate (stays(size(tops)), joined_to(size(tops)), heights(size(tops)))
-      stays = .true.
+      allocate (relief(size(tops)), joined_to(size(tops)), heights(size(tops)))
+      relief = huge(1.0_wp)
       do n = 1, size(tops)
          joined_to(n) = n
          heights(n) = z(column(tops(n)), row(tops(n)))
@@ -212,7 +210,7 @@ contains
             if (heights(a) < heights(b) .or. (.not. heights(a) > heights(b) .and. a < b)) lower = a
             a = a + b - lower
             joined_to(lower) = a
-            stays(lower) = heights(lower) - saddles(n)%height >= least_relief
+            relief(lower) = heights(lower) - saddles(n)%height
          end do
       end do
 
