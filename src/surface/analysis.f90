@@ -4,7 +4,7 @@ module asperity_surface_analysis
    use asperity_base_error, only: error_type, fatal_error
    use asperity_base_kinds, only: wp
    use asperity_base_memory, only: check_room
-   use asperity_base_no_value, only: is_none, none
+   use asperity_base_no_value, only: none
    use asperity_base_number_text, only: to_text
    use asperity_height_map_type, only: check_height_map, fewest_points, height_map, &
       missing_points, thinned
@@ -117,7 +117,9 @@ contains
          call filter_long(map, settings%long_cutoff, error)
          if (allocated(error)) return
       end if
-      call level_plane(map)
+      ! else nothing has come since that has a plane of its own
+      if (settings%fills .or. max(settings%short_cutoff, settings%long_cutoff) > 0.0_wp) &
+         call level_plane(map)
       if (largest_height(map) <= rounding*largest) call fatal_error(error, map%source// &
          ': has no roughness: all heights are on one plane or form, but for rounding')
 
@@ -139,7 +141,7 @@ contains
       largest_height = 0.0_wp
       do j = 1, size(map%heights, 2)
          do i = 1, size(map%heights, 1)
-            if (.not. is_none(map%heights(i, j))) &
+            if (map%heights(i, j) < none) &
                largest_height = max(largest_height, abs(map%heights(i, j)))
          end do
       end do
