@@ -4,7 +4,8 @@
 find_package(GSL REQUIRED)
 find_package(OpenMP COMPONENTS Fortran)
 
-file(GLOB bench_sources CONFIGURE_DEPENDS test/bench/*.f90 test/bench/contenders/*.f90)
+file(GLOB bench_sources CONFIGURE_DEPENDS
+   test/bench/builds/*.f90 test/bench/*.f90 test/bench/contenders/*.f90)
 list(APPEND bench_sources test/support/random_inputs.f90
    test/support/contact_cases.f90 test/support/abaqus_stubs.f90
    test/abaqus/abaqus_utilities.f90)
