@@ -9,15 +9,13 @@ of medians with the least and the largest, and of the ratios of runs that follow
 import argparse
 import json
 import os
-import statistics
-import subprocess
 import sys
-import time
 
 sys.dont_write_bytecode = True
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, os.path.join(HERE, "..", "..", "interface", "calculix"))
 # pylint: disable=wrong-import-position
+from processes import heading, run, show, spread
 from tools import study
 
 CASE = ["examples/tenon_joint/base.nml", "--amplitudes", "8", "--cycles", "1", "--criterion",
@@ -30,25 +28,13 @@ QUANTITIES = {"increments": "increments", "iterations": "iterations", "cpu": "pr
               "negative": "reverse peak force, kN"}
 
 
-def run(command, log):
-    """Run a command; its seconds, its processor seconds, and the memory of its largest process, MB."""
-    began = time.monotonic()
-    with open(log, "w", encoding="utf-8") as file, \
-            subprocess.Popen(command, stdout=file, stderr=file, env={**os.environ, **ONE_THREAD}) as child:
-        _, status, used = os.wait4(child.pid, 0)
-        child.returncode = os.waitstatus_to_exitcode(status)
-    if child.returncode != 0:
-        sys.exit(f"solid.py: error: {' '.join(command)} failed: {log}")
-    return time.monotonic() - began, used.ru_utime + used.ru_stime, used.ru_maxrss/1024
-
-
 def ours(options):
     """One run of asperity solid."""
     result = os.path.join(options.output, "asperity.json")
     wall, cpu, memory = run(
         [options.asperity, "solid", *CASE, "--contact", "rough", "--checkpoint",
          os.path.join(options.output, "asperity"), "--json", result],
-        os.path.join(options.output, "asperity.log"))
+        os.path.join(options.output, "asperity.log"), ONE_THREAD)
     with open(result, encoding="utf-8") as file:
         found = json.load(file)
     analysis, peaks = found["analysis"], found["by_amplitude"]
@@ -63,7 +49,7 @@ def theirs(options, deck):
     """One run of ccx; its times are those of ccx, without the program that runs it."""
     folder = os.path.join(options.output, "ccx")
     _, _, memory = run([RUNNER, deck, "--ccx", options.ccx, "--output", folder, "--anew"],
-                       os.path.join(options.output, "ccx.log"))
+                       os.path.join(options.output, "ccx.log"), ONE_THREAD)
     costs = study.costs(folder, {"parts": []})
     increments = study.table(os.path.join(folder, "increments.csv"))
     forces = [row["force"]/1000 for row in study.table(os.path.join(folder, "history.csv"))]
@@ -71,14 +57,6 @@ def theirs(options, deck):
             "cpu": costs["seconds"], "wall": sum(row["wall_time"] for row in increments),
             "per_iteration": costs["per_iteration"], "memory": memory,
             "positive": max(forces), "negative": min(forces)}
-
-
-def spread(values):
-    """Median, and in brackets the least and the largest."""
-    middle = statistics.median(values)
-    if min(values) == max(values):
-        return f"{middle:.4g}"
-    return f"{middle:.3g} ({min(values):.3g}-{max(values):.3g})"
 
 
 def table(pairs):
@@ -106,13 +84,7 @@ def main():
     for _ in range(options.repetitions):
         pairs.append((ours(options), theirs(options, deck)))
         print("{0[wall]:.1f} s, ccx {1[wall]:.1f} s".format(*pairs[-1]), flush=True)
-    load = os.getloadavg()[0]
-    text = (f"{options.repetitions} repetitions on {time.strftime('%Y-%m-%d')}; load of the machine at "
-            f"the end {load:.1f}.\n\n" + table(pairs))
-    path = os.path.join(options.output, "solid.md")
-    with open(path, "w", encoding="utf-8") as file:
-        file.write(text)
-    print(text + f"written: {path}")
+    show(os.path.join(options.output, "solid.md"), heading(options.repetitions) + table(pairs))
 
 
 main()

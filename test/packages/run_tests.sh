@@ -18,16 +18,6 @@ asperity=$(realpath "$asperity")
 mkdir -p "$2" || exit 3
 folder=$(realpath "$2")
 venv=$(dirname "$folder")/venv-surfaces
-log=$folder/install.log
-
-command -v python3 >/dev/null || skip 'there is no python3'
-wanted=(--disable-pip-version-check --quiet --requirement "$here/requirements.txt")
-if ! "$venv/bin/python" -m pip install --no-index "${wanted[@]}" >/dev/null 2>&1; then
-   [ -z "${ASPERITY_NO_INSTALL:-}" ] \
-      || skip "ASPERITY_NO_INSTALL is set; missing: $(paste -sd " " "$here/requirements.txt")"
-   began=$SECONDS
-   { python3 -m venv "$venv" && "$venv/bin/python" -m pip install "${wanted[@]}"; } \
-      >"$log" 2>&1 || skip "the Python packages cannot be installed: $(tail -n 1 "$log")"
-   echo "installed in $((SECONDS - began)) s: $(paste -sd ' ' "$here/requirements.txt")"
-fi
+said=$(bash "$here/install.sh" "$venv") || skip "$said"
+[ -z "$said" ] || echo "$said"
 exec "$venv/bin/python" "$here/compare" "$asperity" "$folder" --table "$folder/differences.md"
