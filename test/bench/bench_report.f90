@@ -4,15 +4,10 @@ module bench_report
    use asperity, only: version, wp
    use bench_machine, only: machine_type
    use bench_options, only: options_type
-   use bench_results, only: find_row, read_csv, result_row, short, with_spread
+   use bench_results, only: find_row, result_row, short, with_spread
    implicit none
    private
-   public :: print_header, print_contenders, print_scaling, print_levels, write_markdown
-
-   !> Results of a build at another level of optimisation; the first row names it
-   type :: level_type
-      type(result_row), allocatable :: rows(:)
-   end type level_type
+   public :: print_header, print_contenders, print_scaling, write_markdown
 
    !> Between the cells of a Markdown table
    character(len=*), parameter :: bar = ' | '
@@ -102,51 +97,6 @@ contains
       if (no_threads /= '') print '(2a)', 'left out: ', trim(no_threads)
    end subroutine print_scaling
 
-   !> The rows that were measured at other levels of optimisation, too.
-   subroutine print_levels(rows, options)
-      type(result_row), intent(in) :: rows(:)
-      type(options_type), intent(in) :: options
-      type(level_type) :: levels(size(options%others))
-      character(len=32) :: cells(size(levels))
-      integer :: i
-
-      if (size(levels) == 0) return
-      call read_levels(options, levels, cells)
-      print '(/, a45, *(a22))', [character(len=45) :: 'Builds, ns a point'], &
-         [character(len=32) :: options%level(:32), cells]
-      do i = 1, size(rows)
-         if (rows(i)%section /= 'time') cycle
-         cells = times_at(levels, rows(i)%name)
-         if (any(cells /= '')) print '(a45, *(a22))', rows(i)%name, &
-            [with_spread(rows(i)%value), cells]
-      end do
-   end subroutine print_levels
-
-   !> Rows of the other levels, and their names.
-   subroutine read_levels(options, levels, names)
-      type(options_type), intent(in) :: options
-      type(level_type), intent(out) :: levels(:)
-      character(len=32), intent(out) :: names(:)
-      integer :: i
-
-      do i = 1, size(levels)
-         call read_csv(options%others(i), levels(i)%rows)
-         names(i) = levels(i)%rows(1)%name(:32)
-      end do
-   end subroutine read_levels
-
-   !> Times of a contender at the other levels, blank where it was not measured.
-   function times_at(levels, name) result(cells)
-      type(level_type), intent(in) :: levels(:)
-      character(len=*), intent(in) :: name
-      character(len=32) :: cells(size(levels))
-      integer :: i
-
-      do i = 1, size(levels)
-         cells(i) = figure(levels(i)%rows, 'time', name)
-      end do
-   end function times_at
-
    !> The table of docs/performance.md: contenders, then compiling and growth in a few lines.
    subroutine write_markdown(path, machine, options, rows)
       character(len=*), intent(in) :: path
@@ -180,31 +130,8 @@ contains
             nint(rows(i)%value%median), ' bytes.'
       end do
       call write_growth(unit, rows)
-      call write_levels(unit, rows, options)
       close (unit)
    end subroutine write_markdown
-
-   !> A second table: what was measured at other levels of optimisation, too.
-   subroutine write_levels(unit, rows, options)
-      integer, intent(in) :: unit
-      type(result_row), intent(in) :: rows(:)
-      type(options_type), intent(in) :: options
-      type(level_type) :: levels(size(options%others))
-      character(len=32) :: cells(size(levels))
-      integer :: i, j
-
-      if (size(levels) == 0) return
-      call read_levels(options, levels, cells)
-      write (unit, '(/, *(a))') '| ns a point | ', trim(options%level), &
-         (bar//trim(cells(j)), j=1, size(levels)), ' |'
-      write (unit, '(*(a))') '|---|---|', ('---|', j=1, size(levels))
-      do i = 1, size(rows)
-         if (rows(i)%section /= 'time') cycle
-         cells = times_at(levels, rows(i)%name)
-         if (any(cells /= '')) write (unit, '(*(a))') '| ', trim(adjustl(rows(i)%name)), bar, &
-            trim(with_spread(rows(i)%value)), (bar//trim(cells(j)), j=1, size(levels)), ' |'
-      end do
-   end subroutine write_levels
 
    !> Growth with points and threads in a few lines.
    subroutine write_growth(unit, rows)

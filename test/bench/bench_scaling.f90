@@ -2,7 +2,7 @@
 !> writes; and what it takes to compile a law.
 module bench_scaling
    use asperity, only: compiled_law, error_type, new_compiled_law, normal_properties, wp
-   use bench_contenders, only: compiled_pair, normal_pair
+   use bench_list, only: compiled_pair, normal_pair
    use bench_law, only: batch_law, free_point_arrays, new_point_arrays, point_arrays, &
       read_write_loop
    use bench_machine, only: has_openmp

@@ -11,15 +11,11 @@ module bench_options
    type :: options_type
       !> Only that everything runs, in seconds
       logical :: short = .false.
-      !> Only the contenders that are compared between levels of optimisation, and no tables
-      logical :: level_only = .false.
       !> Level of optimisation, and the other flags of the compiler, as built
       character(len=60) :: level = ''
       character(len=256) :: flags = ''
       !> Results are written there, unless blank: comma-separated values, Markdown
       character(len=256) :: csv = '', markdown = ''
-      !> Results of builds at other levels
-      character(len=256), allocatable :: others(:)
       !> Memory that may be used, GB
       real(wp) :: memory = 0.0_wp
       type(plan_type) :: plan
@@ -33,7 +29,6 @@ contains
       character(len=256) :: word, value
       integer :: i, status
 
-      allocate (options%others(0))
       options%memory = available_memory()
       call get_environment_variable('ASPERITY_BENCH', word, status=status)
       options%short = status == 0 .and. word == 'short'
@@ -43,10 +38,9 @@ contains
          call get_command_argument(i + 1, value)
          i = i + 2
          select case (word)
-         case ('--short', '--level-only')
+         case ('--short')
             i = i - 1
-            if (word == '--short') options%short = .true.
-            if (word == '--level-only') options%level_only = .true.
+            options%short = .true.
          case ('--level')
             options%level = value(:len(options%level))
          case ('--flags')
@@ -55,14 +49,12 @@ contains
             options%csv = value
          case ('--markdown')
             options%markdown = value
-         case ('--other')
-            options%others = [options%others, value]
          case ('--memory')
             read (value, *, iostat=status) options%memory
             if (status /= 0) error stop 'bench: --memory takes a number of GB'
          case default
-            error stop 'bench: options are --short, --level-only, --memory GB, --level TEXT, '// &
-               '--flags TEXT, --csv FILE, --markdown FILE, --other FILE'
+            error stop 'bench: options are --short, --memory GB, --level TEXT, --flags TEXT, '// &
+               '--csv FILE, --markdown FILE'
          end select
       end do
       if (options%short) options%plan = plan_type(repeats=3, least=0.001_wp)

@@ -4,7 +4,7 @@ module bench_results
    use bench_timing, only: spread_type
    implicit none
    private
-   public :: result_row, add_row, find_row, write_csv, read_csv, short, with_spread
+   public :: result_row, add_row, find_row, write_csv, short, with_spread
 
    !> One figure.
    type :: result_row
@@ -59,7 +59,6 @@ contains
       write (unit, '(a)') 'section,name,unit,median,quantile_10,quantile_90,repeats'
       do i = 1, size(rows)
          associate (r => rows(i))
-            ! quotes: to a list-directed read a blank ends a word
             write (unit, '(7a, 3(es12.6, '',''), i0)') '"', trim(r%section), '","', &
                trim(r%name), '","', trim(r%unit), '",', r%value%median, r%value%low, &
                r%value%high, r%repeats
@@ -67,27 +66,6 @@ contains
       end do
       close (unit)
    end subroutine write_csv
-
-   !> Read them again.
-   subroutine read_csv(path, rows)
-      character(len=*), intent(in) :: path
-      type(result_row), allocatable, intent(out) :: rows(:)
-      type(result_row) :: r
-      character(len=256) :: line
-      integer :: unit, status
-
-      allocate (rows(0))
-      open (newunit=unit, file=path, action='read', status='old', iostat=status)
-      if (status /= 0) error stop 'bench: the results of another level cannot be read'
-      ! the heading
-      read (unit, '(a)', iostat=status) line
-      do while (status == 0)
-         read (unit, *, iostat=status) r%section, r%name, r%unit, r%value%median, r%value%low, &
-            r%value%high, r%repeats
-         if (status == 0) call add_row(rows, r%section, r%name, r%unit, r%value, r%repeats)
-      end do
-      close (unit)
-   end subroutine read_csv
 
    !> Three significant digits.
    pure function short(x) result(text)
