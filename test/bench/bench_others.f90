@@ -1,10 +1,11 @@
 !> Contenders beside those that builds are compared by.
 module bench_others
-   use asperity, only: normal_properties, wp
+   use asperity, only: normal_properties, unloading_elastic, unloading_reversible, wp
    use asperity_contact_properties, only: default_initial_separation
    use bench_gsl, only: gsl_law, new_gsl_law
    use bench_law, only: batch_law, direct_law, new_point_arrays, point_arrays, read_write_loop
    use bench_list, only: append, compiled_pair, contender_list, in_cache, normal_pair, place
+   use bench_memory, only: memory_update, new_memory_update
    use bench_options, only: options_type
    use bench_table, only: new_table_law, table_law
    implicit none
@@ -39,6 +40,7 @@ contains
       call place(batch, 'compiled law, batch, h = -8..37', -8.0_wp, 37.0_wp)
       call append(list, batch)
 
+      call add_memory(list)
       call add_gsl(list)
       call add_tables(list, -8.0_wp, 8.0_wp)
       call add_tables(list, 1.0_wp, 5.0_wp)
@@ -55,6 +57,29 @@ contains
       call append(list, loop)
       list%loop_of(i:i + 1) = list%size
    end subroutine add_others
+
+   !> The update with memory, each beside that of the same points without.
+   subroutine add_memory(list)
+      type(contender_list), intent(inout) :: list
+      character(len=*), parameter :: ways(2) = [character(len=9) :: 'unloading', 'loading'], &
+         forms(2) = [character(len=8) :: 'direct', 'compiled'], &
+         laws(2) = [character(len=10) :: 'reversible', 'memory']
+      type(memory_update) :: update
+      integer :: way, form, law
+
+      do way = 1, 2
+         do form = 1, 2
+            do law = 1, 2
+               call new_memory_update(update, in_cache, merge(unloading_elastic, &
+                  unloading_reversible, law == 2), loads=way == 2, compiled=form == 2)
+               update%name = 'update_contact_points, '//trim(laws(law))//', '// &
+                  trim(forms(form))//', '//ways(way)
+               call append(list, update)
+            end do
+            list%reversible_of(list%size) = list%size - 1
+         end do
+      end do
+   end subroutine add_memory
 
    !> Quadrature by GSL.
    subroutine add_gsl(list)

@@ -43,22 +43,27 @@ contains
       type(options_type), intent(in) :: options
       integer :: i
 
-      print '(/, a45, 2a26)', [character(len=45) :: 'Ratios', 'over compiled batch', &
+      print '(/, a56, 2a26)', [character(len=56) :: 'Ratios', 'over compiled batch', &
          'over read-write loop']
       do i = 1, size(rows)
-         if (rows(i)%section == 'time') print '(a45, 2a26)', rows(i)%name, &
+         if (rows(i)%section == 'time') print '(a56, 2a26)', rows(i)%name, &
             figure(rows, 'over batch', rows(i)%name), figure(rows, 'over loop', rows(i)%name)
       end do
       print '(a)', 'The loop reads one and writes two doubles a point, over 1e4 points; over '// &
          '1e7 for rows of 1e7.'
-      print '(/, a45, a23, 2a17)', [character(len=45) :: 'Times; errors, largest and rms', &
+      print '(/, a56, a23, 2a17)', [character(len=56) :: 'Times; errors, largest and rms', &
          'ns a point', 'pressure', 'stiffness']
       do i = 1, size(rows)
-         if (rows(i)%section == 'time') print '(a45, a23, 2a17)', rows(i)%name, &
+         if (rows(i)%section == 'time') print '(a56, a23, 2a17)', rows(i)%name, &
             with_spread(rows(i)%value), errors(rows, rows(i)%name, 'pressure'), &
             errors(rows, rows(i)%name, 'stiffness')
       end do
       print '(a)', 'Errors are relative, against the direct evaluation.'
+      print '(/, a56, a)', [character(len=56) :: 'Law with memory', 'over the reversible one']
+      do i = 1, size(rows)
+         if (rows(i)%section == 'over reversible') &
+            print '(a56, a)', rows(i)%name, with_spread(rows(i)%value)
+      end do
       i = findloc(rows%section, 'time', dim=1)
       if (rows(i)%repeats < options%plan%repeats) print '(a, i0, a)', 'Only ', rows(i)%repeats, &
          ' repeats, as more would take too long.'
@@ -73,9 +78,9 @@ contains
 
       print '(/, a)', 'Compiling a law'
       do i = 1, size(rows)
-         if (rows(i)%section == 'building') print '(a45, 2a)', rows(i)%name, &
+         if (rows(i)%section == 'building') print '(a56, 2a)', rows(i)%name, &
             trim(with_spread(rows(i)%value)), ' ms'
-         if (rows(i)%section == 'size') print '(a45, i0, a)', rows(i)%name, &
+         if (rows(i)%section == 'size') print '(a56, i0, a)', rows(i)%name, &
             nint(rows(i)%value%median), ' bytes'
       end do
       print '(/, a14, 3a26, a7)', [character(len=26) :: 'Points', 'batch, ns a point', &
@@ -122,6 +127,7 @@ contains
                trim(errors(rows, name, 'stiffness')), ' |'
          end associate
       end do
+      call write_memory(unit, rows)
       write (unit, '(/, a)', advance='no') 'Compiling a law takes'
       do i = 1, size(rows)
          if (rows(i)%section == 'building') write (unit, '(5a)', advance='no') ' ', &
@@ -132,6 +138,21 @@ contains
       call write_growth(unit, rows)
       close (unit)
    end subroutine write_markdown
+
+   !> A second table: the law with memory beside the reversible one.
+   subroutine write_memory(unit, rows)
+      integer, intent(in) :: unit
+      type(result_row), intent(in) :: rows(:)
+      integer :: i
+
+      write (unit, '(/, a, /, a)') '| law with memory | over the reversible law | ns a point |', &
+         '|---|---|---|'
+      do i = 1, size(rows)
+         if (rows(i)%section == 'over reversible') write (unit, '(7a)') '| ', &
+            trim(rows(i)%name), bar, trim(with_spread(rows(i)%value)), bar, &
+            trim(figure(rows, 'time', rows(i)%name)), ' |'
+      end do
+   end subroutine write_memory
 
    !> Growth with points and threads in a few lines.
    subroutine write_growth(unit, rows)
@@ -157,13 +178,14 @@ contains
       end do
    end subroutine write_growth
 
-   !> Rows that the page can do without.
+   !> Rows that the table of all contenders can do without.
    pure logical function is_minor(name)
       character(len=*), intent(in) :: name
 
       is_minor = any(name == [character(len=60) :: 'direct evaluation, h = 1..5', &
          'compiled law, batch, h = 1..5', 'table of 200 rows, search, h = 1..5', &
          'update_contact_points, tractions, h = 1..5'])
+      is_minor = is_minor .or. index(name, ', reversible, ') > 0 .or. index(name, ', memory, ') > 0
    end function is_minor
 
    !> A figure with its spread, blank when there is none.

@@ -24,6 +24,8 @@ module bench_list
       integer :: batch = 0, loop = 0
       !> Read-write loop of the same size, for each
       integer :: loop_of(40) = 0
+      !> The same without memory, for each that has memory
+      integer :: reversible_of(40) = 0
    end type contender_list
 
 contains
@@ -62,6 +64,8 @@ contains
             call add('time', name, 'ns', spread_of(1.0e9_wp*times(:, i)))
             call add('over batch', name, '-', spread_of(times(:, i)/times(:, list%batch)))
             call add('over loop', name, '-', spread_of(times(:, i)/times(:, list%loop_of(i))))
+            if (list%reversible_of(i) > 0) call add('over reversible', name, '-', &
+               spread_of(times(:, i)/times(:, list%reversible_of(i))))
          end associate
          call add_errors(list%boxes(i)%item, rows, sane)
          checksum = checksum + list%boxes(i)%item%checksum
