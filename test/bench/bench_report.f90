@@ -132,11 +132,20 @@ contains
       do i = 1, size(rows)
          if (rows(i)%section == 'building') write (unit, '(5a)', advance='no') ' ', &
             trim(with_spread(rows(i)%value)), ' ms (', trim(rows(i)%name), '),'
-         if (rows(i)%section == 'size') write (unit, '(a, i0, a)') ' and the result ', &
-            nint(rows(i)%value%median), ' bytes.'
       end do
+      write (unit, '(2(a, i0), a)') ' and the result ', bytes('size'), ' bytes, ', &
+         bytes('size with memory'), ' with memory.'
       call write_growth(unit, rows)
       close (unit)
+
+   contains
+
+      integer function bytes(name)
+         character(len=*), intent(in) :: name
+
+         bytes = nint(rows(find_row(rows, 'size', name))%value%median)
+      end function bytes
+
    end subroutine write_markdown
 
    !> A second table: the law with memory beside the reversible one.

@@ -1,7 +1,10 @@
 !> How the compiled batch grows with points and threads, beside the loop that only reads and
 !> writes; and what it takes to compile a law.
 module bench_scaling
-   use asperity, only: compiled_law, error_type, new_compiled_law, normal_properties, wp
+   use asperity, only: compiled_law, error_type, find_pair, new_compiled_law, &
+      new_normal_properties, normal_properties, pair_preset, unloading_elastic, wp
+   use asperity_law_unloading_compile_law, only: new_compiled_unloading_law
+   use asperity_law_unloading_compiled_law, only: compiled_unloading_law, size_in_bytes
    use bench_list, only: compiled_pair, normal_pair
    use bench_law, only: batch_law, free_point_arrays, new_point_arrays, point_arrays, &
       read_write_loop
@@ -14,7 +17,7 @@ module bench_scaling
    private
    public :: run_growth, run_threads, run_building
 
-   !> Compiles one law after the other.
+   !> Compiles one law after the other, with memory or without.
    type, extends(contender) :: law_builder
       type(normal_properties), allocatable :: properties(:)
    contains
@@ -149,16 +152,17 @@ contains
       allocate (list(2)%item, source=loop)
    end subroutine make_pair
 
-   !> Time to compile the law, and its size.
+   !> Time to compile the law, without memory and with it, and its size.
    subroutine run_building(options, rows)
       type(options_type), intent(in) :: options
       type(result_row), allocatable, intent(inout) :: rows(:)
-      type(contender_box) :: list(2)
+      type(contender_box) :: list(3)
       type(law_builder) :: builder
       type(random_stream) :: stream
       type(compiled_law) :: law
+      type(compiled_unloading_law) :: with_memory
+      type(error_type), allocatable :: error
       real(wp), allocatable :: times(:, :)
-      real(wp) :: bytes
       integer :: i
 
       builder%properties = [normal_pair()]
@@ -174,23 +178,59 @@ contains
       builder%points = size(builder%properties)
       builder%name = '200 random property sets, each'
       allocate (list(2)%item, source=builder)
+      builder%properties = [pair_with_memory()]
+      builder%points = 1
+      builder%name = 'pair transverse-tangential with memory'
+      allocate (list(3)%item, source=builder)
       call measure(list, options%plan, times)
-      do i = 1, 2
+      do i = 1, size(list)
          call add_row(rows, 'building', list(i)%item%name, 'ms', spread_of(1.0e3_wp*times(:, i)), &
             size(times, 1))
       end do
-      bytes = real(storage_size(law)/8, wp)
-      call add_row(rows, 'size', 'size of the type', 'bytes', spread_type(bytes, bytes, bytes), 1)
+      call add_size('size', storage_size(law)/8)
+      call new_compiled_unloading_law(with_memory, pair_with_memory(), error)
+      if (allocated(error)) error stop error%message
+      call add_size('size with memory', size_in_bytes(with_memory))
+
+   contains
+
+      subroutine add_size(name, size)
+         character(len=*), intent(in) :: name
+         integer, intent(in) :: size
+         real(wp) :: bytes
+
+         bytes = real(size, wp)
+         call add_row(rows, 'size', name, 'bytes', spread_type(bytes, bytes, bytes), 1)
+      end subroutine add_size
+
    end subroutine run_building
+
+   !> The pair with summits that recover elastically.
+   function pair_with_memory() result(properties)
+      type(normal_properties) :: properties
+      type(pair_preset) :: pair
+      type(error_type), allocatable :: error
+
+      call find_pair('transverse-tangential', pair, error)
+      if (.not. allocated(error)) &
+         call new_normal_properties(properties, pair, error, unloading=unloading_elastic)
+      if (allocated(error)) error stop error%message
+   end function pair_with_memory
 
    subroutine pass_builder(this)
       class(law_builder), intent(inout) :: this
       type(compiled_law) :: law
+      type(compiled_unloading_law) :: with_memory
       type(error_type), allocatable :: error
       integer :: i
 
       do i = 1, size(this%properties)
-         call new_compiled_law(law, this%properties(i), error)
+         if (this%properties(i)%unloading == unloading_elastic) then
+            call new_compiled_unloading_law(with_memory, this%properties(i), error)
+            law = with_memory%virgin
+         else
+            call new_compiled_law(law, this%properties(i), error)
+         end if
          if (allocated(error)) error stop error%message
          this%checksum = this%checksum + law%properties%w1
       end do
