@@ -61,7 +61,8 @@ contains
       end select
    end subroutine small_map
 
-   !> Summits are the inner tops, peaks those whose relief, found for each on its own, is enough.
+   !> Summits are the inner tops, with the relief that is found for each on its own, and peaks those
+   !> for which it is enough.
    subroutine test_flooding()
       type(random_stream) :: stream
       type(height_map) :: map
@@ -89,6 +90,7 @@ contains
                is_same = is_same .and. n <= size(summits%i)
                if (.not. is_same) cycle
                is_same = summits%i(n) == i .and. summits%j(n) == j &
+                  .and. .not. abs(summits%relief(n) - relief(i, j)) > 0.0_wp &
                   .and. (summits%is_peak(n) .eqv. relief(i, j) >= summits%pruned_below)
             end do
          end do
