@@ -8,37 +8,16 @@ module asperity_program_commands_faces
       new_contact_properties
    use asperity_law_normal_properties, only: new_normal_properties, normal_properties
    use asperity_paper_pairs, only: find_pair, find_surface, pair_preset, surface_preset
-   use asperity_program_input_key, only: given_as_option, name_length, option_name
+   use asperity_program_commands_face_properties, only: critical_slip, eta, face_properties, &
+      face_property, friction_coefficient, hardness, modulus, n_properties, of_surface, &
+      pair_values, radius, sigma, yield_factor
+   use asperity_program_input_key, only: given_as_option, option_name
    use asperity_program_input_key_list, only: key_list
    implicit none
    private
-   public :: faces_type, pair_values
+   public :: faces_type
 
    character(len=*), parameter, public :: default_pair = 'transverse-tangential'
-
-   !> Places of the properties
-   integer, parameter, public :: eta = 1, modulus = 2, radius = 3, hardness = 4, yield_factor = 5, &
-      sigma = 6, friction_coefficient = 7, critical_slip = 8, n_properties = 8
-   !> Those that a map gives
-   integer, parameter, public :: of_surface(3) = [eta, radius, sigma]
-
-   !> What a property is.
-   type :: property_type
-      character(len=name_length) :: name
-      character(len=8) :: unit
-      character(len=64) :: help
-   end type property_type
-
-   type(property_type), parameter :: properties(n_properties) = [ &
-      property_type('eta', '1/mm^2', 'asperity density'), &
-      property_type('modulus', 'MPa', 'equivalent modulus E* of the two faces (Eq. 4)'), &
-      property_type('radius', 'mm', 'summit radius'), &
-      property_type('hardness', 'MPa', 'hardness'), &
-      property_type('yield_factor', '', &
-      'mean contact pressure at first yield over hardness, 0.05 to 1'), &
-      property_type('sigma', 'mm', 'standard deviation of summit heights'), &
-      property_type('friction_coefficient', '', 'Coulomb friction coefficient mu'), &
-      property_type('critical_slip', 'mm', 'largest elastic slip gcrit')]
 
    !> Properties of the faces.
    type :: faces_type
@@ -124,14 +103,14 @@ contains
       type(key_list), intent(inout) :: keys
       !> Properties that are keys
       logical, intent(in) :: is_key(n_properties)
-      type(property_type) :: property
+      type(face_property) :: property
       integer :: i
 
       keys%of_faces = .true.
       self%values = self%usual
       do i = 1, n_properties
          if (.not. is_key(i)) cycle
-         property = properties(i)
+         property = face_properties(i)
          call keys%real(trim(property%name), self%values(i), trim(property%unit), &
             trim(property%help))
          self%keys(i) = keys%last
@@ -169,16 +148,6 @@ contains
       keys%note = 'Pair: '//trim(pair%note)
       self%usual = merge(pair_values(pair), self%usual, is_none(self%usual))
    end subroutine take_pair
-
-   !> The properties that a pair gives.
-   pure function pair_values(pair) result(values)
-      !> The pair
-      type(pair_preset), intent(in) :: pair
-      real(wp) :: values(n_properties)
-
-      values = [pair%eta, pair%modulus, pair%radius, pair%hardness, pair%yield_factor, &
-         pair%sigma, pair%friction_coefficient, pair%critical_slip]
-   end function pair_values
 
    !> Refuse a pair or surface given as an option of which nothing is used.
    pure subroutine check_used(keys, preset, places)
