@@ -38,7 +38,7 @@ module asperity_abaqus_props_and_statev
       !> 0 reversible, 1 elastic: summits remember how flat they were pressed
       enumerator :: prop_unloading
    end enum
-   public :: prop_pi, prop_sigma
+   public :: prop_pi, prop_sigma, prop_accept_unphysical
    !> Length of the longest list
    integer, parameter, public :: n_props = prop_unloading
 

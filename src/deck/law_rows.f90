@@ -18,7 +18,7 @@ module asperity_deck_law_rows
    use asperity_law_compiled_law, only: compiled_law
    use asperity_law_normal_inverse, only: separation_for_pressure
    use asperity_law_normal_law, only: evaluate_normal_law, normal_response
-   use asperity_law_normal_properties, only: normal_properties
+   use asperity_law_normal_properties, only: normal_properties, unloading_elastic
    implicit none
    private
    public :: law_table, new_law_table, stick_slope
@@ -159,6 +159,10 @@ contains
          call fatal_error(error, 'largest_pressure = '//to_text(largest)// &
             ' MPa is not allowed: it must be above smallest_pressure, '//to_text(smallest, 4)// &
             ' MPa', subject='largest_pressure smallest_pressure')
+      else if (normal%unloading == unloading_elastic) then
+         call fatal_error(error, 'unloading = elastic is not allowed with the law as a table: '// &
+            'its rows are one curve, which loading and unloading share; it must be reversible, '// &
+            'or take UINTER for the law with memory', subject='unloading')
       end if
    end subroutine check_arguments
 

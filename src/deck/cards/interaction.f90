@@ -1,8 +1,8 @@
 !> Contact as decks say it: UINTER with its properties, the law as a table, or hard contact, each
 !> for ABAQUS and for CalculiX.
 module asperity_deck_cards_interaction
-   use asperity_abaqus_props_and_statev, only: n_props, n_statev, properties_from_props, &
-      props_from_properties
+   use asperity_abaqus_props_and_statev, only: n_props, n_statev, prop_accept_unphysical, &
+      properties_from_props, props_from_properties
    use asperity_base_error, only: error_type, fatal_error
    use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
@@ -12,6 +12,7 @@ module asperity_deck_cards_interaction
    use asperity_deck_law_rows_text, only: calculix_rows
    use asperity_deck_options, only: deck_choice, for_calculix
    use asperity_law_normal_inverse, only: separation_for_pressure
+   use asperity_law_normal_properties, only: unloading_reversible
    implicit none
    private
    public :: interaction_type, new_interaction, overclosure_for, write_interaction, write_pair
@@ -122,18 +123,26 @@ contains
       real(wp) :: props(n_props)
       type(contact_properties) :: read_back
       type(error_type), allocatable :: refused
-      character(len=:), allocatable :: counts
+      character(len=:), allocatable :: counts, names
       integer :: n
 
       props = props_from_properties(interaction%properties)
-      ! the last one accepts what is unphysical: left out unless UINTER refuses the others without
-      n = n_props - 1
-      call properties_from_props(props(:n), read_back, refused)
-      if (allocated(refused)) n = n_props
+      ! what is unphysical is accepted only where UINTER would refuse it, and what is zero at the
+      ! end is left out
+      props(prop_accept_unphysical) = 0.0_wp
+      call properties_from_props(props, read_back, refused)
+      if (allocated(refused)) props(prop_accept_unphysical) = 1.0_wp
+      names = 'mu, gcrit (mm), eta (1/mm^2), E* (MPa), pi, R (mm), H (MPa), k, sigma (mm), '// &
+         'd0 (mm), friction rule, slip integration'
+      n = n_props
+      if (interaction%properties%normal%unloading == unloading_reversible) then
+         n = prop_accept_unphysical - merge(0, 1, allocated(refused))
+      else
+         names = names//', accept unphysical, unloading'
+      end if
       counts = 'PROPERTIES='//to_text(n)//', DEPVAR='//to_text(n_statev)
-      call deck%comment('UINTER of asperity: mu, gcrit (mm), eta (1/mm^2), E* (MPa), pi, R '// &
-         '(mm), H (MPa), k, sigma (mm), d0 (mm), friction rule, slip integration. Separation '// &
-         'of the mean planes = d0 - overclosure of the mesh faces.')
+      call deck%comment('UINTER of asperity: '//names//'. Separation of the mean planes = d0 - '// &
+         'overclosure of the mesh faces.')
       if (for_calculix(choice)) then
          call deck%line('*SURFACE INTERACTION, NAME='//trim(interaction%name))
          call deck%line('*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=UINTER, '//counts// &

@@ -6,7 +6,8 @@ module asperity_program_commands_faces
    use asperity_base_no_value, only: is_none, none
    use asperity_contact_properties, only: contact_properties, default_initial_separation, &
       new_contact_properties
-   use asperity_law_normal_properties, only: new_normal_properties, normal_properties
+   use asperity_law_normal_properties, only: new_normal_properties, normal_properties, &
+      unloading_elastic, unloading_reversible
    use asperity_paper_pairs, only: find_pair, find_surface, pair_preset, surface_preset
    use asperity_program_commands_face_properties, only: critical_slip, eta, face_properties, &
       face_property, friction_coefficient, hardness, modulus, n_properties, of_surface, &
@@ -27,6 +28,8 @@ module asperity_program_commands_faces
       real(wp) :: values(n_properties) = none, usual(n_properties) = none
       !> Separation at zero overclosure, mm
       real(wp) :: initial_separation = none
+      !> Whether summits remember how flat they were pressed
+      logical :: has_memory = .false.
       !> Options of friction
       type(contact_properties) :: options
       !> Let properties pass that no face has
@@ -37,7 +40,8 @@ module asperity_program_commands_faces
       !> Whether the separation at zero overclosure is given
       logical :: has_separation = .false.
    contains
-      procedure :: declare, declare_values, declare_separation, declare_rules, declare_accept
+      procedure :: declare, declare_values, declare_separation, declare_unloading, declare_rules, &
+         declare_accept
       procedure :: usual_separation, normal, contact, words
    end type faces_type
 
@@ -188,6 +192,17 @@ contains
          usual_separation = default_initial_separation*self%values(sigma)
    end function usual_separation
 
+   !> Declare what the summits do when the faces part.
+   pure subroutine declare_unloading(self, keys)
+      !> The faces
+      class(faces_type), intent(inout) :: self
+      !> The keys
+      type(key_list), intent(inout) :: keys
+
+      call keys%choice('unloading', self%has_memory, 'reversible elastic', &
+         'how summits unload: as they load (the paper), or flattened, with memory')
+   end subroutine declare_unloading
+
    !> Declare the rules of friction.
    pure subroutine declare_rules(self, keys)
       !> The faces
@@ -224,7 +239,8 @@ contains
 
       associate (v => self%values)
          call new_normal_properties(law, v(eta), v(modulus), v(radius), v(hardness), &
-            v(yield_factor), v(sigma), error, self%accept_unphysical)
+            v(yield_factor), v(sigma), error, self%accept_unphysical, &
+            merge(unloading_elastic, unloading_reversible, self%has_memory))
       end associate
    end subroutine normal
 

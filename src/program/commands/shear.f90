@@ -66,6 +66,7 @@ contains
 
       call self%faces%declare(keys, has_friction=.true.)
       call self%faces%declare_separation(keys)
+      call self%faces%declare_unloading(keys)
       call self%faces%declare_rules(keys)
       call self%faces%declare_accept(keys)
       call declare_shear(self%box, self%normal_stress, keys)

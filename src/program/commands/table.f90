@@ -67,6 +67,7 @@ contains
 
       call self%faces%declare(keys, has_friction=.true.)
       call self%faces%declare_separation(keys)
+      call self%faces%declare_unloading(keys)
       call self%faces%declare_accept(keys)
       call keys%real('largest_pressure', self%largest_pressure, 'MPa', &
          'pressure up to which the tolerance holds')

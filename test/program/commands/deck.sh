@@ -76,6 +76,17 @@ check 'deck: UINTER in CalculiX' has shear.uinter.calculix.inp \
 check 'deck: the blank line of UINTER in ABAQUS' sh -c \
    'grep -A1 "^\*SURFACE INTERACTION, NAME=WOOD, USER, PROPERTIES=12, DEPVAR=11, UNSYMM$" shear.uinter.abaqus.inp \
       | tail -n 1 | grep -q "^$"'
+# With memory: UINTER gets PROPS(14), a table cannot unload, and hard contact has nothing to remember
+run deck shear case.nml "${discs[@]}" --unloading elastic --inp memory.inp
+check 'deck: PROPS with memory' sh -c 'grep -q "UINTER, PROPERTIES=14, DEPVAR=11, SEARCH" memory.inp \
+   && grep -q "^0.05, 0.18, 1.0, 1.0, 0.0, 1.0$" memory.inp && tr -d "\n*" <memory.inp | grep -q "accept unphysical, unloading"'
+for model in shear tenon; do
+   refuses "deck $model: a table cannot unload" 2 \
+      '--unloading: unloading = elastic is not allowed with the law as a table' deck $model case.nml \
+      --mesh-size 8 --contact table --unloading elastic --inp never.inp
+done
+run deck shear case.nml "${discs[@]}" --contact hard --unloading elastic --inp hard.inp
+check 'deck: hard contact with memory' cmp <(grep -v '^\*\*' hard.inp) <(grep -v '^\*\*' shear.hard.calculix.inp)
 run table case.nml --largest-pressure 12.14 --calculix law.inc
 for solver in calculix abaqus; do
    check "deck: the rows of asperity table, $solver" sh -c "

@@ -88,6 +88,12 @@ refuses 'table: pressure of an open point' 2 \
    '--largest-pressure: .* must be above smallest_pressure, 2.781E-7' table --largest-pressure 1e-7
 refuses 'table: no range' 2 '--largest-pressure: .* above smallest_pressure, 1.0 MPa' \
    table --largest-pressure 1 --smallest-pressure 1
+refuses 'table: a table cannot unload' 2 \
+   '--unloading: unloading = elastic is not allowed with the law as a table: .* must be reversible, or take UINTER' \
+   table --unloading elastic --abaqus never.inc
+printf "&asperity unloading = 'elastic' /\n" >memory.nml
+refuses 'table: nor can that of a case' 2 'memory.nml:1: unloading = elastic is not allowed with the law' \
+   table memory.nml --csv never.csv
 refuses 'table: no tolerance' 2 '--tolerance: tolerance = 0.0 is not' table --tolerance 0
 refuses 'table: no stick pressure' 2 '--stick-pressure: stick_pressure = 0.0 is not' \
    table --stick-pressure 0

@@ -129,6 +129,7 @@ contains
          law%initial_separation = options%faces%initial_separation
          call own%real('initial_separation', law%initial_separation, 'mm', '')
       end if
+      call law%declare_unloading(own)
       associate (three => route_places(options%route))
          heading(1)%text = 'Written by asperity surface, version '//version// &
             ', for asperity curve, press, shear, tenon and table'

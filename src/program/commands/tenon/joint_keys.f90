@@ -64,6 +64,7 @@ contains
 
       call self%faces%declare(keys, has_friction=.true.)
       call self%faces%declare_separation(keys)
+      call self%faces%declare_unloading(keys)
       call self%faces%declare_rules(keys)
       if (.not. allocated(self%side_pair)) self%side_pair = 'tangential-tangential'
       call keys%text('side_pair', self%side_pair, 'pair of faces of the two sides of the tenon')
