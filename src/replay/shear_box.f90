@@ -3,18 +3,18 @@
 !> closure under load is what the normal law says.
 module asperity_replay_shear_box
    use, intrinsic :: iso_fortran_env, only: int64
-   use asperity_abaqus_props_and_statev, only: state_elastic_slip_1, state_normal_energy, &
-      state_pressure_coupling
+   use asperity_abaqus_props_and_statev, only: state_elastic_slip_1, state_from_statev, &
+      state_normal_energy, state_pressure_coupling
    use asperity_abaqus_uinter_signature, only: uinter_interface
    use asperity_base_error, only: computation_error, error_type, fatal_error
    use asperity_base_kinds, only: wp
    use asperity_base_memory, only: check_work
    use asperity_base_number_text, only: to_text
    use asperity_contact_properties, only: close_pressure_ratio, contact_properties
-   use asperity_law_normal_inverse, only: separation_for_pressure
-   use asperity_law_normal_law, only: evaluate_normal_law, normal_response
+   use asperity_law_normal_law, only: normal_response
    use asperity_replay_abaqus_host, only: accept_increment, host_point, new_host_point, &
       refuse_cut, try_increment
+   use asperity_replay_normal, only: law_at, overclosure_for
    use asperity_replay_shear_settings, only: box_path, check_shear_settings, current_area, &
       default_displacement, overlap_area, shear_settings
    implicit none
@@ -44,6 +44,8 @@ module asperity_replay_shear_box
       real(wp) :: normal_energy = 0.0_wp, tangential_energy = 0.0_wp
       !> Frictional dissipation and pressure coupling since the start, N mm
       real(wp) :: dissipation = 0.0_wp, pressure_coupling = 0.0_wp
+      !> Plastic dissipation since the faces first touched, N mm
+      real(wp) :: plastic_dissipation = 0.0_wp
       !> Shares of the pressure by stage
       real(wp) :: elastic_share = 1.0_wp, elastoplastic_share = 0.0_wp, plastic_share = 0.0_wp
       !> Contact status and validity flags
@@ -112,16 +114,16 @@ contains
       type(contact_properties), intent(in) :: properties
       real(wp), intent(in) :: displacement, dtime
       type(error_type), allocatable, intent(out) :: error
-      real(wp) :: pressure, area, separation, compliance, overclosure, slip, low, high
+      real(wp) :: pressure, area, compliance, overclosure, slip, low, high
       real(wp) :: r(2), j(2, 2), allowed(2), determinant
       integer :: iteration
 
       area = current_area(settings, displacement)
       pressure = settings%normal_stress*overlap_area(settings%diameter, 0.0_wp)/area
       compliance = settings%shear_compliance*area
-      call separation_for_pressure(properties%normal, pressure, separation, error)
+      call overclosure_for(properties, state_from_statev(point%start%statev), pressure, &
+         overclosure, error)
       if (allocated(error)) return
-      overclosure = properties%initial_separation - separation
       low = displacement - 1.01_wp*compliance*properties%friction_coefficient*pressure
       high = displacement + 1.01_wp*compliance*properties%friction_coefficient*pressure
       slip = min(max(displacement - compliance*point%start%stress(2), low), high)
@@ -178,9 +180,10 @@ contains
          step%normal_energy = step%overlap_area*trial%statev(state_normal_energy)
          step%tangential_energy = step%overlap_area*0.5_wp*trial%stress(2) &
             *trial%statev(state_elastic_slip_1)
+         step%plastic_dissipation = step%overlap_area*trial%spd
          step%status = trial%lstate
       end associate
-      normal = evaluate_normal_law(properties%normal, step%separation)
+      normal = law_at(properties, state_from_statev(point%trial%statev))
       step%area_fraction = normal%area_fraction
       step%elastic_share = normal%elastic_share
       step%elastoplastic_share = normal%elastoplastic_share
@@ -198,6 +201,7 @@ contains
       step%pressure_coupling = last%pressure_coupling + step%overlap_area &
          *(point%trial%statev(state_pressure_coupling) - &
          point%start%statev(state_pressure_coupling))
+      step%plastic_dissipation = last%plastic_dissipation + step%plastic_dissipation
    end subroutine add_energies
 
 end module asperity_replay_shear_box

@@ -89,11 +89,11 @@ numbers_are_proper() {
       END { exit bad }' "$1"
 }
 
-# json_column FILE NAME: values of a column of the data of a JSON file, one per line
+# json_column FILE NAME: values of a column of the data of a JSON file, one per line, none for null
 json_column() {
    awk -v name="\"$2\": [" '/^"data"/ { data = 1 }
       data && index($0, name) == 1 { sub(/^[^[]*\[/, ""); sub(/\],?$/, ""); print }' "$1" \
-      | tr ',' '\n' | tr -d ' "'
+      | tr ',' '\n' | tr -d ' "' | sed 's/^null$//'
 }
 
 # csv_column FILE NAME

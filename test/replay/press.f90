@@ -2,7 +2,8 @@
 module test_replay_press
    use asperity, only: contact_properties, error_type, evaluate_normal_law, normal_response, &
       rule_abaqus, wp
-   use asperity_replay_press, only: press_settings, press_step, run_press
+   use asperity_replay_press, only: default_peak, press_loop, press_settings, press_step, &
+      run_press
    use contact_cases, only: pair_properties
    use funit, only: anyExceptions, assertEqual, assertFalse, assertLessThan, assertTrue, &
       TestMethod, TestSuite
@@ -29,6 +30,7 @@ contains
       type(contact_properties) :: p
       type(press_settings) :: settings
       type(press_step), allocatable :: steps(:)
+      type(press_loop), allocatable :: loops(:)
       type(error_type), allocatable :: error
       type(normal_response) :: law
       integer :: i, n
@@ -37,11 +39,11 @@ contains
       n = 20
       settings%increments = n
       settings%step_time = 2.0_wp
-      call run_press(settings, p, steps, error)
+      call run_press(settings, p, steps, loops, error)
       call assertFalse(allocated(error), 'runs')
       call assertEqual(2*n + 1, size(steps), 'steps')
       do i = 1, n - 1
-         call assertEqual(4.7_wp*i/n, steps(1 + i)%pressure, 1.0e-11_wp, 'pressure')
+         call assertEqual(default_peak*i/n, steps(1 + i)%pressure, 1.0e-11_wp, 'pressure')
          call assertEqual(0.1_wp*i, steps(1 + i)%time, 1.0e-13_wp, 'time')
          call assertEqual(steps(1 + i)%overclosure, steps(2*n + 1 - i)%overclosure, 1.0e-14_wp, &
             'reversible')
@@ -66,12 +68,13 @@ contains
       type(contact_properties) :: p
       type(press_settings) :: settings
       type(press_step), allocatable :: steps(:)
+      type(press_loop), allocatable :: loops(:)
       type(error_type), allocatable :: error
       integer :: i
 
       p = pair_properties(rule_abaqus, pair='tangential-tangential')
-      settings = press_settings('overclosure', 0.1_wp, 10, 1.0_wp)
-      call run_press(settings, p, steps, error)
+      settings = press_settings('overclosure', [0.1_wp], 10, 1.0_wp)
+      call run_press(settings, p, steps, loops, error)
       call assertFalse(allocated(error), 'runs')
       do i = 0, 20
          call assertEqual(0.1_wp - 0.01_wp*abs(10 - i), steps(i + 1)%overclosure, 1.0e-15_wp, &
@@ -83,10 +86,11 @@ contains
    subroutine test_stages()
       type(press_settings) :: settings
       type(press_step), allocatable :: steps(:)
+      type(press_loop), allocatable :: loops(:)
       type(error_type), allocatable :: error
       integer :: i
 
-      call run_press(settings, pair_properties(), steps, error)
+      call run_press(settings, pair_properties(), steps, loops, error)
       do i = 3, 51
          call assertTrue(steps(i)%plastic_share > steps(i - 1)%plastic_share, 'plastic grows')
          call assertLessThan(steps(i)%elastic_share, 1.0e-3_wp, 'elastic is below 0.1 %')
@@ -95,16 +99,21 @@ contains
    end subroutine test_stages
 
    subroutine test_refused()
+      type(press_settings) :: without
+
+      allocate (without%peak(0))
+      call expect(without, 'peak is empty')
       call expect(press_settings(control='force'), 'control = ''force''')
-      call expect(press_settings(peak=-1.0_wp), 'peak = -1.0')
+      call expect(press_settings(peak=[-1.0_wp]), 'peak = -1.0')
+      call expect(press_settings(peak=[1.0_wp, 0.0_wp]), 'peak = 0.0')
       call expect(press_settings(increments=0), 'increments = 0')
       call expect(press_settings(increments=2000000), 'increments = 2000000')
       call expect(press_settings(step_time=0.0_wp), 'step_time = 0.0')
-      call expect(press_settings('overclosure', 1.0e15_wp, 1, accept_sizes=.true.), &
+      call expect(press_settings('overclosure', [1.0e15_wp], 1, accept_sizes=.true.), &
          'UINTER cannot compute')
-      call expect(press_settings('overclosure', 140.0_wp), 'peak = 140.0 mm is outside')
-      call expect(press_settings('overclosure', 1.4e-4_wp), 'peak = 0.00014 mm is outside')
-      call expect(press_settings(peak=4.7e6_wp), 'peak = 4700000.0 MPa is outside')
+      call expect(press_settings('overclosure', [140.0_wp]), 'peak = 140.0 mm is outside')
+      call expect(press_settings('overclosure', [1.4e-4_wp]), 'peak = 0.00014 mm is outside')
+      call expect(press_settings(peak=[4.7e6_wp]), 'peak = 4700000.0 MPa is outside')
    end subroutine test_refused
 
    !> A peak is from 5e-4 to 10 of the hardness, or from 0.013 sigma to 8 sigma past the datum.
@@ -124,19 +133,20 @@ contains
          character(len=*), intent(in) :: control
          real(wp), intent(in) :: limit, side
 
-         call assertFalse(is_outside(press_settings(control, limit, 1)), control//' at its limit')
-         call assertTrue(is_outside(press_settings(control, nearest(limit, side), 1)), &
+         call assertFalse(is_outside(press_settings(control, [limit], 1)), control//' at its limit')
+         call assertTrue(is_outside(press_settings(control, [nearest(limit, side)], 1)), &
             control//' beyond its limit')
-         call assertFalse(is_outside(press_settings(control, nearest(limit, side), 1, &
+         call assertFalse(is_outside(press_settings(control, [nearest(limit, side)], 1, &
             accept_sizes=.true.)), control//' accepted')
       end subroutine check
 
       logical function is_outside(settings)
          type(press_settings), intent(in) :: settings
          type(press_step), allocatable :: steps(:)
+         type(press_loop), allocatable :: loops(:)
          type(error_type), allocatable :: error
 
-         call run_press(settings, p, steps, error)
+         call run_press(settings, p, steps, loops, error)
          is_outside = allocated(error)
          if (is_outside) is_outside = index(error%message, ' is outside ') > 0
       end function is_outside
@@ -146,9 +156,10 @@ contains
       type(press_settings), intent(in) :: settings
       character(len=*), intent(in) :: text
       type(press_step), allocatable :: steps(:)
+      type(press_loop), allocatable :: loops(:)
       type(error_type), allocatable :: error
 
-      call run_press(settings, pair_properties(), steps, error)
+      call run_press(settings, pair_properties(), steps, loops, error)
       call assertTrue(allocated(error), text)
       if (.not. allocated(error)) return
       call assertEqual(1, index(error%message, text), error%message)

@@ -7,6 +7,7 @@ module asperity_program_commands_curve
    use asperity_base_number_text, only: to_text
    use asperity_contact_properties, only: contact_properties
    use asperity_law_normal_law, only: evaluate_normal_law, normal_response
+   use asperity_law_unloading_law, only: evaluate_unloading_law
    use asperity_program_commands_command, only: command_type
    use asperity_program_commands_face_properties, only: sigma
    use asperity_program_commands_faces, only: faces_type
@@ -26,6 +27,8 @@ module asperity_program_commands_curve
       type(faces_type) :: faces
       !> Separations, mm
       real(wp), allocatable :: separation(:)
+      !> Closest separation before, mm; not allocated for faces that have not touched yet
+      real(wp), allocatable :: closest_separation
       !> Checked properties of the faces
       type(contact_properties) :: properties
    contains
@@ -69,6 +72,8 @@ contains
       call keys%list('separation', self%separation, 'mm', &
          'separations, also from:to:count as an option; 4 sigma to 0 unless given')
       call keys%follows(self%faces%keys(sigma), '4 sigma to 0')
+      call keys%optional_real('closest_separation', self%closest_separation, 'mm', &
+         'separation that the faces part from, of unloading = elastic; closer is first loading')
       call self%declare_outputs(keys, has_picture=.true.)
       call self%declare_requests(keys)
    end subroutine declare
@@ -87,6 +92,16 @@ contains
       if (i > 0) call fatal_error(error, 'separation = '//to_text(self%separation(i))// &
          ' mm is not allowed: it must be below '//to_text(farthest)//' sigma in size', &
          subject='separation')
+      if (allocated(error) .or. .not. allocated(self%closest_separation)) return
+      if (.not. self%faces%has_memory) then
+         call fatal_error(error, 'closest_separation = '//to_text(self%closest_separation)// &
+            ' mm is for unloading = elastic alone: the reversible law remembers nothing', &
+            subject='closest_separation')
+      else if (abs(self%closest_separation)/self%properties%normal%sigma > farthest) then
+         call fatal_error(error, 'closest_separation = '//to_text(self%closest_separation)// &
+            ' mm is not allowed: it must be below '//to_text(farthest)//' sigma in size', &
+            subject='closest_separation')
+      end if
    end subroutine check
 
    !> Evaluate the law. `error` is set when a result is out of the range of numbers.
@@ -109,11 +124,11 @@ contains
       do i = 1, n, chunk
          call progress%show(i - 1, n, 'separations')
          last = min(i + chunk - 1, n)
-         r(i:last) = evaluate_normal_law(self%properties%normal, self%separation(i:last))
+         r(i:last) = response_at(self, self%separation(i:last))
       end do
       call progress%finish()
 
-      report%table = new_table(columns=11, rows=n)
+      report%table = new_table(columns=11 + merge(1, 0, self%faces%has_memory), rows=n)
       ! Parentheses make the copies that gfortran makes anyway, and would warn of when checking
       associate (table => report%table)
          call table%add_numbers('separation', 'mm', self%separation)
@@ -124,6 +139,8 @@ contains
          call table%add_numbers('area_fraction', '-', (r%area_fraction))
          call table%add_numbers('contact_density', '1/mm^2', (r%contact_density))
          call table%add_numbers('energy', 'N/mm', (r%energy))
+         if (self%faces%has_memory) &
+            call table%add_numbers('plastic_dissipation', 'N/mm', (r%plastic_dissipation))
          call table%add_numbers('elastic_share', '-', (r%elastic_share))
          call table%add_numbers('elastoplastic_share', '-', (r%elastoplastic_share))
          call table%add_numbers('plastic_share', '-', (r%plastic_share))
@@ -135,5 +152,21 @@ contains
       report%important = turning_points(self%separation)
       if (.not. allocated(error) .and. report%is_drawn()) call draw_curve(report)
    end subroutine run
+
+   !> The law at a separation, with memory or without.
+   pure elemental function response_at(self, separation) result(response)
+      type(curve_command), intent(in) :: self
+      real(wp), intent(in) :: separation
+      type(normal_response) :: response
+      real(wp) :: closest
+
+      closest = separation
+      if (allocated(self%closest_separation)) closest = min(separation, self%closest_separation)
+      if (self%faces%has_memory) then
+         response = evaluate_unloading_law(self%properties%normal, closest, separation - closest)
+      else
+         response = evaluate_normal_law(self%properties%normal, separation)
+      end if
+   end function response_at
 
 end module asperity_program_commands_curve

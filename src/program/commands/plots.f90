@@ -44,11 +44,11 @@ contains
    end subroutine draw_curve
 
    !> Normal stress against step time, with the stages that carry it (the paper's Fig. 17), and
-   !> the overclosure.
+   !> the overclosure; with memory the loops of stress against overclosure instead.
    pure subroutine draw_press(report)
       !> Its picture is set
       type(report_type), intent(inout) :: report
-      type(panel_type) :: stress, closure
+      type(panel_type) :: stress, closure, loops
       integer, allocatable :: rows(:)
 
       allocate (rows, source=rows_of(report, 1))
@@ -65,7 +65,15 @@ contains
          call stress%add(time, p, 'normal stress', black)
          call closure%add(time, column(report, 'overclosure', rows), '', blue)
       end associate
-      call set_picture(report, 'Press and release', [stress, closure])
+      if (report%table%find('plastic_dissipation') > 0) then
+         loops = panel_type('overclosure (mm)', 'normal stress (MPa)')
+         loops%y%low = 0.0_wp
+         call loops%add(column(report, 'overclosure', rows), column(report, 'pressure', rows), '', &
+            black)
+         call set_picture(report, 'Press and release', [loops, stress])
+      else
+         call set_picture(report, 'Press and release', [stress, closure])
+      end if
    end subroutine draw_press
 
    !> Shear stress, and closure, against displacement for all normal stresses (Fig. 18).

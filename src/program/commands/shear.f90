@@ -115,7 +115,7 @@ contains
       rows = sum([(size(runs(i)%steps), i=1, size(runs))])
       call check_work(to_text(rows)//' increments', bytes_of_row*rows, error)
       if (allocated(error)) return
-      call join_runs(self%normal_stress, runs, report)
+      call join_runs(self, runs, report)
       call report%table%check_finite(error)
       if (allocated(error)) return
       report%summary = summary_of(self, runs)
@@ -124,12 +124,14 @@ contains
          'overclosure', 'separation_over_sigma', 'normal_stress', 'shear_force', &
          'shear_stress_nominal', 'shear_stress', 'area_fraction', 'dissipation', 'status', &
          'validity']
+      if (self%faces%has_memory) report%shown_columns = [report%shown_columns, &
+         [character(len=24) :: 'plastic_dissipation']]
       if (report%is_drawn()) call draw_shear(report, self%properties)
    end subroutine run
 
    !> One table of all runs, each row led by the normal stress of its run.
-   pure subroutine join_runs(normal_stress, runs, report)
-      real(wp), intent(in) :: normal_stress(:)
+   pure subroutine join_runs(self, runs, report)
+      type(shear_command), intent(in) :: self
       type(history_type), intent(in) :: runs(:)
       type(report_type), intent(inout) :: report
       type(shear_step), allocatable :: s(:)
@@ -146,12 +148,13 @@ contains
       do i = 1, size(runs)
          associate (first => report%first_rows(i), last => report%first_rows(i + 1) - 1)
             s(first:last) = runs(i)%steps
-            nominal(first:last) = normal_stress(i)
+            nominal(first:last) = self%normal_stress(i)
             report%important(first:last) = turning_points((s(first:last)%displacement))
          end associate
       end do
 
-      report%table = new_table(columns=22, rows=size(s), leading=2)
+      report%table = new_table(columns=22 + merge(1, 0, self%faces%has_memory), &
+         rows=size(s), leading=2)
       ! Parentheses make the copies that gfortran makes anyway, and would warn of when checking
       associate (table => report%table)
          call table%add_numbers('normal_stress_nominal', 'MPa', nominal)
@@ -170,6 +173,8 @@ contains
          call table%add_numbers('normal_energy', 'J', joule*s%normal_energy)
          call table%add_numbers('tangential_energy', 'J', joule*s%tangential_energy)
          call table%add_numbers('dissipation', 'J', joule*s%dissipation)
+         if (self%faces%has_memory) call table%add_numbers('plastic_dissipation', 'J', &
+            joule*s%plastic_dissipation)
          call table%add_numbers('pressure_coupling', 'J', joule*s%pressure_coupling)
          call table%add_numbers('elastic_share', '-', (s%elastic_share))
          call table%add_numbers('elastoplastic_share', '-', (s%elastoplastic_share))
@@ -202,7 +207,7 @@ contains
          turned%status == status_slip)
       plateau = merge(abs(turned%shear_stress), none, turned%status == status_slip)
 
-      table = new_table(columns=8, rows=size(runs))
+      table = new_table(columns=8 + merge(1, 0, self%faces%has_memory), rows=size(runs))
       call table%add_numbers('normal_stress_nominal', 'MPa', self%normal_stress)
       call table%add_numbers('overclosure', 'mm', (seated%overclosure))
       call table%add_numbers('separation_over_sigma', '-', (seated%separation_over_sigma))
@@ -212,6 +217,8 @@ contains
          self%properties%friction_coefficient*self%normal_stress)
       call table%add_numbers('plateau', 'MPa', plateau)
       call table%add_numbers('dissipation', 'J', joule*last%dissipation)
+      if (self%faces%has_memory) call table%add_numbers('plastic_dissipation', 'J', &
+         joule*last%plastic_dissipation)
    end function summary_of
 
    !> Step at which the box first turns or ends.

@@ -121,3 +121,56 @@ run curve --separation 0.2
 check 'valid results are said to be so' has out 'no limit of the law is passed'
 run curve --eta 2.06e-4 --accept-unphysical --separation 0.2
 check 'unphysical roughness accepted and said' has out 'no isotropic Gaussian surface has it'
+
+# The law with memory: first loading is the curve without it, what that stores is recoverable or lost
+memory=(--unloading elastic)
+run curve "${memory[@]}" --csv m.csv --json m.json
+check 'memory' is_quiet
+check 'memory: columns' test "$(columns m.csv)" = "${header/energy,/energy,plastic_dissipation,}"
+check 'memory: the properties tell it' has m.json '"unloading": "elastic"'
+check 'memory: 17 figures' numbers_are_proper m.csv
+check 'memory: JSON holds the same figures' same_csv_and_json m.csv m.json
+paste -d, <(cut -d, -f1-6 default.csv) <(cut -d, -f1-6 m.csv) >both
+check 'memory: first loading is the law' awk -F, 'NR > 1 { for (i = 1; i <= 6; i++) if ($i != $(i + 6)) { print; exit 1 } }' both
+paste -d, <(csv_column default.csv energy) <(csv_column m.csv energy) <(csv_column m.csv plastic_dissipation) >both
+# 1e-12, as promised for the law
+check 'memory: work is stored or dissipated' awk -F, '{ e = ($2 + $3)/$1 - 1; if (e*e > 1e-24) { print; exit 1 } }' both
+# The way back from 0.1 mm, and closer than that
+run curve "${memory[@]}" --closest-separation 0.1 --separation 0.09,0.1,0.100001,0.11,0.12,0.13 --csv m.csv
+run curve --separation 0.09,0.1,0.100001,0.11,0.12,0.13 --csv c.csv
+paste -d, <(csv_column c.csv pressure) <(csv_column m.csv pressure) <(csv_column m.csv plastic_dissipation) >both
+check 'memory: the law down to the closest separation, below it on the way back' awk -F, '
+   { d[NR] = $3; if (NR <= 2 ? $1 != $2 : !($2 < $1*(1 - 1e-6))) { print NR ": " $0; exit 1 } }
+   END { for (i = 3; i <= 6; i++) if (d[i] != d[2]) exit 1; exit !(d[1] > d[2] && d[2] > 0) }' both
+# 25-digit values through options and CSV. 1e-9: a separation is a retraction with a rounding of
+# the closest one, which moves far pressures by as much. Without retraction the stiffness is that
+# of closing, which the reference does not have
+: >found
+tail -n +2 "$root/test/data/unloading_reference.csv" >reference
+while IFS=, read -r pair eta modulus radius hardness k sigma closest retraction rest; do
+   run curve "${memory[@]}" --sigma "$sigma" --eta "$eta" --modulus "$modulus" --radius "$radius" \
+      --hardness "$hardness" --yield-factor "$k" --accept-unphysical --closest-separation "$closest" \
+      --separation "$(awk -v a="$closest" -v b="$retraction" 'BEGIN { printf "%.17g", a + b }')" --csv c.csv
+   tail -n 1 c.csv | cut -d, -f3-7 >>found
+done <reference
+cut -d, -f9-14 reference | paste -d, found - >both
+check 'memory: 60 reference values' awk -F, '
+   { for (i = 1; i <= 5; i++) if (i != 2 || $6 > 0) {
+      n++; e = $i/$(i + 6) - 1; if (e < 0) e = -e; if (e > worst) worst = e } }
+   END { print NR, n, worst; exit !(NR == 60 && n > 280 && worst < 1e-9) }' both
+refuses 'closest separation of the reversible law' 2 \
+   '--closest-separation: closest_separation = 0.1 mm is for unloading = elastic alone' \
+   curve --closest-separation 0.1
+refuses 'closest separation far off' 2 '--closest-separation: closest_separation = 1.0E200 mm is not' \
+   curve "${memory[@]}" --closest-separation 1e200
+refuses 'closest separation that is no number' 2 "--closest-separation: .* 'x' is not a finite number" \
+   curve "${memory[@]}" --closest-separation x
+refuses 'unknown unloading' 2 \
+   "--unloading: unloading = 'plastic' is unknown; known: reversible, elastic" curve --unloading plastic
+refuses 'elastic unloading below its yield factor' 2 \
+   '--yield-factor: yield_factor = 0.19 is not allowed with elastic unloading: it must be 0.1907' \
+   curve "${memory[@]}" --yield-factor 0.19
+run curve "${memory[@]}" --yield-factor 0.191 --csv m.csv
+check 'memory: just above it' test "$status" -eq 0
+refuses 'closest separation is of curve' 2 '--closest-separation: is an option of curve' \
+   press "${memory[@]}" --closest-separation 0.1

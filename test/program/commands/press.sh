@@ -61,3 +61,35 @@ run press --control overclosure --peak 1.4e-4 --accept-sizes
 check 'press: a peak that is accepted' is_quiet
 refuses 'negative peak' 2 '--peak: peak = -1.0 is not allowed' press --peak -1
 refuses 'no step time' 2 '--step-time: step_time = 0.0 is not allowed' press --step-time 0
+
+# With memory: loops of pressure over closure
+run press --unloading elastic --peak 2,4.7,3 --increments 20 --csv p.csv --json p.json
+check 'press, memory' is_quiet
+check 'press, memory: columns' test "$(columns p.csv)" = \
+   "${header/energy,/energy,plastic_dissipation,closest_separation,residual_closure,cycle_loss,}"
+check 'press, memory: JSON holds the same figures' same_csv_and_json p.csv p.json
+summary() { sed -n '/^"summary"/,/^}/p' p.json | sed -n "s/^\"$1\": \[\(.*\)\].*/\1/p" | tr -d ' '; }
+check 'press, memory: start and three times two ramps' test "$(rows p.csv)" -eq 121
+check 'press, memory: a row a loop ends with residual and loss' csv p.csv '
+   if ((NR == 42 || NR == 82 || NR == 122) != (c["cycle_loss"] != "" && c["residual_closure"] != "")) fail(NR)
+   if (NR > 2 && c["plastic_dissipation"] < before["plastic_dissipation"]) fail("falls")'
+check 'press, memory: they are those of the summary' test \
+   "$(csv_column p.csv cycle_loss | grep . | paste -sd,)" = "$(summary cycle_loss)" -a \
+   "$(csv_column p.csv residual_closure | grep . | paste -sd,)" = "$(summary residual_closure)"
+check 'press, memory: no loss below the peak before' test "$(summary cycle_loss | cut -d, -f3)" = 0.0000000000000000E+000
+# What the loops lose is dissipated, but for what is stored at the opening pressure
+check 'press, memory: the losses are the dissipation' near \
+   "$(summary cycle_loss | awk -F, '{ print $1 + $2 + $3 }')" \
+   "$(csv_column p.csv plastic_dissipation | tail -n 1)" 1e-7
+check 'press, memory: the table says so' has out 'residual'
+run press --peak 2,4.7 --increments 20 --json p.json --csv p.csv
+check 'press: the reversible law loses nothing' test "$(summary cycle_loss)" = \
+   0.0000000000000000E+000,0.0000000000000000E+000
+check 'press: nor does it remember' test "$(columns p.csv)" = "$header"
+run press --unloading elastic --control overclosure --peak 0.12,0.15 --csv p.csv
+check 'press, memory: by overclosure' is_quiet
+check 'press, memory: it parts on the way back' csv p.csv \
+   'if (NR == 102 && (c["pressure"] > 1e-100 || c["status"] != "open")) fail(c["pressure"])'
+refuses 'one of several peaks' 2 '--peak: peak = 0.0 is not allowed' press --peak 1,0
+refuses 'peaks that are no numbers' 2 "--peak: .* 'x' is not a finite number" press --peak 1,x
+refuses 'unloading of no kind' 2 "--unloading: unloading = 'yes' is unknown" press --unloading yes

@@ -108,3 +108,21 @@ asperities overlap, pressure is too high (6 of 6 rows, the first is row 1)"
 run press --peak 25 --csv -
 check 'press: limits are told by rows' test "$(grep -c 'rows, the first is row' err)" -eq "$(wc -l <err)" \
    -a "$(wc -l <err)" -eq 2
+
+# With memory: the weight fixes pressure and shear, so that only the closure on the way back differs
+path=(--displacement 3,-3,3 --displacement-increment 0.5 --normal-stress 0.2)
+run shear "${path[@]}" --csv s.csv
+run shear "${path[@]}" --unloading elastic --csv m.csv --json m.json
+check 'shear, memory' is_quiet
+check 'shear, memory: columns' test "$(columns m.csv)" = \
+   "${header/dissipation,pressure_coupling/dissipation,plastic_dissipation,pressure_coupling}"
+check 'shear, memory: JSON holds the same figures' same_csv_and_json m.csv m.json
+paste -d, <(csv_column s.csv shear_stress) <(csv_column m.csv shear_stress) \
+   <(csv_column s.csv overclosure) <(csv_column m.csv overclosure) >both
+check 'shear, memory: the same shear, closer on the way back' awk -F, '
+   { if (($1 - $2)^2 > 1e-18) { print "shear " $0; exit 1 } if ($4 < $3 - 1e-12) { print $0; exit 1 }
+     closer += $4 > $3 + 1e-5 } END { print closer; exit !(closer > 15) }' both
+check 'shear, memory: dissipates to its first peak' csv m.csv '
+   if (NR > 2 && (c["plastic_dissipation"] > before["plastic_dissipation"]) != (NR <= 8)) fail("row")'
+refuses 'shear: unloading of no kind' 2 "--unloading: unloading = 'plastic' is unknown" \
+   shear --unloading plastic
