@@ -22,7 +22,7 @@ module asperity_contact_point
       plastic_dissipation, unloading_stiffness
    implicit none
    private
-   public :: update_contact_point, contact_tangent, contact_pressure
+   public :: update_contact_point, contact_tangent, contact_pressure, find_normal
 
 contains
 
@@ -114,9 +114,13 @@ contains
    !> The normal law at an overclosure, in the way the properties choose. With memory the plastic
    !> dissipation is that since first touch, and zero while the point is not closer than ever.
    pure subroutine find_normal(properties, start, overclosure, normal)
+      !> Checked properties
       type(contact_properties), intent(in) :: properties
+      !> State at the start of the increment
       type(contact_state), intent(in) :: start
+      !> Overclosure at its end, mm
       real(wp), intent(in) :: overclosure
+      !> Pressure, stiffness, energy, plastic dissipation, validity
       type(normal_response), intent(out) :: normal
 
       associate (separation => properties%initial_separation - overclosure)

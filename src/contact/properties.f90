@@ -16,7 +16,7 @@ module asperity_contact_properties
    use asperity_paper_pairs, only: pair_preset
    implicit none
    private
-   public :: contact_properties, new_contact_properties
+   public :: contact_properties, new_contact_properties, compile_normal_law
 
    !> What happens to the elastic slip when the pressure changes
    enum, bind(c)
@@ -138,15 +138,26 @@ contains
             ' is unknown: 1 is exact, 2 is backward_euler', subject='slip_integration')
       end if
       if (allocated(error) .or. .not. present(compiled)) return
-      if (.not. compiled) return
-      if (normal%unloading == unloading_elastic) then
+      if (compiled) call compile_normal_law(properties, error)
+   end subroutine from_normal
+
+   !> Compile the normal law, unless it is. `error` is set when the properties were never built.
+   pure subroutine compile_normal_law(properties, error)
+      !> The properties
+      type(contact_properties), intent(inout) :: properties
+      !> Set on failure
+      type(error_type), allocatable, intent(out) :: error
+
+      if (properties%normal%unloading == unloading_elastic) then
+         if (allocated(properties%compiled_unloading)) return
          allocate (properties%compiled_unloading)
          call new_compiled_unloading_law(properties%compiled_unloading, properties%normal, error)
       else
+         if (allocated(properties%compiled)) return
          allocate (properties%compiled)
          call new_compiled_law(properties%compiled, properties%normal, error)
       end if
-   end subroutine from_normal
+   end subroutine compile_normal_law
 
    !> The same of a pair of the paper, with its friction.
    pure subroutine from_pair(properties, pair, error, initial_separation, friction_rule, &

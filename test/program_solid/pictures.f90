@@ -173,7 +173,7 @@ contains
       ! pictures are asked for
       report%keys%rows(1)%kind = kind_picture
       report%keys%rows(1)%given = given_as_option
-      call fill_report(report, outcomes, .true., error)
+      call fill_report(report, outcomes, .false., .true., error)
       call assertFalse(allocated(error))
       call assertTrue(report%has_contact)
       call assertEqual(report%table%rows + 1, report%first_rows(size(outcomes) + 1))

@@ -133,7 +133,7 @@ contains
 
       call make_both(outcomes)
       n = size(outcomes(hard)%records)
-      table = increments_table(outcomes)
+      table = increments_table(outcomes, has_memory=.false.)
       call assertEqual(2*n, table%rows)
       call assertEqual(size(table%columns), table%set)
       call assertEqual('rough', table%columns(1)%cell(n + 1))
@@ -157,7 +157,7 @@ contains
 
       call make_both(outcomes)
       n = real(size(outcomes(hard)%records), wp)
-      table = totals_table(outcomes)
+      table = totals_table(outcomes, has_memory=.false.)
       call assertEqual(size(table%columns), table%set)
       call assertEqual(2.0_wp*n, value(table, 'work_of_load', 1), 0.0_wp)
       call assertEqual(share*n, value(table, 'friction_dissipation', 2), round_off)

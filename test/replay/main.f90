@@ -3,6 +3,7 @@ program test_replay
    use funit, only: TestSuite
    use run_suites, only: run_suite
    use test_replay_abaqus_host, only: suite_replay_host
+   use test_replay_memory, only: suite_memory
    use test_replay_press, only: suite_press
    use test_replay_shear_box, only: suite_shear_box
    use test_replay_sizes, only: suite_sizes
@@ -20,6 +21,7 @@ program test_replay
    call suite%addTest(suite_press())
    call suite%addTest(suite_shear_box())
    call suite%addTest(suite_sizes())
+   call suite%addTest(suite_memory())
    call suite%addTest(suite_tenon_forms())
    call suite%addTest(suite_tenon_laws())
    call suite%addTest(suite_tenon_energy())

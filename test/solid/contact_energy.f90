@@ -2,6 +2,7 @@
 module test_solid_contact_energy
    use, intrinsic :: iso_fortran_env, only: int64
    use asperity, only: error_type, wp
+   use asperity_law_normal_properties, only: unloading_elastic
    use asperity_law_quadrature_gauss_legendre, only: n_points, nodes, weights
    use asperity_solid_contact_law, only: solid_law
    use asperity_solid_contact_pair, only: begin_increment
@@ -27,6 +28,7 @@ contains
       suite = TestSuite('contact energy')
       call suite%addTest(TestMethod('without friction no work is lost', test_conservative))
       call suite%addTest(TestMethod('energies add up to the work', test_ledger))
+      call suite%addTest(TestMethod('energies add up to the work with memory', test_memory))
    end function suite_contact_energy
 
    !> Within an increment the forces have a potential, the stored energy: the work of a straight way
@@ -111,10 +113,29 @@ contains
       end do
    end subroutine test_ledger
 
-   subroutine follow(law, steps, difference, work, edge)
+   !> The same of summits that remember, which dissipate more than the difference by far.
+   subroutine test_memory()
+      type(rough_law) :: law
+      real(wp) :: difference(3), work, edge, plastic
+      integer :: i
+
+      law%properties = pair_properties()
+      law%properties%normal%unloading = unloading_elastic
+      law%properties%friction_coefficient = 0.0_wp
+      do i = 1, 3
+         call follow(law, 50*2**i, difference(i), work, edge, plastic)
+      end do
+      call record('solid.contact.energy_difference.memory', difference(3)/work)
+      call record('solid.contact.energy_plastic.memory', plastic/work)
+      call assertLessThan(abs(difference(3)), abs(difference(1))/8.0_wp, 'falls')
+      call assertLessThan(1.0e3_wp*abs(difference(3)), plastic, 'the ledger of summits matters')
+   end subroutine test_memory
+
+   subroutine follow(law, steps, difference, work, edge, plastic)
       class(solid_law), intent(in) :: law
       integer, intent(in) :: steps
       real(wp), intent(out) :: difference, work, edge
+      real(wp), intent(out), optional :: plastic
       type(blocks) :: b
       type(motion) :: m
       integer :: i
@@ -126,9 +147,11 @@ contains
          call advance(m, winding_path(b, 0.9_wp*i/steps))
       end do
       associate (e => m%pair%energy)
-         difference = m%work - (e%normal + e%tangential + e%dissipation - e%coupling + e%edge)
+         difference = m%work - (e%normal + e%tangential + e%dissipation + e%plastic &
+            - e%coupling + e%edge)
          work = m%work
          edge = e%edge
+         if (present(plastic)) plastic = e%plastic
       end associate
    end subroutine follow
 

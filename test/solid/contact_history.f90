@@ -1,6 +1,7 @@
 !> Contact goes on from a checkpoint, and through UINTER.
 module test_solid_contact_history
    use asperity, only: error_type, wp
+   use asperity_law_normal_properties, only: unloading_elastic
    use asperity_solid_contact_history, only: history_size, pack_facets, pack_history, &
       unpack_facets, unpack_history
    use asperity_solid_contact_pair, only: begin_increment, forget_pattern
@@ -28,7 +29,7 @@ contains
       call suite%addTest(TestMethod('the same through UINTER', test_uinter))
    end function suite_contact_history
 
-   !> A pair that goes on, and one that is built anew from its numbers.
+   !> A pair that goes on, and one that is built anew from its numbers; its summits remember.
    subroutine test_history()
       type(rough_law) :: law
       type(motion) :: first, second
@@ -36,6 +37,7 @@ contains
       integer :: i
 
       law%properties = pair_properties()
+      law%properties%normal%unloading = unloading_elastic
       b = new_blocks([3, 3], [0.0_wp, 0.0_wp], [60.0_wp, 60.0_wp], [4, 5], [-31.0_wp, -10.0_wp], &
          [50.0_wp, 70.0_wp], 0.02_wp)
       call new_motion(first, b, law)
@@ -134,6 +136,7 @@ contains
       integer :: i
 
       law%properties = pair_properties()
+      law%properties%normal%unloading = unloading_elastic
       call new_uinter_law(through, law%properties)
       b = new_blocks([2, 2], [0.0_wp, 0.0_wp], [60.0_wp, 60.0_wp], [4, 3], [-31.0_wp, -10.0_wp], &
          [50.0_wp, 70.0_wp], 0.02_wp)
@@ -153,6 +156,9 @@ contains
          tolerance=1.0e-12_wp*direct%pair%energy%dissipation, message='dissipation')
       call assertEqual(direct%pair%energy%coupling, called%pair%energy%coupling, &
          tolerance=1.0e-12_wp*direct%pair%energy%dissipation, message='coupling')
+      call assertGreaterThan(direct%pair%energy%plastic, 1.0_wp, 'summits yielded')
+      call assertEqual(direct%pair%energy%plastic, called%pair%energy%plastic, &
+         tolerance=1.0e-12_wp*direct%pair%energy%plastic, message='plastic dissipation')
    end subroutine test_uinter
 
 end module test_solid_contact_history

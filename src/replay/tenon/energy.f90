@@ -22,8 +22,8 @@ module asperity_replay_tenon_energy
       real(wp) :: contact_work = 0.0_wp
       !> Stored now, with what was stored at rest
       real(wp) :: stored = 0.0_wp
-      !> Dissipated by friction, of each face; and by yield of the wood
-      real(wp) :: friction(tenon_faces) = 0.0_wp, plastic = 0.0_wp
+      !> Dissipated by friction, of each face; by yield of the wood, and of the faces' summits
+      real(wp) :: friction(tenon_faces) = 0.0_wp, plastic = 0.0_wp, face_plastic = 0.0_wp
       !> Pressure coupling, and stored energy lost at the edges
       real(wp) :: elastic_slip = 0.0_wp, edge = 0.0_wp
       !> Normal force of each face now, N
@@ -61,6 +61,9 @@ contains
          weight = 0.5_wp*model%area(i)*(start(i)%weight + trial(i)%weight)
          ledger%friction(face) = ledger%friction(face) + weight*friction
          ledger%plastic = ledger%plastic + weight*plastic
+         ! the sides' pressure is given: what they stored and lost by it was before
+         if (face /= side) &
+            ledger%face_plastic = ledger%face_plastic + weight*trial(i)%plastic_dissipation
          ledger%elastic_slip = ledger%elastic_slip + weight*coupling
          ledger%edge = ledger%edge - 0.5_wp*model%area(i)*(before + after) &
             *(trial(i)%weight - start(i)%weight)

@@ -31,13 +31,14 @@ module asperity_replay_tenon_step
       real(wp) :: contact_work = 0.0_wp, axial_work = 0.0_wp, holding_work = 0.0_wp
       !> Stored energy of all points, N mm, with what was stored at rest
       real(wp) :: stored = 0.0_wp
-      !> Dissipated by friction and by yield of the wood, N mm
-      real(wp) :: friction = 0.0_wp, plastic = 0.0_wp
+      !> Dissipated by friction, by yield of the wood, and by yield of the faces' summits, N mm
+      real(wp) :: friction = 0.0_wp, plastic = 0.0_wp, face_plastic = 0.0_wp
       !> Ledger of the contact-point update: what changes of pressure put into stored elastic slip,
       !> N mm; signed
       real(wp) :: elastic_slip = 0.0_wp
       !> Stored energy that left with points at the edges of the mortise, less what came, N mm.
-      !> contact_work tends to change of stored + friction + plastic + edge - elastic_slip
+      !> contact_work tends to change of stored + friction + plastic + face_plastic + edge
+      !> - elastic_slip
       real(wp) :: edge = 0.0_wp
       !> Normal force of each face, N, and its frictional dissipation, N mm
       real(wp) :: face_normal(tenon_faces) = 0.0_wp, face_friction_energy(tenon_faces) = 0.0_wp
@@ -77,6 +78,7 @@ contains
          step%stored = ledger%stored
          step%friction = sum(ledger%friction)
          step%plastic = ledger%plastic
+         step%face_plastic = ledger%face_plastic
          step%elastic_slip = ledger%elastic_slip
          step%edge = ledger%edge
          step%face_normal = ledger%normal

@@ -1,5 +1,6 @@
 !> Energies of contact, of a pair of surfaces. On any path, in the limit of small increments,
-!> work of the contact forces = change of (normal + tangential) + dissipation - coupling + edge.
+!> work of the contact forces = change of (normal + tangential) + dissipation + plastic - coupling
+!> + edge.
 module asperity_solid_contact_energy
    use asperity_base_kinds, only: wp
    use asperity_contact_state, only: no_surface_limit
@@ -17,6 +18,8 @@ module asperity_solid_contact_energy
       !> Energy that left since the start without work of forces: as cells lost their coverage, and
       !> were cut anew; what the undeformed bodies' overclosure stores came in so
       real(wp) :: edge = 0.0_wp
+      !> Plastic dissipation of the faces' summits since the start
+      real(wp) :: plastic = 0.0_wp
    end type contact_energy
 
 contains
@@ -38,10 +41,14 @@ contains
          end if
          ! past a rim the cell was as pressed, but not covered
          start_normal = cell%start%normal_energy
-         if (cell%start%overclosure < no_surface_limit) start_normal = r%normal_energy
+         mean_coverage = 0.5_wp*(c0 + c)
+         if (cell%start%overclosure < no_surface_limit) then
+            start_normal = r%normal_energy
+            energy%edge = energy%edge - a*mean_coverage*r%plastic_dissipation
+         end if
          energy%edge = energy%edge + a*(c0 - c)*0.5_wp*(start_normal + r%normal_energy &
             + cell%start_tangential_energy + r%tangential_energy)
-         mean_coverage = 0.5_wp*(c0 + c)
+         energy%plastic = energy%plastic + a*mean_coverage*r%plastic_dissipation
          energy%dissipation = energy%dissipation + a*mean_coverage*r%dissipation
          energy%coupling = energy%coupling + a*mean_coverage*r%pressure_coupling
          energy%normal = energy%normal + a*c*r%normal_energy

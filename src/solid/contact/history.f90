@@ -13,7 +13,7 @@ module asperity_solid_contact_history
    public :: history_size, pack_history, unpack_history, pack_facets, unpack_facets
 
    !> Numbers of a cell, and of a pair
-   integer, parameter :: of_cell = 17, of_pair = 5
+   integer, parameter :: of_cell = 17, of_pair = 6
 
 contains
 
@@ -37,7 +37,8 @@ contains
       integer :: i, j, n
 
       associate (e => pair%energy)
-         numbers(:of_pair) = [e%normal, e%tangential, e%dissipation, e%coupling, e%edge]
+         numbers(:of_pair) = [e%normal, e%tangential, e%dissipation, e%coupling, e%edge, &
+            e%plastic]
       end associate
       n = of_pair
       do i = 1, size(pair%faces)
@@ -56,7 +57,8 @@ contains
       real(wp), intent(in) :: numbers(:)
       integer :: i, j, n
 
-      pair%energy = contact_energy(numbers(1), numbers(2), numbers(3), numbers(4), numbers(5))
+      pair%energy = contact_energy(numbers(1), numbers(2), numbers(3), numbers(4), numbers(5), &
+         numbers(6))
       n = of_pair
       do i = 1, size(pair%faces)
          do j = 1, size(pair%faces(i)%cells)

@@ -16,6 +16,8 @@ module asperity_solid_solve_energy
       real(wp) :: stored = 0.0_wp
       !> Lost to plastic strain of the wood, and to friction
       real(wp) :: plastic = 0.0_wp, friction = 0.0_wp
+      !> Lost to yield of the faces' summits
+      real(wp) :: face_plastic = 0.0_wp
       !> Put into elastic slip by changes of pressure, and taken along by points that leave faces
       real(wp) :: coupling = 0.0_wp, edge = 0.0_wp
       !> Work less all the rest: falls with the increments
@@ -23,7 +25,7 @@ module asperity_solid_solve_energy
       !> What the next increment begins from
       logical :: has_begun = .false.
       real(wp) :: stored_at_first = 0.0_wp, load_force = 0.0_wp, load_place = 0.0_wp, &
-         head_place = 0.0_wp, contact_at_first(3) = 0.0_wp
+         head_place = 0.0_wp, contact_at_first(4) = 0.0_wp
    end type energy_ledger
 
 contains
@@ -53,6 +55,7 @@ contains
             contact%dissipation = contact%dissipation + of_pair%dissipation
             contact%coupling = contact%coupling + of_pair%coupling
             contact%edge = contact%edge + of_pair%edge
+            contact%plastic = contact%plastic + of_pair%plastic
          end associate
       end do
       stored = contact%normal + contact%tangential &
@@ -75,7 +78,8 @@ contains
       end do
       if (.not. ledger%has_begun) then
          ledger%stored_at_first = stored
-         ledger%contact_at_first = [contact%dissipation, contact%coupling, contact%edge]
+         ledger%contact_at_first = [contact%dissipation, contact%coupling, contact%edge, &
+            contact%plastic]
          ledger%has_begun = .true.
       else
          ledger%work = ledger%work &
@@ -86,8 +90,9 @@ contains
       ledger%friction = contact%dissipation - ledger%contact_at_first(1)
       ledger%coupling = contact%coupling - ledger%contact_at_first(2)
       ledger%edge = contact%edge - ledger%contact_at_first(3)
-      ledger%balance = ledger%work - ledger%stored - ledger%plastic - ledger%friction &
-         + ledger%coupling - ledger%edge
+      ledger%face_plastic = contact%plastic - ledger%contact_at_first(4)
+      ledger%balance = ledger%work - ledger%stored - ledger%plastic - ledger%face_plastic &
+         - ledger%friction + ledger%coupling - ledger%edge
       ledger%load_force = load_force
       ledger%load_place = load_place
       ledger%head_place = head_place

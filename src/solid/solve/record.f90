@@ -21,7 +21,7 @@ module asperity_solid_solve_record
       real(wp) :: displacement = 0.0_wp, force = 0.0_wp, rotation = 0.0_wp, pull_out = 0.0_wp
       !> Energies, J
       real(wp) :: work = 0.0_wp, stored = 0.0_wp, plastic = 0.0_wp, friction = 0.0_wp, &
-         coupling = 0.0_wp, edge = 0.0_wp, balance = 0.0_wp
+         face_plastic = 0.0_wp, coupling = 0.0_wp, edge = 0.0_wp, balance = 0.0_wp
       !> Share of the wood's points that yield, and largest equivalent plastic strain
       real(wp) :: yielding = 0.0_wp, plastic_strain = 0.0_wp
       !> Of each pair: normal force, N; largest pressure, MPa; area that sticks and that slips,
@@ -57,6 +57,7 @@ contains
       record%work = halves*ledger%work/joule
       record%stored = halves*ledger%stored/joule
       record%plastic = halves*ledger%plastic/joule
+      record%face_plastic = halves*ledger%face_plastic/joule
       record%friction = halves*ledger%friction/joule
       record%coupling = halves*ledger%coupling/joule
       record%edge = halves*ledger%edge/joule

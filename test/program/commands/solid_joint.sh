@@ -78,6 +78,25 @@ check 'solid: through UINTER the same forces' sh -c 'paste -d , direct uinter | 
    if (d*d > most) most = d*d; if (\$1*\$1 > peak) peak = \$1*\$1 }
    END { print most, peak; exit !(NR == 30 && most < 1e-14*peak) }"'
 
+# With memory
+for through in direct uinter; do
+   run solid "${one[@]}" --unloading elastic --through $through --csv $through.csv
+   check "solid, memory: $through" is_quiet
+   csv_column $through.csv plastic_dissipation_faces >$through
+done
+check 'solid, memory: columns' test "$(columns direct.csv)" = \
+   "${header/plastic_dissipation,/plastic_dissipation,plastic_dissipation_faces,}"
+check 'solid, memory: work is accounted for' csv direct.csv '
+   f = "plastic_dissipation_faces"
+   rest = c["work"] - c["stored_energy"] - c["plastic_dissipation"] - c[f] - c["friction_dissipation"] \
+      + c["elastic_slip_energy"] - c["edge_energy"]
+   if (far(rest + c["work"], c["energy_balance"] + c["work"], 1e-10)) fail(rest)
+   if (c[f] < before[f]) fail("falls")
+   if (c["increment"] > 3 && abs(c["energy_balance"]) > 0.05*c["work"]) fail("balance")'
+check 'solid, memory: summits yield, through UINTER alike' sh -c 'paste -d , direct uinter | awk -F, "
+   { d = \$1 - \$2; if (d*d > most) most = d*d; last = \$1 }
+   END { print most, last; exit !(last > 0.1 && most < 1e-8*last*last) }"'
+
 # Both contact models, and every criterion
 run solid "${one[@]:0:2}" --amplitudes 8 --csv both.csv
 check 'solid: both models' test "$(csv_column both.csv model | uniq | tr '\n' ' ')" = 'hard rough '
@@ -151,6 +170,9 @@ refuses 'solid: that checkpoint is not written over' 2 \
 refuses 'solid: another case does not go on from it' 2 \
    'checkpoint solid.hard.checkpoint is of another case or version: run that one, or remove the file' \
    solid --mesh-size 100 --contact hard --amplitudes 8 --resume
+refuses 'solid: nor does the same one with memory' 2 \
+   'checkpoint solid.hard.checkpoint is of another case or version' \
+   solid --mesh-size 100 --contact hard --penalty 1e9 --amplitudes 8 --unloading elastic --resume
 head -c 9000 solid.hard.checkpoint >cut && mv cut solid.hard.checkpoint
 refuses 'solid: nor does a piece of it serve' 3 'checkpoint solid.hard.checkpoint cannot be read: it is not complete' \
    solid --mesh-size 100 --contact hard --penalty 1e9 --amplitudes 8 --resume

@@ -491,3 +491,27 @@ sys.exit(str(page.open) if page.open else 0)'
 else
    skip 'report' 'no gnuplot'
 fi
+
+# With memory: what the summits dissipate is in the ledgers, and every point through UINTER is the same
+memory=("${small[@]}" --unloading elastic)
+run tenon "${memory[@]}" --csv m.csv --json m.json
+check 'tenon, memory' is_quiet
+check 'tenon, memory: columns' test "$(columns m.csv)" = \
+   "${header/plastic_dissipation,/plastic_dissipation,plastic_dissipation_faces,}"
+check 'tenon, memory: JSON holds the same figures' same_csv_and_json m.csv m.json
+check 'tenon, memory: summits yield under the rough law alone' csv m.csv '
+   f = "plastic_dissipation_faces"
+   if (c["model"] == "hard" && c[f]*1 != 0) fail("hard")
+   if (c["model"] == before["model"] && c[f] < before[f]) fail("falls")
+   if (NR == 115 && !(c[f] > 1 && c[f] < 10)) fail(c[f])'
+check 'tenon, memory: hard contact does not change' test "$(grep '^hard' t.csv | cut -d, -f2-17 | cksum)" = \
+   "$(grep '^hard' m.csv | cut -d, -f2-17 | cksum)"
+check 'tenon, memory: totals' test "$(of_json m.json totals plastic_dissipation_faces | tail -n 1)" = \
+   "$(csv_column m.csv plastic_dissipation_faces | tail -n 1)"
+run tenon "${memory[@]}" --through uinter --csv u.csv
+paste -d, <(csv_column m.csv moment) <(csv_column u.csv moment) <(csv_column m.csv plastic_dissipation_faces) \
+   <(csv_column u.csv plastic_dissipation_faces) >both
+check 'tenon, memory: through UINTER' awk -F, '
+   { if (($1 - $2)^2 > 1e-14 || ($3 - $4)^2 > 1e-14) { print; exit 1 } }' both
+refuses 'tenon: elastic unloading below its yield factor' 2 '--yield-factor: yield_factor = 0.15 is not allowed with elastic' \
+   tenon "${memory[@]}" --yield-factor 0.15

@@ -151,7 +151,7 @@ contains
          if (allocated(error)) return
       end do
       beside_paper = is_paper_joint(self%case%joint)
-      call fill_report(report, outcomes, beside_paper, error)
+      call fill_report(report, outcomes, self%case%joint%faces%has_memory, beside_paper, error)
       if (allocated(error)) return
       if (line%text /= '') report%remarks = [report%remarks, line]
       if (self%page /= '') report%page = page_of(self, report, beside_paper)

@@ -28,24 +28,24 @@ module asperity_program_commands_solid_report
 contains
 
    !> Set everything but the page. `error` is set when a number is not finite.
-   subroutine fill_report(report, outcomes, beside_paper, error)
+   subroutine fill_report(report, outcomes, has_memory, beside_paper, error)
       !> The report, with its keys and the words on its faces
       type(report_type), intent(inout) :: report
       !> The models, hard contact first
       type(solid_outcome), intent(in) :: outcomes(:)
-      !> Whether the joint is the paper's
-      logical, intent(in) :: beside_paper
+      !> Whether summits of rough faces remember, and whether the joint is the paper's
+      logical, intent(in) :: has_memory, beside_paper
       !> Set on failure
       type(error_type), allocatable, intent(out) :: error
       integer :: i
 
-      report%table = increments_table(outcomes)
+      report%table = increments_table(outcomes, has_memory)
       call report%table%check_finite(error)
       if (allocated(error)) return
       report%summary = comparison_table(outcomes, beside_paper)
       report%more = [ &
          named_table('by_amplitude', 'First cycle of each amplitude', amplitudes_table(outcomes)), &
-         named_table('totals', 'Whole programme', totals_table(outcomes)), &
+         named_table('totals', 'Whole programme', totals_table(outcomes, has_memory)), &
          named_table('faces', 'Faces', face_table(solid_face_rows(outcomes))), &
          named_table('cycles', 'Cycles', cycles_table(outcomes), 2 + 5*size(outcomes)), &
          named_table('skeleton', '', skeleton_table(outcomes)), &

@@ -19,9 +19,11 @@ module asperity_program_commands_solid_tables
 contains
 
    !> Every increment of all models.
-   function increments_table(outcomes) result(table)
+   function increments_table(outcomes, has_memory) result(table)
       !> The models
       type(solid_outcome), intent(in) :: outcomes(:)
+      !> Whether summits of rough faces remember
+      logical, intent(in) :: has_memory
       type(table_type) :: table
       type(increment_record), allocatable :: r(:)
       character(len=5), allocatable :: model(:)
@@ -44,7 +46,7 @@ contains
       end do
 
       associate (pairs => outcomes(1)%pairs, arm => outcomes(1)%arm)
-         table = new_table(columns=20 + 5*size(pairs), rows=n)
+         table = new_table(columns=20 + 5*size(pairs) + merge(1, 0, has_memory), rows=n)
          call table%add_texts('model', model)
          call table%add_codes('increment', column_counts, number)
          ! Parentheses make the copies that gfortran makes anyway, and would warn of when checking
@@ -59,6 +61,8 @@ contains
          call table%add_numbers('stored_energy', 'J', (r%stored))
          call table%add_numbers('friction_dissipation', 'J', (r%friction))
          call table%add_numbers('plastic_dissipation', 'J', (r%plastic))
+         if (has_memory) &
+            call table%add_numbers('plastic_dissipation_faces', 'J', (r%face_plastic))
          call table%add_numbers('elastic_slip_energy', 'J', (r%coupling))
          call table%add_numbers('edge_energy', 'J', (r%edge))
          call table%add_numbers('energy_balance', 'J', (r%balance))
@@ -87,9 +91,11 @@ contains
    end function increments_table
 
    !> Energies, pull-out, rotation and strain of all models over the whole programme.
-   pure function totals_table(outcomes) result(table)
+   pure function totals_table(outcomes, has_memory) result(table)
       !> The models
       type(solid_outcome), intent(in) :: outcomes(:)
+      !> Whether summits of rough faces remember
+      logical, intent(in) :: has_memory
       type(table_type) :: table
       type(increment_record) :: last(size(outcomes))
       real(wp), dimension(size(outcomes)) :: turned, furthest, pressure, stiffness
@@ -105,12 +111,14 @@ contains
          end associate
          stiffness(i) = outcomes(i)%loops%skeleton(negative_side)%initial_stiffness
       end do
-      table = new_table(columns=13, rows=size(outcomes))
+      table = new_table(columns=13 + merge(1, 0, has_memory), rows=size(outcomes))
       call table%add_texts('model', model_names(outcomes%model))
       call table%add_numbers('initial_stiffness', 'kN m/rad', stiffness)
       call table%add_numbers('work_of_load', 'J', (last%work))
       call table%add_numbers('friction_dissipation', 'J', (last%friction))
       call table%add_numbers('plastic_dissipation', 'J', (last%plastic))
+      if (has_memory) &
+         call table%add_numbers('plastic_dissipation_faces', 'J', (last%face_plastic))
       call table%add_numbers('stored_energy', 'J', (last%stored))
       call table%add_numbers('elastic_slip_energy', 'J', (last%coupling))
       call table%add_numbers('edge_energy', 'J', (last%edge))

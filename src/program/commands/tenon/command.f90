@@ -170,13 +170,13 @@ contains
       call check_moment(joints, error)
       if (allocated(error)) return
 
-      report%table = steps_table(joints)
+      report%table = steps_table(joints, self%case%faces%has_memory)
       call report%table%check_finite(error)
       if (allocated(error)) return
       report%summary = comparison_table(joints, is_paper_joint(self%case))
       report%more = [ &
          named_table('totals', 'Whole programme', &
-         totals_table(joints)), &
+         totals_table(joints, self%case%faces%has_memory)), &
          named_table('faces', 'Faces', face_table(joint_face_rows(joints))), &
          named_table('cycles', 'Cycles', cycles_table(joints), 12), &
          named_table('skeleton', '', skeleton_table(joints))]

@@ -17,9 +17,11 @@ module asperity_program_commands_tenon_tables
 contains
 
    !> Every step of both models.
-   function steps_table(joints) result(table)
+   function steps_table(joints, has_memory) result(table)
       !> Both models
       type(joint_type), intent(in) :: joints(:)
+      !> Whether summits of rough faces remember
+      logical, intent(in) :: has_memory
       type(table_type) :: table
       type(tenon_step), allocatable :: s(:)
       character(len=5), allocatable :: model(:)
@@ -36,7 +38,7 @@ contains
          end associate
       end do
 
-      table = new_table(columns=22 + 2*tenon_faces, rows=n)
+      table = new_table(columns=22 + 2*tenon_faces + merge(1, 0, has_memory), rows=n)
       call table%add_texts('model', model)
       ! Parentheses make the copies that gfortran makes anyway, and would warn of when checking
       call table%add_codes('step', column_counts, (s%step))
@@ -55,6 +57,8 @@ contains
       call table%add_numbers('stored_energy', 'J', joule*s%stored)
       call table%add_numbers('friction_dissipation', 'J', joule*s%friction)
       call table%add_numbers('plastic_dissipation', 'J', joule*s%plastic)
+      if (has_memory) &
+         call table%add_numbers('plastic_dissipation_faces', 'J', joule*s%face_plastic)
       call table%add_numbers('elastic_slip_energy', 'J', joule*s%elastic_slip)
       call table%add_numbers('edge_energy', 'J', joule*s%edge)
       do face = 1, tenon_faces
@@ -103,9 +107,11 @@ contains
    end function points_table
 
    !> Energies and pull-out of both models over the whole programme.
-   pure function totals_table(joints) result(table)
+   pure function totals_table(joints, has_memory) result(table)
       !> Both models
       type(joint_type), intent(in) :: joints(:)
+      !> Whether summits of rough faces remember
+      logical, intent(in) :: has_memory
       type(table_type) :: table
       type(tenon_step) :: last(size(joints))
       real(wp), dimension(size(joints)) :: stiffness, furthest
@@ -118,7 +124,7 @@ contains
          end associate
          stiffness(i) = joints(i)%loops%skeleton(negative_side)%initial_stiffness
       end do
-      table = new_table(columns=10, rows=size(joints))
+      table = new_table(columns=10 + merge(1, 0, has_memory), rows=size(joints))
       call table%add_texts('model', model_names(joints%model))
       call table%add_numbers('initial_stiffness', 'kN m/rad', stiffness)
       call table%add_numbers('work_of_load', 'J', joule*last%work)
@@ -127,6 +133,8 @@ contains
       call table%add_numbers('friction_dissipation_sides', 'J', &
          joule*(last%face_friction_energy(3) + last%face_friction_energy(4)))
       call table%add_numbers('plastic_dissipation', 'J', joule*last%plastic)
+      if (has_memory) &
+         call table%add_numbers('plastic_dissipation_faces', 'J', joule*last%face_plastic)
       call table%add_numbers('elastic_slip_energy', 'J', joule*last%elastic_slip)
       call table%add_numbers('stored_energy', 'J', joule*last%stored)
       call table%add_numbers('largest_pull_out', 'mm', furthest)

@@ -2,7 +2,7 @@
 module asperity_replay_tenon_contact_record
    use asperity_base_kinds, only: wp
    use asperity_contact_state, only: contact_response, contact_state, no_opposite_surface, &
-      status_open
+      status_open, status_unset
    use asperity_replay_tenon_contact_wood_bearing, only: layers
    implicit none
    private
@@ -28,9 +28,10 @@ module asperity_replay_tenon_contact_record
       real(wp) :: stiffness = 0.0_wp, shear_by_closure(2) = 0.0_wp, shear_by_slip(2, 2) = 0.0_wp
       !> Derivative of the overclosure by closure
       real(wp) :: overclosure_by_closure = 1.0_wp
-      !> Stored tangential energy per area, N/mm; frictional dissipation and pressure coupling of
-      !> the increment
+      !> Stored tangential energy per area, N/mm; frictional dissipation, pressure coupling and
+      !> plastic dissipation of the summits in the increment
       real(wp) :: tangential_energy = 0.0_wp, dissipation = 0.0_wp, pressure_coupling = 0.0_wp
+      real(wp) :: plastic_dissipation = 0.0_wp
    end type contact_record
 
 contains
@@ -54,9 +55,11 @@ contains
       record%tangential_energy = response%tangential_energy
       record%dissipation = response%dissipation
       record%pressure_coupling = response%pressure_coupling
+      record%plastic_dissipation = response%plastic_dissipation
    end subroutine keep_response
 
-   !> Nothing is opposite to the point: it forgets its elastic slip, not its indentation.
+   !> Nothing is opposite to the point: it forgets its elastic slip, not its indentation nor how
+   !> flat its summits are.
    pure subroutine leave_surface(start, trial)
       !> Point before and after
       type(contact_record), intent(in) :: start
@@ -64,7 +67,9 @@ contains
       type(contact_response) :: nothing
 
       nothing%state = contact_state(status=status_open, overclosure=no_opposite_surface, &
-         validity=start%state%validity)
+         largest_closure=no_opposite_surface, validity=start%state%validity)
+      if (start%state%status /= status_unset) &
+         nothing%state%largest_closure = start%state%largest_closure
       call keep_response(trial, nothing, no_opposite_surface, 1.0_wp)
       trial%weight = 0.0_wp
       trial%indentation = start%indentation

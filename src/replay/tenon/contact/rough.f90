@@ -5,11 +5,11 @@ module asperity_replay_tenon_contact_rough
    use asperity_base_error, only: computation_error, error_type, fatal_error
    use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
-   use asperity_contact_point, only: update_contact_point
+   use asperity_contact_point, only: find_normal, update_contact_point
+   use asperity_contact_properties, only: compile_normal_law
    use asperity_contact_state, only: contact_response, no_rotation
-   use asperity_law_compile_law, only: new_compiled_law
-   use asperity_law_compiled_law, only: evaluate_compiled_law
    use asperity_law_normal_inverse, only: separation_for_pressure
+   use asperity_law_normal_law, only: normal_response
    use asperity_replay_tenon_contact_interface_law, only: interface_law
    use asperity_replay_tenon_contact_overclosure_search, only: improve_overclosure, &
       new_overclosure_search, overclosure_search
@@ -46,11 +46,8 @@ contains
 
       associate (unused => is_side)
       end associate
-      if (.not. allocated(law%faces%compiled)) then
-         allocate (law%faces%compiled)
-         call new_compiled_law(law%faces%compiled, law%faces%normal, error)
-         if (allocated(error)) return
-      end if
+      call compile_normal_law(law%faces, error)
+      if (allocated(error)) return
       pressure = minval(law%wood%yield)
       ! where no wood yields, searches begin at the highest pressure that the law is for
       if (.not. pressure < huge(pressure)) pressure = law%faces%normal%hardness
@@ -85,7 +82,7 @@ contains
       if (.not. allocated(error)) call take_response(law, start, closure, response, trial)
    end subroutine close
 
-   !> By the compiled law.
+   !> By the normal law alone, compiled where it is.
    subroutine press(law, start, overclosure, slip, pressure, stiffness, error)
       !> The law
       class(rough_law), intent(inout) :: law
@@ -97,11 +94,13 @@ contains
       real(wp), intent(out) :: pressure, stiffness
       !> Set on failure
       type(error_type), allocatable, intent(out) :: error
+      type(normal_response) :: normal
 
-      associate (unused => start, unused_too => slip)
+      associate (unused => slip)
       end associate
-      call evaluate_compiled_law(law%faces%compiled, law%faces%initial_separation - overclosure, &
-         pressure, stiffness)
+      call find_normal(law%faces, start%state, overclosure, normal)
+      pressure = normal%pressure
+      stiffness = normal%stiffness
    end subroutine press
 
    !> By the contact-point update.
