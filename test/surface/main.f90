@@ -14,6 +14,7 @@ program test_surface
    use test_surface_statistics, only: suite_surface_statistics
    use test_surface_sum_tiles, only: suite_surface_sum_map
    use test_surface_summits, only: suite_surface_summits
+   use test_surface_unloading, only: suite_surface_unloading
    implicit none
    type(TestSuite) :: suite
 
@@ -21,6 +22,7 @@ program test_surface
    call suite%addTest(suite_surface_statistics())
    call suite%addTest(suite_surface_random())
    call suite%addTest(suite_surface_pair())
+   call suite%addTest(suite_surface_unloading())
    call suite%addTest(suite_surface_chain())
    call suite%addTest(suite_surface_fourier())
    call suite%addTest(suite_surface_level())

@@ -1,12 +1,14 @@
 !> Does the statistical law hold on a real map? The law of one summit summed over the summits found
 !> there, p(d) = (1/A) sum N(z - d), without any assumption on their heights: by one radius for all,
-!> as the law has it, and by the radius of each.
+!> as the law has it, and by the radius of each; at first loading, or on the way back with memory.
 module asperity_surface_pair_law_on_summits
    use asperity_base_error, only: error_type, fatal_error
    use asperity_base_kinds, only: wp
    use asperity_law_normal_law, only: evaluate_normal_law, normal_response
    use asperity_law_normal_properties, only: normal_properties
-   use asperity_law_single_asperity, only: asperity_response, evaluate_asperity
+   use asperity_law_single_asperity, only: asperity_response, stage_open
+   use asperity_law_unloading_law, only: evaluate_unloading_law
+   use asperity_law_unloading_summit, only: evaluate_unloading_asperity
    implicit none
    private
    public :: summit_curve, sum_over_summits
@@ -33,7 +35,7 @@ contains
 
    !> Sum the law of one summit over summits.
    pure subroutine sum_over_summits(properties, heights, curvatures, area, separations, curve, &
-         error)
+         error, closest_separation)
       !> The pair: radius is the mean one, eta and sigma are for the Gaussian law
       type(normal_properties), intent(in) :: properties
       !> Heights of the summits above the summit mean plane, mm
@@ -48,8 +50,11 @@ contains
       type(summit_curve), intent(out) :: curve
       !> Set when there is nothing to sum
       type(error_type), allocatable, intent(out) :: error
+      !> Separation that they part from with memory, mm; none when absent
+      real(wp), intent(in), optional :: closest_separation
       real(wp), allocatable :: ratio(:)
       type(normal_response) :: law
+      real(wp) :: closest
       integer :: i, n
 
       if (size(heights) == 0 .or. .not. area > 0.0_wp) then
@@ -74,38 +79,45 @@ contains
          curve%mean_radius(n), curve%own_radius(n), curve%mean_radius_error(n), &
          curve%own_radius_error(n), curve%contact_density(n), curve%area_fraction(n))
       do i = 1, n
-         law = evaluate_normal_law(properties, separations(i))
+         closest = separations(i)
+         if (present(closest_separation)) closest = min(closest, closest_separation)
+         if (closest < separations(i)) then
+            law = evaluate_unloading_law(properties, closest, separations(i) - closest)
+         else
+            law = evaluate_normal_law(properties, separations(i))
+         end if
          curve%gaussian(i) = law%pressure
          curve%gaussian_density(i) = law%contact_density
          curve%gaussian_area(i) = law%area_fraction
-         call sum_at(curve, i, properties, heights, ratio, area)
+         call sum_at(curve, i, properties, heights, ratio, area, closest)
       end do
    end subroutine sum_over_summits
 
-   !> Sums at the separation with a number.
-   pure subroutine sum_at(curve, number, properties, z, ratio, area)
+   !> Sums at the separation with a number, from the closest one so far.
+   pure subroutine sum_at(curve, number, properties, z, ratio, area, closest)
       type(summit_curve), intent(inout) :: curve
       integer, intent(in) :: number
       type(normal_properties), intent(in) :: properties
-      real(wp), intent(in) :: z(:), ratio(:), area
+      real(wp), intent(in) :: z(:), ratio(:), area, closest
       type(asperity_response) :: summit
-      real(wp) :: d, sums(2), squares(2), areas, force
+      real(wp) :: retraction, sums(2), squares(2), areas, force
       integer :: i, touching
 
-      d = curve%separation(number)
+      retraction = curve%separation(number) - closest
       touching = 0
       sums = 0.0_wp
       squares = 0.0_wp
       areas = 0.0_wp
       do i = 1, size(z)
-         if (.not. z(i) > d) cycle
-         touching = touching + 1
-         summit = evaluate_asperity(properties, z(i) - d)
+         if (.not. z(i) > closest) cycle
+         summit = evaluate_unloading_asperity(properties, z(i) - closest, retraction)
+         if (summit%stage /= stage_open) touching = touching + 1
          areas = areas + summit%area
          sums(1) = sums(1) + summit%force
          squares(1) = squares(1) + summit%force**2
          ! w1 and w2 are as the radius, forces at equal w/w1 as its square, at every stage
-         summit = evaluate_asperity(properties, (z(i) - d)/ratio(i))
+         summit = evaluate_unloading_asperity(properties, (z(i) - closest)/ratio(i), &
+            retraction/ratio(i))
          force = summit%force*ratio(i)**2
          sums(2) = sums(2) + force
          squares(2) = squares(2) + force**2

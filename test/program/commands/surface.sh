@@ -114,6 +114,19 @@ check 'surface: properties that are given' sh -c 'grep -q "modulus = 500" m.nml 
 # The law on the map
 run surface s.sdf --verify --route nayak --json v.json
 check 'surface: --verify' has out 'sum over the'
+check 'surface: nothing of memory without it' lacks v.json '"unloading": {'
+run surface s.sdf --verify --route nayak --unloading elastic --case memory.nml --json u.json
+check 'surface: --verify on the way back' has out 'Pressed to 4.7 MPa of the Gaussian law and released, with memory'
+check 'surface: the sum parts as the law does, within 25 %' near \
+   "$(of_json u.json unloading pressure_nayak | sed -n 3p)" \
+   "$(of_json u.json unloading pressure_summits | sed -n 3p)" 0.25
+check 'surface: the case has its unloading' has memory.nml "unloading = 'elastic'"
+run curve memory.nml --closest-separation "$(of_json u.json unloading separation | head -n 1)" \
+   --separation "$(of_json u.json unloading separation | sed -n 4p)" --csv curve.csv
+check 'surface: the way back is that of the case' near "$(csv_column curve.csv pressure)" \
+   "$(of_json u.json unloading pressure_nayak | sed -n 4p)" 1e-8
+refuses 'surface: elastic unloading below its yield factor' 2 \
+   '--yield-factor: yield_factor = 0.15 is not allowed with elastic' surface s.sdf --unloading elastic --yield-factor 0.15
 check 'surface: sums over summits meet the Gaussian integral at small separations' near \
    "$(of_json v.json law pressure_nayak | tail -n 1)" \
    "$(of_json v.json law pressure_summits | tail -n 1)" 0.25

@@ -16,7 +16,8 @@ module asperity_program_commands_surface_command
    use asperity_program_commands_surface_tables, only: law_parameters_table, map_table, &
       parameter_table
    use asperity_program_commands_surface_verdict, only: surface_verdict
-   use asperity_program_commands_surface_verify, only: add_summit_curve, law_curves
+   use asperity_program_commands_surface_verify, only: add_summit_curve, law_curves, &
+      unloading_table
    use asperity_program_input_key_list, only: key_list
    use asperity_program_report_report, only: named_table, report_type
    use asperity_program_report_table, only: new_table
@@ -144,6 +145,7 @@ contains
       type(faces_type) :: law
       type(normal_properties) :: properties
       type(string_type), allocatable :: remarks(:)
+      type(named_table) :: unloading
 
       allocate (report%decks(2))
       report%decks%option = [character(len=8) :: 'case', 'map']
@@ -177,6 +179,11 @@ contains
             report%more(3)%title = 'The law on this map: Gaussian integral by either route, '// &
                'and sums over its summits (route '//trim(route)//')'
             report%remarks = [report%remarks, remarks]
+            if (options%faces%has_memory) then
+               call unloading_table(unloading, analysis, properties, route, error)
+               if (allocated(error)) return
+               report%more = [report%more, unloading]
+            end if
          end if
          report%verdict = surface_verdict(options, analysis)
          if (.not. report%is_drawn()) return

@@ -8,10 +8,12 @@ module asperity_program_commands_surface_verify
    use asperity_law_normal_inverse, only: separation_for_pressure
    use asperity_law_normal_law, only: evaluate_normal_law, normal_response
    use asperity_law_normal_properties, only: normal_properties
+   use asperity_law_unloading_inverse, only: retraction_for_pressure
    use asperity_paper_wood, only: wood_strength_across
    use asperity_program_commands_faces, only: faces_type
    use asperity_program_commands_surface_keys, only: surface_options
    use asperity_program_commands_surface_law, only: has_law, law_faces, routes
+   use asperity_program_report_report, only: named_table
    use asperity_program_report_table, only: new_table, table_type
    use asperity_program_system_strings, only: string_type
    use asperity_surface_analysis, only: surface_analysis_type
@@ -19,10 +21,12 @@ module asperity_program_commands_surface_verify
    use asperity_surface_parameters_parameters, only: p_summit_plane
    implicit none
    private
-   public :: law_curves, add_summit_curve
+   public :: law_curves, add_summit_curve, unloading_table
 
    !> Pressures at which the remarks compare, MPa: the paper's shear test, and the strength fc90
    real(wp), parameter :: pressures(2) = [0.2_wp, wood_strength_across]
+   !> Shares of the larger one at which they are compared on the way back
+   real(wp), parameter :: shares(*) = [1.0_wp, 0.5_wp, 0.2_wp, 0.05_wp, 0.01_wp]
 
 contains
 
@@ -81,17 +85,12 @@ contains
       type(summit_curve) :: curve
       real(wp), allocatable :: heights(:), curvatures(:)
       real(wp) :: separations(size(pressures))
-      logical, allocatable :: taken(:)
       character(len=:), allocatable :: what
       integer :: i
 
       what = 'peaks'
       if (route == 'nayak') what = 'summits'
-      associate (summits => analysis%summits)
-         allocate (taken, source=summits%is_peak .or. route == 'nayak')
-         heights = pack(summits%height, taken) - analysis%values(p_summit_plane, 1)
-         curvatures = pack(summits%curvature, taken)
-      end associate
+      call take_summits(analysis, route, heights, curvatures)
       call sum_over_summits(properties, heights, curvatures, analysis%area, &
          table%columns(1)%values, curve, error)
       if (allocated(error)) return
@@ -120,6 +119,65 @@ contains
       if (curve%without_radius > 0) remarks(size(remarks))%text = to_text(curve%without_radius)// &
          ' of them have no curvature above zero and take the radius of the route.'
    end subroutine add_summit_curve
+
+   !> The same for faces that were pressed and part again, with memory, at retractions where the
+   !> law gives some shares of the pressure that they were pressed to.
+   pure subroutine unloading_table(named, analysis, properties, route, error)
+      !> The table
+      type(named_table), intent(out) :: named
+      !> What was found on the map
+      type(surface_analysis_type), intent(in) :: analysis
+      !> The law by the route
+      type(normal_properties), intent(in) :: properties
+      !> One of `routes`
+      character(len=*), intent(in) :: route
+      !> Set when there are no summits
+      type(error_type), allocatable, intent(out) :: error
+      type(summit_curve) :: curve
+      real(wp), allocatable :: heights(:), curvatures(:)
+      real(wp) :: closest, retractions(size(shares))
+      integer :: i
+
+      call separation_for_pressure(properties, pressures(2), closest, error)
+      if (allocated(error)) return
+      retractions(1) = 0.0_wp
+      do i = 2, size(shares)
+         retractions(i) = retraction_for_pressure(properties, closest, shares(i)*pressures(2))
+      end do
+      call take_summits(analysis, route, heights, curvatures)
+      call sum_over_summits(properties, heights, curvatures, analysis%area, closest + retractions, &
+         curve, error, closest)
+      if (allocated(error)) return
+      named%name = 'unloading'
+      named%title = 'Pressed to '//to_text(pressures(2), 3)//' MPa of the Gaussian law and '// &
+         'released, with memory'
+      named%table = new_table(columns=8, rows=size(shares))
+      associate (table => named%table)
+         call table%add_numbers('separation', 'mm', curve%separation)
+         call table%add_numbers('retraction', 'mm', retractions)
+         call table%add_numbers('pressure_'//trim(route), 'MPa', curve%gaussian)
+         call table%add_numbers('pressure_summits', 'MPa', curve%mean_radius)
+         call table%add_numbers('pressure_summits_error', 'MPa', curve%mean_radius_error)
+         call table%add_numbers('pressure_own_radii', 'MPa', curve%own_radius)
+         call table%add_numbers('contact_density', '1/mm^2', curve%contact_density)
+         call table%add_numbers('gaussian_density', '1/mm^2', curve%gaussian_density)
+      end associate
+   end subroutine unloading_table
+
+   !> The peaks that the paper's route takes, or all summits for Nayak's: heights above the summit
+   !> mean plane, mm, and curvatures, 1/mm.
+   pure subroutine take_summits(analysis, route, heights, curvatures)
+      type(surface_analysis_type), intent(in) :: analysis
+      character(len=*), intent(in) :: route
+      real(wp), allocatable, intent(out) :: heights(:), curvatures(:)
+      logical, allocatable :: taken(:)
+
+      associate (summits => analysis%summits)
+         allocate (taken, source=summits%is_peak .or. route == 'nayak')
+         heights = pack(summits%height, taken) - analysis%values(p_summit_plane, 1)
+         curvatures = pack(summits%curvature, taken)
+      end associate
+   end subroutine take_summits
 
    !> A value and its standard error.
    pure function with_error(value, error) result(text)
