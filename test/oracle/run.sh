@@ -92,11 +92,13 @@ all_cases() {
    keep curve-case curve examples/cases/own_surface.nml --csv curve.csv --json -
    keep curve-sanded curve examples/cases/sanded_surface.nml
    keep curve-implausible curve --eta 1e-9 --accept-unphysical --csv curve.csv
+   keep curve-memory curve --unloading elastic --closest-separation 0.1 --csv curve.csv --json curve.json
    keep curve-print-case curve examples/cases/sanded_surface.nml --sigma 0.0123456789 --print-case
    for name in mesh-200-radial mesh-400-cross; do keep "curve-$name" curve --surface $name; done
    keep press press --csv press.csv --json press.json --plot press.svg
    keep press-overclosure press "${faces[@]}" --control overclosure --peak 0.123 --increments 9 \
       --step-time 3 --csv press.csv
+   keep press-memory press --unloading elastic --peak 2,4.7,3 --csv press.csv --json press.json --plot press.svg
    keep press-print-case press --control overclosure --peak 0.123 --print-case
    keep table table --csv table.csv --json table.json --plot table.svg --abaqus law.inp --calculix law.inc
    keep table-own-faces table "${faces[@]}" --tolerance 0.02 --rows 150 --largest-pressure 3 \
@@ -109,6 +111,7 @@ all_cases() {
       --normal-stress 0.03,0.07 --displacement 1,-1,0.3 --displacement-increment 0.07 \
       --no-shrinking-overlap --shear-compliance 1.2e-5 --rate 3 --diameter 50 --csv shear.csv --json -
    keep shear-case shear examples/cases/cyclic_shear.nml --csv shear.csv --plot shear.svg
+   keep shear-memory shear --unloading elastic --displacement 3,-3 --csv shear.csv --json shear.json
    keep shear-print-case shear examples/cases/cyclic_shear.nml --print-case
 
    # Tenon joint
@@ -120,6 +123,7 @@ all_cases() {
    keep tenon-report tenon "${few[@]}" --csv joint.csv --json joint.json --points points.csv \
       --plot joint.svg --report joint.html
    keep tenon-uinter tenon "${few[@]}" --through uinter --record 3,20 --points - --json joint.json
+   keep tenon-memory tenon "${few[@]}" --unloading elastic --csv joint.csv --json joint.json
    keep tenon-shoulders tenon "${few[@]}" --shoulders --shoulder-gap 0.2 --gap first_touch \
       --clearance-above 0.1 --column rigid --csv joint.csv
    keep tenon-force tenon "${few[@]}" --axial-rule force --axial-force 200 --arm-datum column_axis \
@@ -163,6 +167,7 @@ all_cases() {
       --plot map.svg
    keep surface-filters "${map[@]}" --short-cutoff 0.03 --long-cutoff 0.5 --form 3 --pruning 0.1 \
       --tiles 2 --csv map.csv
+   keep surface-memory "${map[@]}" --verify --unloading elastic --case map.nml --json map.json
    keep surface-example surface data/scans/truth_mm.csv --height-unit um --step 0.01 --verify --json map.json
 
    # Errors
