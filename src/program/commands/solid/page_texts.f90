@@ -71,7 +71,8 @@ module asperity_program_commands_solid_page_texts
       'the mortise until they bear the pressure of the case; then the load point moves.', &
       'The column stands on a fixed foot; its head stays level and is free to move down. A '// &
       'spring along the beam, or a hold, resists pull-out.', &
-      'Loading is slow: no inertia, no rate. The law of the rough faces is reversible.']
+      'Loading is slow: no inertia, no rate. The law of the rough faces is reversible, as the '// &
+      'paper''s, unless unloading is elastic: summits then remember how flat they were pressed.']
 
    !> What the figures can be used for, and what for not
    character(len=*), parameter, public :: cautions(*) = [character(len=360) :: &

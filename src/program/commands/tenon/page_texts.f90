@@ -11,6 +11,7 @@ module asperity_program_commands_tenon_page_texts
    type(origin_type), parameter, public :: origins(*) = [ &
       origin_type('friction_coefficient', 'paper, Table 4'), &
       origin_type('critical_slip', 'paper, Table 4; probably a numerical setting of its program'), &
+      origin_type('unloading', 'paper: its law is reversible'), &
       origin_type('side_pair', 'paper: tangential on tangential at the sides'), &
       origin_type('length', chosen//'a column of 300 mm; Fig. 20''s sizes are not in the text'), &
       origin_type('height', chosen//'with the length it puts the moment in the range of Table 5'), &
@@ -57,7 +58,8 @@ module asperity_program_commands_tenon_page_texts
       'Pull-out and vertical position follow from equilibrium, with moments about the '// &
       'load point, so that the force of the load comes out. The axial rule acts through '// &
       'the middle of the tenon at the column face.', &
-      'Loading is slow: no inertia, no rate. The law of the rough faces is reversible.']
+      'Loading is slow: no inertia, no rate. The law of the rough faces is reversible, as the '// &
+      'paper''s, unless unloading is elastic: summits then remember how flat they were pressed.']
 
    !> What the figures can be used for, and what for not
    character(len=*), parameter, public :: cautions(*) = [character(len=360) :: &
