@@ -40,6 +40,13 @@ bad 'neither true nor false' 'bad.nml:1: accept_unphysical = .* is neither true 
    '&asperity accept_unphysical = 1 /\n'
 bad 'unknown choice of another command' "bad.nml:1: control = 'foo' is unknown; known: pressure" \
    "&asperity control = 'foo' /\n"
+bad 'unknown unloading' "bad.nml:1: unloading = 'plastic' is unknown; known: reversible, elastic" \
+   "&asperity unloading = 'plastic' /\n"
+bad 'unloading by number' 'bad.nml:1: unloading is a text and needs quotes' '&asperity unloading = 1 /\n'
+bad 'memory of the reversible law' 'bad.nml:2: closest_separation = 0.1 mm is for unloading = elastic alone' \
+   '&asperity\n closest_separation = 0.1 /\n'
+bad 'memory of summits that would create energy' 'bad.nml:3: yield_factor = 0.15 is not allowed with elastic' \
+   "&asperity\n unloading = 'elastic'\n yield_factor = 0.15 /\n"
 bad 'output as a key' 'bad.nml:1: csv is not a key of a case file, use the option --csv' \
    "&asperity csv = 'x' /\n"
 bad 'no equals sign' 'bad.nml:1: sigma must be followed by =' '&asperity sigma 0.05 /\n'
