@@ -4,10 +4,10 @@ module asperity_abaqus_checks
    use asperity_abaqus_props_and_statev, only: n_statev, state_largest_closure, &
       state_overclosure, state_pressure, state_status, state_validity, state_warned
    use asperity_base_error, only: error_type, fatal_error
-   use asperity_base_finite, only: all_finite
+   use asperity_base_finite, only: all_below
    use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
-   use asperity_contact_state, only: status_open, status_slip, status_stick, status_unset
+   use asperity_contact_state, only: status_slip, status_unset
    use asperity_law_validity, only: all_flags
    implicit none
    private
@@ -38,12 +38,12 @@ contains
    !> Refuse a STATEV that is not ours.
    pure subroutine check_statev(statev, error)
       !> At least `n_statev` numbers, all finite
-      real(wp), intent(in) :: statev(:)
+      real(wp), intent(in), contiguous :: statev(:)
       !> Set when it is refused
       type(error_type), allocatable, intent(out) :: error
 
-      if (.not. any(abs(statev(state_status) - [status_unset, status_open, status_stick, &
-            status_slip]) <= 0.0_wp)) then
+      if (statev(state_status) < status_unset .or. statev(state_status) > status_slip &
+            .or. abs(statev(state_status) - aint(statev(state_status))) > 0.0_wp) then
          call fatal_error(error, 'STATEV(1) = '//to_text(statev(state_status))//' is no '// &
             'contact status ('//to_text(status_unset)//' to '//to_text(status_slip)// &
             '): STATEV must be zero at the start, and nothing else may '// &
@@ -63,10 +63,9 @@ contains
    !> Finite, and far from overflow.
    pure logical function computable(values)
       !> Numbers of the host
-      real(wp), intent(in) :: values(:)
+      real(wp), intent(in), contiguous :: values(:)
 
-      computable = all_finite(values)
-      if (computable) computable = all(abs(values) < largest)
+      computable = all_below(values, largest)
    end function computable
 
 end module asperity_abaqus_checks

@@ -41,6 +41,8 @@ module asperity_abaqus_props_and_statev
    public :: prop_pi, prop_sigma, prop_accept_unphysical
    !> Length of the longest list
    integer, parameter, public :: n_props = prop_unloading
+   !> Largest value of each option
+   integer, parameter :: option_max(prop_friction_rule:n_props) = [2, 2, 1, 1]
 
    !> Slots of STATEV; all zero is a fresh point
    enum, bind(c)
@@ -73,12 +75,12 @@ contains
    pure subroutine properties_from_props(props, properties, error)
       !> The property list
       real(wp), intent(in) :: props(:)
-      !> Checked properties
-      type(contact_properties), intent(out) :: properties
+      !> Checked properties; all of them are set
+      type(contact_properties), intent(inout) :: properties
       !> Set when the list is refused
       type(error_type), allocatable, intent(out) :: error
       type(normal_properties) :: normal
-      integer :: rule, integration, accept, unloading
+      integer :: options(prop_friction_rule:n_props), i
 
       if (size(props) < prop_sigma .or. size(props) > n_props) then
          call refuse_length(error, size(props))
@@ -90,28 +92,28 @@ contains
             'is blank or a thickness, and the order of the properties')
          return
       end if
-      call read_option(props, prop_friction_rule, 'the friction rule is 1 for abaqus, 2 for '// &
-         'dissipative, 0 for the default', 2, rule, error)
-      call read_option(props, prop_slip_integration, 'the slip integration is 1 for exact, 2 '// &
-         'for backward Euler, 0 for the default', 2, integration, error)
-      call read_option(props, prop_accept_unphysical, '1 accepts unphysical values, 0 does not', &
-         1, accept, error)
-      call read_option(props, prop_unloading, 'the unloading is 0 for reversible, 1 for elastic', &
-         1, unloading, error)
-      if (allocated(error)) return
-      if (rule == 0) rule = rule_abaqus
-      if (integration == 0) integration = slip_exact
+      options = 0
+      do i = prop_friction_rule, size(props)
+         if (.not. is_option(props(i), option_max(i))) then
+            call refuse_option(error, i, props(i))
+            return
+         end if
+         options(i) = int(props(i))
+      end do
+      if (options(prop_friction_rule) == 0) options(prop_friction_rule) = rule_abaqus
+      if (options(prop_slip_integration) == 0) options(prop_slip_integration) = slip_exact
       call new_normal_properties(normal, props(prop_eta), props(prop_modulus), &
          props(prop_radius), props(prop_hardness), props(prop_yield_factor), props(prop_sigma), &
-         error, accept == 1, unloading)
+         error, options(prop_accept_unphysical) == 1, options(prop_unloading))
       if (allocated(error)) return
       if (size(props) < prop_initial_separation) then
          call new_contact_properties(properties, normal, props(prop_friction_coefficient), &
-            props(prop_critical_slip), error, accept_unphysical=accept == 1)
+            props(prop_critical_slip), error)
       else
          call new_contact_properties(properties, normal, props(prop_friction_coefficient), &
-            props(prop_critical_slip), error, props(prop_initial_separation), rule, integration, &
-            accept_unphysical=accept == 1)
+            props(prop_critical_slip), error, props(prop_initial_separation), &
+            options(prop_friction_rule), options(prop_slip_integration), &
+            accept_unphysical=options(prop_accept_unphysical) == 1)
       end if
    end subroutine properties_from_props
 
@@ -148,11 +150,12 @@ contains
       state%overclosure = statev(state_overclosure)
       state%pressure = statev(state_pressure)
       state%normal_energy = statev(state_normal_energy)
-      state%elastic_slip = [statev(state_elastic_slip_1), statev(state_elastic_slip_2)]
+      state%elastic_slip(1) = statev(state_elastic_slip_1)
+      state%elastic_slip(2) = statev(state_elastic_slip_2)
       state%largest_closure = statev(state_largest_closure)
       state%dissipation = statev(state_dissipation)
       state%pressure_coupling = statev(state_pressure_coupling)
-      state%validity = nint(statev(state_validity))
+      state%validity = int(statev(state_validity))
    end function state_from_statev
 
    !> Write a state to STATEV; the slot of warnings is left alone.
@@ -183,28 +186,36 @@ contains
       if (near_pi) near_pi = abs(value - pi) < pi_tolerance
    end function near_pi
 
-   !> Whole number of an option, 0 when the list ends before it.
-   pure subroutine read_option(props, slot, name, largest, option, error)
-      real(wp), intent(in) :: props(:)
-      integer, intent(in) :: slot, largest
-      character(len=*), intent(in) :: name
-      integer, intent(out) :: option
-      type(error_type), allocatable, intent(inout) :: error
-      logical :: known
+   !> Is it a whole number from 0 on?
+   pure logical function is_option(value, largest)
+      real(wp), intent(in) :: value
+      integer, intent(in) :: largest
 
-      option = 0
-      if (allocated(error) .or. slot > size(props)) return
-      known = .false.
-      if (is_finite(props(slot))) &
-         known = any(abs(props(slot) - [0.0_wp, 1.0_wp, 2.0_wp]) <= 0.0_wp) &
-         .and. props(slot) <= largest
-      if (known) then
-         option = int(props(slot))
-      else
-         call fatal_error(error, 'PROPS('//to_text(slot)//') = '//to_text(props(slot))// &
-            ' is not allowed: '//name)
-      end if
-   end subroutine read_option
+      is_option = is_finite(value)
+      if (is_option) is_option = value >= 0.0_wp .and. value <= largest
+      if (is_option) is_option = abs(value - int(value)) <= 0.0_wp
+   end function is_option
+
+   !> Say what an option may be.
+   pure subroutine refuse_option(error, slot, value)
+      type(error_type), allocatable, intent(out) :: error
+      integer, intent(in) :: slot
+      real(wp), intent(in) :: value
+      character(len=80) :: allowed
+
+      select case (slot)
+      case (prop_friction_rule)
+         allowed = 'the friction rule is 1 for abaqus, 2 for dissipative, 0 for the default'
+      case (prop_slip_integration)
+         allowed = 'the slip integration is 1 for exact, 2 for backward Euler, 0 for the default'
+      case (prop_accept_unphysical)
+         allowed = '1 accepts unphysical values, 0 does not'
+      case default
+         allowed = 'the unloading is 0 for reversible, 1 for elastic'
+      end select
+      call fatal_error(error, 'PROPS('//to_text(slot)//') = '//to_text(value)// &
+         ' is not allowed: '//trim(allowed))
+   end subroutine refuse_option
 
    !> Say what is missing.
    pure subroutine refuse_length(error, length)

@@ -26,8 +26,8 @@ contains
    pure subroutine read_props(props, properties, error)
       !> The property list
       real(vp), intent(in) :: props(:)
-      !> Checked properties
-      type(contact_properties), intent(out) :: properties
+      !> Checked properties; all of them are set
+      type(contact_properties), intent(inout) :: properties
       !> Set when the list is refused
       type(error_type), allocatable, intent(out) :: error
 

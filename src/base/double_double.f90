@@ -1,7 +1,7 @@
 !> Products and quotients with twice the digits, as a sum of two doubles. The constants w1 and w2
 !> are found with it: far in the tail of the heights one bit of theirs is worth 1e-12 of a result.
 module asperity_base_double_double
-   use, intrinsic :: iso_fortran_env, only: int64
+   use, intrinsic :: iso_fortran_env, only: real32
    use asperity_base_kinds, only: wp
    implicit none
    private
@@ -9,7 +9,7 @@ module asperity_base_double_double
 
    !> The number high + low, |low| at most half a unit in the last place of high.
    type :: double_double
-      real(wp) :: high = 0.0_wp, low = 0.0_wp
+      real(wp) :: high, low
    end type double_double
 
    !> Product of two, or of one and a real, to about 30 digits.
@@ -23,12 +23,12 @@ module asperity_base_double_double
       module procedure :: round
    end interface assignment(=)
 
-   !> Bits of the lower half of a double
-   integer, parameter :: half_bits = 27
+   !> Not more than single precision holds
+   real(wp), parameter :: largest = 3.0e38_wp
 
 contains
 
-   !> a/b to about 30 digits. Operands between 1e-140 and 1e140 in size.
+   !> a/b to about 30 digits for operands and quotients of 1e-30 to 1e30.
    pure elemental function quotient(a, b) result(q)
       !> Numerator and denominator
       real(wp), intent(in) :: a, b
@@ -70,14 +70,13 @@ contains
       c%low = ((a_high*b_high - c%high) + a_high*b_low + a_low*b_high) + a_low*b_low
    end function exact_product
 
-   !> The leading bits, rounded to nearest: by its bits, without Dekker's multiplication, which a
-   !> fused multiply-add would spoil.
+   !> The leading bits, rounded to nearest, as single precision holds them: without Dekker's
+   !> multiplication, which a fused multiply-add would spoil. Beyond that range a product is what it
+   !> is in double precision.
    pure elemental real(wp) function upper_half(a)
       real(wp), intent(in) :: a
-      integer(int64), parameter :: lower = 2_int64**half_bits - 1_int64
-      integer(int64), parameter :: half = 2_int64**(half_bits - 1)
 
-      upper_half = transfer(iand(transfer(a, lower) + half, not(lower)), a)
+      upper_half = real(real(min(a, largest), real32), wp)
    end function upper_half
 
    pure elemental subroutine round(x, a)

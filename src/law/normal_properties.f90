@@ -2,11 +2,10 @@
 !> that follow from them. N-mm-MPa, or N-m-Pa for a face like timber's; in any other consistent
 !> units with `accept_unphysical`, as values are then taken for slips of units.
 module asperity_law_normal_properties
-   use asperity_base_checks, only: check_positive, check_range
+   use asperity_base_checks, only: all_positive, check_positive
    use asperity_base_constants, only: pi
    use asperity_base_double_double, only: assignment(=), double_double, operator(*), quotient
    use asperity_base_error, only: error_type, fatal_error
-   use asperity_base_finite, only: is_finite
    use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
    use asperity_law_plausibility, only: check_plausible
@@ -29,14 +28,11 @@ module asperity_law_normal_properties
    !> w2/w1, Eq. 11
    real(wp), parameter, public :: plastic_ratio = 110.0_wp
    !> b2, Eq. 15: 1 + ln 2/ln 110
-   real(wp), parameter, public :: plastic_area_exponent = &
-      1.0_wp + log(2.0_wp)/log(plastic_ratio)
+   real(wp), parameter :: plastic_area_exponent_less_1 = log(2.0_wp)/log(plastic_ratio)
+   real(wp), parameter, public :: plastic_area_exponent = 1.0_wp + plastic_area_exponent_less_1
    !> 3 pi/4 to 32 digits
    type(double_double), parameter :: three_quarters_pi = &
       double_double(2.356194490192345_wp, 9.184850993605148436e-17_wp)
-   !> 4/3 to 32 digits
-   type(double_double), parameter :: four_thirds = &
-      double_double(1.3333333333333333_wp, 7.401486830834376e-17_wp)
    !> Range of the yield factor over which the law is verified
    real(wp), parameter :: yield_factor_min = 0.05_wp, yield_factor_max = 1.0_wp
    !> Largest b3 with which elastic unloading lies below loading; k = 2/sqrt(110)
@@ -111,16 +107,15 @@ contains
       !> `unloading_reversible` (default) or `unloading_elastic`
       integer, intent(in), optional :: unloading
       type(double_double) :: strain, yield
-      logical :: accepted
+      logical :: allowed, accepted
 
-      call check_positive(error, 'eta', eta, '1/mm^2')
-      if (.not. allocated(error)) call check_positive(error, 'modulus', modulus, 'MPa')
-      if (.not. allocated(error)) call check_positive(error, 'radius', radius, 'mm')
-      if (.not. allocated(error)) call check_positive(error, 'hardness', hardness, 'MPa')
-      if (.not. allocated(error)) call check_positive(error, 'sigma', sigma, 'mm')
-      if (.not. allocated(error)) call check_yield_factor(error, yield_factor)
-      if (allocated(error)) return
-
+      allowed = all_positive([eta, modulus, radius, hardness, yield_factor, sigma])
+      if (allowed) &
+         allowed = yield_factor >= yield_factor_min .and. yield_factor <= yield_factor_max
+      if (.not. allowed) then
+         call refuse(error, eta, modulus, radius, hardness, yield_factor, sigma)
+         return
+      end if
       accepted = .false.
       if (present(accept_unphysical)) accepted = accept_unphysical
       call check_plausible(eta, modulus, radius, hardness, sigma, accepted, &
@@ -139,9 +134,9 @@ contains
       properties%w2 = yield*plastic_ratio
       properties%b1 = log(1.0_wp/yield_factor)/log(plastic_ratio)
       properties%b2 = plastic_area_exponent
-      properties%b3_less_1 = log(2.0_wp/yield_factor)/log(plastic_ratio)
+      properties%b3_less_1 = properties%b1 + plastic_area_exponent_less_1
       properties%b3 = 1.0_wp + properties%b3_less_1
-      properties%n1 = strain*yield*four_thirds*radius*modulus
+      properties%n1 = 4.0_wp/3.0_wp*strain%high*properties%w1*radius*modulus
       properties%energy_2 = properties%n1*properties%w1*(0.4_wp - 1.0_wp/(properties%b3 + 1.0_wp)) &
          + 2.0_wp*pi*radius*hardness*properties%w2**2/(properties%b3 + 1.0_wp)
 
@@ -198,16 +193,20 @@ contains
       end if
    end subroutine set_unloading
 
-   pure subroutine check_yield_factor(error, yield_factor)
+   !> Name the first that is not allowed.
+   pure subroutine refuse(error, eta, modulus, radius, hardness, yield_factor, sigma)
       type(error_type), allocatable, intent(inout) :: error
-      real(wp), intent(in) :: yield_factor
+      real(wp), intent(in) :: eta, modulus, radius, hardness, yield_factor, sigma
 
-      if (is_finite(yield_factor)) then
-         if (yield_factor >= yield_factor_min .and. yield_factor <= yield_factor_max) return
-      end if
-      call fatal_error(error, 'yield_factor = '//to_text(yield_factor)// &
-         ' is not allowed: it must lie between '//to_text(yield_factor_min)//' and '// &
-         to_text(nint(yield_factor_max))//'; the paper uses 0.4', subject='yield_factor')
-   end subroutine check_yield_factor
+      call check_positive(error, 'eta', eta, '1/mm^2')
+      if (.not. allocated(error)) call check_positive(error, 'modulus', modulus, 'MPa')
+      if (.not. allocated(error)) call check_positive(error, 'radius', radius, 'mm')
+      if (.not. allocated(error)) call check_positive(error, 'hardness', hardness, 'MPa')
+      if (.not. allocated(error)) call check_positive(error, 'sigma', sigma, 'mm')
+      if (.not. allocated(error)) call fatal_error(error, 'yield_factor = '// &
+         to_text(yield_factor)//' is not allowed: it must lie between '// &
+         to_text(yield_factor_min)//' and '//to_text(nint(yield_factor_max))// &
+         '; the paper uses 0.4', subject='yield_factor')
+   end subroutine refuse
 
 end module asperity_law_normal_properties

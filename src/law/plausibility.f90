@@ -93,26 +93,47 @@ contains
       integer, intent(out) :: flags
       !> Set when one is refused
       type(error_type), allocatable, intent(out) :: error
-      real(wp) :: values(size(ranges))
-      type(range_type) :: allowed
-      logical :: is_outside(size(ranges)), is_low
-      character(len=message_length) :: made_of, remedy
-      integer :: i
+      real(wp) :: number, ratio, values(size(ranges))
+      logical :: is_outside(size(ranges))
 
-      values([of_sigma, of_radius, of_number]) = [sigma, radius, eta*radius*sigma]
-      values([of_modulus, of_hardness, of_ratio]) = [modulus, hardness, hardness/modulus]
-      is_outside = values < ranges%lowest .or. values > ranges%highest
+      number = eta*radius*sigma
+      ratio = hardness/modulus
       flags = valid
-      if (values(of_number) < roughness_number_min) flags = ior(flags, roughness_number_low)
-      if (values(of_number) > roughness_number_measured) flags = ior(flags, roughness_number_high)
+      if (number < roughness_number_min) flags = ior(flags, roughness_number_low)
+      if (number > roughness_number_measured) flags = ior(flags, roughness_number_high)
+      if (is_within(sigma, of_sigma) .and. is_within(radius, of_radius) &
+         .and. is_within(number, of_number) .and. is_within(modulus, of_modulus) &
+         .and. is_within(hardness, of_hardness) .and. is_within(ratio, of_ratio)) return
+
+      values([of_sigma, of_radius, of_number]) = [sigma, radius, number]
+      values([of_modulus, of_hardness, of_ratio]) = [modulus, hardness, ratio]
+      is_outside = values < ranges%lowest .or. values > ranges%highest
       if (any(is_outside([of_sigma, of_radius, of_modulus, of_hardness, of_ratio]))) &
          flags = ior(flags, implausible_property)
-      i = findloc(is_outside, .true., dim=1)
-      if (i == 0 .or. is_accepted) return
+      if (is_accepted) return
       if (is_in_si(eta, modulus, radius, hardness, sigma)) then
          flags = iand(flags, not(implausible_property))
-         return
+      else
+         call refuse(eta, modulus, radius, hardness, sigma, values, &
+            findloc(is_outside, .true., dim=1), error)
       end if
+   end subroutine check_plausible
+
+   pure logical function is_within(value, i)
+      real(wp), intent(in) :: value
+      integer, intent(in) :: i
+
+      is_within = value >= ranges(i)%lowest .and. value <= ranges(i)%highest
+   end function is_within
+
+   !> Say which of the values is outside its range, and which slip of units would put it there.
+   pure subroutine refuse(eta, modulus, radius, hardness, sigma, values, i, error)
+      real(wp), intent(in) :: eta, modulus, radius, hardness, sigma, values(:)
+      integer, intent(in) :: i
+      type(error_type), allocatable, intent(out) :: error
+      type(range_type) :: allowed
+      logical :: is_low
+      character(len=message_length) :: made_of, remedy
 
       made_of = ''
       if (i == of_number) &
@@ -131,7 +152,7 @@ contains
          ', which '//trim(merge('no isotropic Gaussian surface', 'no known face or solid       ', &
          is_low .and. i == of_number))//' has: '//trim(remedy)//way_past, &
          subject=trim(allowed%subject))
-   end subroutine check_plausible
+   end subroutine refuse
 
    !> The same of a length of the contact point, critical slip or datum.
    pure subroutine check_plausible_length(name, value, highest, is_accepted, flags, error)
