@@ -5,11 +5,12 @@ module test_law_fixed_pieces
    use asperity_base_kinds, only: wp
    use asperity_law_normal_law, only: evaluate_scaled_law, normal_response
    use asperity_law_normal_properties, only: normal_properties
-   use asperity_law_quadrature_fixed_points, only: elastic_weight, elastoplastic_ratio, &
-      elastoplastic_weight, force_powers, log_ratio, n_elastic, n_elastoplastic, root_ratio
+   use asperity_law_quadrature_fixed_points, only: find_force_powers, log_ratio, &
+      middle_exponent, n_points, ratio, weight
    use asperity_law_quadrature_pieces_by_fixed_rule, only: evaluate_fixed_pieces, fixed_pieces_serve
    use asperity_law_quadrature_pieces_by_quadrature, only: elastic_piece, elastoplastic_piece, &
       piece_type, plastic_piece
+   use asperity_law_unloading_gauss_points, only: points, weights
    use extremes, only: largest_of, worsen
    use funit, only: assertEqual, assertFalse, assertGreaterThan, assertLessThan, &
       assertRelativelyEqual, assertTrue, TestMethod, TestSuite
@@ -250,47 +251,52 @@ contains
       call assertTrue(fixed_pieces_serve(1.0e-8_wp, 1.0e7_wp), 'far')
    end subroutine test_range
 
-   !> (w/w1)^(b3 - 1) by the intrinsic power: the exponentials err by 1.5 units of at most eps, the
-   !> upper half divides by them, and the rounding of the ratio or its logarithm enters times
-   !> (b3 - 1) ln(110) = ln(2/k) <= 3.7.
+   !> By the intrinsic power: the polynomial errs by some eps/2, and the rounding of the ratio or of
+   !> its logarithm enters times the exponent, 0.32 at most.
    subroutine test_force_powers()
       type(random_stream) :: stream
-      real(wp) :: powers(n_elastoplastic), exponent, k, worst
+      real(wp) :: powers(n_points), exponent, k, worst
       integer :: i
 
       stream = random_stream(seed + 2)
       worst = 0.0_wp
       do i = 1, 5000
          k = stream%uniform(0.05_wp, 1.0_wp)
+         if (i == 1) k = 0.05_wp
+         if (i == 2) k = 1.0_wp
          exponent = log(2.0_wp/k)/log(110.0_wp)
-         powers = force_powers(exponent, 2.0_wp/k)
-         call worsen(worst, largest_of(powers/elastoplastic_ratio**exponent - 1.0_wp))
+         call find_force_powers(exponent, powers)
+         call worsen(worst, largest_of(powers &
+            /(ratio/sqrt(110.0_wp))**(exponent - middle_exponent) - 1.0_wp))
       end do
       call record('fixed_pieces.force_powers', worst)
       call assertLessThan(worst, 6.0_wp*eps, 'powers')
    end subroutine test_force_powers
 
-   !> n points integrate powers to 2n - 1: of sqrt(w/w1) over 0..1, of ln(w/w1) over 0..ln(110).
-   !> Sums of 28 positive terms err by 28 eps/2 at most, and a rounded point by half its power.
+   !> The integrals that the points were made for where they have a closed form: over w/w1 = 1..110
+   !> of powers up to 2 + b3 - 1, and of 1 and w/w1 times exp(-q w/w1), which is the density for a
+   !> small w1/sigma.
    subroutine test_weights()
-      real(wp), parameter :: span = log(110.0_wp)
+      integer, parameter :: steps = 28
+      real(wp) :: p, q
       integer :: i
 
-      do i = 0, 2*n_elastic - 1
-         call assertRelativelyEqual(1.0_wp/(i + 1), sum(elastic_weight*root_ratio**i), &
-            (14 + i)*eps, 'power of sqrt(w/w1)')
+      call assertRelativelyEqual(exp(log_ratio), ratio, 5.0_wp*eps, 'ratios')
+      do i = 0, steps
+         p = 0.1_wp*i
+         call assertRelativelyEqual((110.0_wp**(p + 1.0_wp) - 1.0_wp)/(p + 1.0_wp), &
+            sum(weight*ratio**(p + 1.0_wp)), 1.0e-13_wp, 'power')
+         q = 0.01_wp*max(i, 1)
+         call assertRelativelyEqual((exp(-q) - exp(-110.0_wp*q))/q, &
+            sum(weight*ratio*exp(-q*ratio)), 1.0e-13_wp, 'density')
+         call assertRelativelyEqual(((1.0_wp + q)*exp(-q) - (1.0_wp + 110.0_wp*q) &
+            *exp(-110.0_wp*q))/q**2, sum(weight*ratio**2*exp(-q*ratio)), 1.0e-13_wp, 'force')
       end do
-      do i = 0, 2*n_elastoplastic - 1
-         call assertRelativelyEqual(span/(i + 1), sum(elastoplastic_weight*(log_ratio/span)**i), &
-            (14 + i)*eps, 'power of ln(w/w1)')
+      ! the Gauss rule of unloading integrates powers to 2n - 1; a rounded point errs by half its
+      ! power, sums of positive terms by n eps/2 at most
+      do i = 0, 2*size(points) - 1
+         call assertRelativelyEqual(1.0_wp/(i + 1), sum(weights*points**i), (14 + i)*eps, 'power')
       end do
-      call assertEqual(elastoplastic_ratio, exp(log_ratio), 600.0_wp*eps, 'ratios')
-      call assertRelativelyEqual(exp(log_ratio), elastoplastic_ratio, 5.0_wp*eps, 'ratios')
-      ! integrals of d(w/w1) and of its power b2 over 1..110
-      call assertRelativelyEqual(109.0_wp, sum(elastoplastic_weight*elastoplastic_ratio), &
-         20.0_wp*eps, 'length of the range')
-      call assertRelativelyEqual((110.0_wp**2.5_wp - 1.0_wp)/2.5_wp, &
-         sum(elastoplastic_weight*elastoplastic_ratio**2.5_wp), 20.0_wp*eps, 'power 1.5')
    end subroutine test_weights
 
 end module test_law_fixed_pieces

@@ -1,75 +1,73 @@
-!> Points for integrals over the deformations of elastic and of elasto-plastic summits where w1 is
-!> small against sigma. As w2/w1 is always 110, they are constants in w/w1: Gauss-Legendre, even in
-!> sqrt(w/w1) on the elastic range and in ln(w/w1) on the elasto-plastic one. Numbers from
-!> test/reference/fixed_rule_constants.py.
+!> Points for integrals over the deformations of elasto-plastic summits where w1 is small against
+!> sigma. As w2/w1 is always 110, they are constants in w/w1: a generalised Gauss rule for the
+!> powers of w/w1 that force, slope, work and area are, times the density of heights, over
+!> ln(w/w1). Numbers from test/reference/fixed_rule_constants.py.
 module asperity_law_quadrature_fixed_points
    use asperity_base_kinds, only: wp
-   use asperity_law_exponential, only: exponentials
    implicit none
    private
-   public :: force_powers
+   public :: find_force_powers
 
-   !> Number of points; multiples of what `exponentials` handles side by side
-   integer, parameter, public :: n_elastic = 8, n_elastoplastic = 28
+   !> Number of points; a multiple of what `exponentials` handles side by side
+   integer, parameter, public :: n_points = 20
 
-   !> sqrt(w/w1) at the elastic points, and weights
-   real(wp), parameter, public :: root_ratio(n_elastic) = [ &
-      0.019855071751231884158_wp, 0.1016667612931866302_wp, 0.23723379504183550709_wp, &
-      0.40828267875217509753_wp, 0.59171732124782490247_wp, 0.76276620495816449291_wp, &
-      0.8983332387068133698_wp, 0.98014492824876811584_wp]
-   real(wp), parameter, public :: elastic_weight(n_elastic) = [ &
-      0.050614268145188129576_wp, 0.11119051722668723527_wp, 0.15685332293894364367_wp, &
-      0.18134189168918099148_wp, 0.18134189168918099148_wp, 0.15685332293894364367_wp, &
-      0.11119051722668723527_wp, 0.050614268145188129576_wp]
-   !> ln(w/w1) and w/w1 at the elasto-plastic points, and weights
-   real(wp), parameter, public :: log_ratio(n_elastoplastic) = [ &
-      0.0083609851524429976287_wp, 0.04394205203834017676_wp, 0.10750167666044842066_wp, &
-      0.19828265148255507764_wp, 0.31518478227250288106_wp, 0.45678945996306509759_wp, &
-      0.62137793841300994202_wp, 0.80695239554331097394_wp, 1.011260237026465358_wp, &
-      1.2318214574020996887_wp, 1.4659587509080361763_wp, 1.710830013403867121_wp, &
-      1.9634628431559536159_wp, 2.2207906225653621449_wp, 2.4796897432270540832_wp, &
-      2.7370175226364626122_wp, 2.9896503523885491071_wp, 3.2345216148843800518_wp, &
-      3.4686589083903165394_wp, 3.6892201287659508701_wp, 3.8935279702491052541_wp, &
-      4.0791024273794062861_wp, 4.2436909058293511305_wp, 4.385295583519913347_wp, &
-      4.5021977143098611504_wp, 4.5929786891319678074_wp, 4.6565383137540760513_wp, &
-      4.6921193806399732305_wp]
-   real(wp), parameter, public :: elastoplastic_ratio(n_elastoplastic) = [ &
-      1.0083960358067021206_wp, 1.0449218020454813676_wp, 1.113492727694187116_wp, &
-      1.219306984046610138_wp, 1.370512533981235897_wp, 1.5789964072889026013_wp, &
-      1.8614912957996918899_wp, 2.2410676808456517677_wp, 2.7490633042702651735_wp, &
-      3.427466838918890224_wp, 4.33169426589378599_wp, 5.5335524947992221957_wp, &
-      7.1239535354896347852_wp, 9.2146132678679000214_wp, 11.937560134355163416_wp, &
-      15.440864325126401279_wp, 19.878730725584488723_wp, 25.394220655437463418_wp, &
-      32.09367301557811239_wp, 40.013629307528565204_wp, 49.08374742100258312_wp, &
-      59.092406313264162708_wp, 69.664503030039981501_wp, 80.261943814886733011_wp, &
-      90.215180786494254979_wp, 98.788251835094804676_wp, 105.27103538721276421_wp, &
-      109.08412577405820959_wp]
-   real(wp), parameter, public :: elastoplastic_weight(n_elastoplastic) = [ &
-      0.021444255590391147408_wp, 0.049665540165017988175_wp, 0.07732625764862942892_wp, &
-      0.10405203028535398594_wp, 0.1295154981798210871_wp, 0.1534070487623714161_wp, &
-      0.17543653219516246078_wp, 0.19533649290918165408_wp, 0.21286535310751011586_wp, &
-      0.22781032738130460325_wp, 0.23998999959673611295_wp, 0.24925652269970800115_wp, &
-      0.25549741237599805204_wp, 0.2586369119990220603_wp, 0.2586369119990220603_wp, &
-      0.25549741237599805204_wp, 0.24925652269970800115_wp, 0.23998999959673611295_wp, &
-      0.22781032738130460325_wp, 0.21286535310751011586_wp, 0.19533649290918165408_wp, &
-      0.17543653219516246078_wp, 0.1534070487623714161_wp, 0.1295154981798210871_wp, &
-      0.10405203028535398594_wp, 0.07732625764862942892_wp, 0.049665540165017988175_wp, &
-      0.021444255590391147408_wp]
+   !> ln(w/w1) and w/w1 at the points, and weights
+   real(wp), parameter, public :: log_ratio(n_points) = [ &
+      0.048619530946669133_wp, 0.26399868768473883_wp, 0.61550950897068935_wp, &
+      0.96416179633346744_wp, 1.2229071394298781_wp, 1.4895510765996129_wp, &
+      1.7955539710073689_wp, 2.1891923339999781_wp, 2.5801607264950008_wp, &
+      2.9383367563284768_wp, 3.2590740162331016_wp, 3.5436531606432351_wp, &
+      3.7944120320565355_wp, 4.0132971254390029_wp, 4.2015123629184101_wp, &
+      4.3596074127275086_wp, 4.4877215482122645_wp, 4.5858136106106135_wp, &
+      4.6537996956595515_wp, 4.6916181468231164_wp]
+   real(wp), parameter, public :: ratio(n_points) = [ &
+      1.0498208504009704_wp, 1.3021264874993114_wp, 1.8505992563141407_wp, &
+      2.6225884716482009_wp, 3.397049087858777_wp, 4.4351040500373866_wp, &
+      6.0228102600931713_wp, 8.927999360407236_wp, 13.19925945988881_wp, &
+      18.884410800289724_wp, 26.025426858577697_wp, 34.593062654419096_wp, &
+      44.452092315037193_wp, 55.328996794803534_wp, 66.78726127749217_wp, &
+      78.226417698020276_wp, 88.918618115356492_wp, 98.082956021044298_wp, &
+      104.98313263265845_wp, 109.02946282194249_wp]
+   real(wp), parameter, public :: weight(n_points) = [ &
+      0.12707238911149057_wp, 0.29828143160185056_wp, 0.38146746498797651_wp, &
+      0.28718707690258494_wp, 0.26878935990223768_wp, 0.25732529983185004_wp, &
+      0.36732728073886955_wp, 0.40165336640313309_wp, 0.37633868477986021_wp, &
+      0.33947315830579056_wp, 0.30227910626623156_wp, 0.26728907906754784_wp, &
+      0.23455769245582775_wp, 0.20341107092152341_wp, 0.17310654370586018_wp, &
+      0.14310274294448513_wp, 0.11311642828080093_wp, 0.08305289517656804_wp, &
+      0.052907604696516217_wp, 0.022741690081271134_wp]
+
+   !> ln(w/w1) in the middle of the range, where w/w1 is sqrt(110)
+   real(wp), parameter, public :: middle = 0.5_wp*log(110.0_wp)
+   real(wp), parameter :: from_middle(n_points) = log_ratio - middle
+   !> The exponent b3 - 1 in the middle of its range, for yield factors of 0.05 to 1
+   real(wp), parameter, public :: middle_exponent = 0.5_wp*log(80.0_wp)/log(110.0_wp)
+   !> exp(x) by powers of x to 3e-17 for |x| <= 0.75
+   real(wp), parameter :: c(0:13) = [ &
+      1.0000000000000000252_wp, 1.0000000000000000017_wp, 0.49999999999999561758_wp, &
+      0.16666666666666637479_wp, 0.041666666666791307047_wp, 0.0083333333333416348251_wp, &
+      0.0013888888875597155042_wp, 0.00019841269832416821368_wp, 0.000024801594050048587676_wp, &
+      2.7557323719055683797e-6_wp, 2.7555560990967492842e-7_wp, 2.50509371405524587e-8_wp, &
+      2.1103715506256629742e-9_wp, 1.6210260812877196512e-10_wp]
 
 contains
 
-   !> (w/w1)^(b3 - 1) at the elasto-plastic points. The points are symmetric in ln(w/w1), so the
-   !> upper ones follow from the lower ones and the value at w2.
-   pure function force_powers(b3_less_1, upper) result(powers)
-      !> Exponent of the force less one
+   !> (w/(sqrt(110) w1))^(b3 - 1 - `middle_exponent`) at the points. Its logarithm is 0.75 in size
+   !> at most, so that one polynomial is enough.
+   pure subroutine find_force_powers(b3_less_1, powers)
+      !> Exponent of the force less one; for yield factors of 0.05 to 1
       real(wp), intent(in) :: b3_less_1
-      !> Value at w2, 2/k
-      real(wp), intent(in) :: upper
-      real(wp) :: powers(n_elastoplastic)
-      integer, parameter :: n_lower = 16
+      !> The powers
+      real(wp), intent(out) :: powers(n_points)
+      real(wp) :: x, s
+      integer :: i
 
-      call exponentials(n_lower, b3_less_1*log_ratio(:n_lower), powers(:n_lower))
-      powers(n_lower + 1:) = upper/powers(n_elastoplastic - n_lower:1:-1)
-   end function force_powers
+      do i = 1, n_points
+         x = (b3_less_1 - middle_exponent)*from_middle(i)
+         s = x*x
+         powers(i) = (c(0) + s*(c(2) + s*(c(4) + s*(c(6) + s*(c(8) + s*(c(10) + s*c(12))))))) &
+            + x*(c(1) + s*(c(3) + s*(c(5) + s*(c(7) + s*(c(9) + s*(c(11) + s*c(13)))))))
+      end do
+   end subroutine find_force_powers
 
 end module asperity_law_quadrature_fixed_points

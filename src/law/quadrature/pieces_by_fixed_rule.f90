@@ -1,39 +1,46 @@
-!> The elastic and the elasto-plastic piece of the normal law on the points of the fixed rule: few,
-!> constant, without a power function. Ten times faster than the quadrature of law_pieces, and as
+!> The elastic and the elasto-plastic piece of the normal law where w1 is small against sigma: the
+!> one by the power series of the density, the other on the points of a fixed rule, few and
+!> constant; neither takes a power function. Ten times faster than the general quadrature, and as
 !> accurate where it serves.
 module asperity_law_quadrature_pieces_by_fixed_rule
    use asperity_base_kinds, only: wp
    use asperity_law_exponential, only: exponentials
    use asperity_law_gaussian_tail, only: phi_0
    use asperity_law_normal_properties, only: normal_properties, plastic_area_exponent
-   use asperity_law_quadrature_fixed_points, only: elastic_weight, elastoplastic_ratio, &
-      elastoplastic_weight, force_powers, log_ratio, n_elastic, n_elastoplastic, root_ratio
+   use asperity_law_quadrature_fixed_points, only: find_force_powers, log_ratio, &
+      middle, middle_exponent, n => n_points, ratio, weight
    use asperity_law_quadrature_pieces_by_quadrature, only: piece_type
    implicit none
    private
    public :: fixed_pieces_serve, evaluate_fixed_pieces, fixed_elastic_piece
 
-   !> Largest w1/sigma, smallest d/sigma and largest product of the two: test/test_fixed_pieces
+   !> Largest w1/sigma, smallest d/sigma and largest product of the two: test/law/fixed_pieces.f90
    real(wp), parameter :: largest_ratio = 0.025_wp, lowest = -7.0_wp, largest_product = 0.28_wp
 
-   integer, parameter :: n = n_elastic + n_elastoplastic
-   real(wp), parameter :: ratio(n) = [root_ratio**2, elastoplastic_ratio]
+   !> Last power of w/w1 in the series of the density, and the powers themselves: the first that is
+   !> left out is below 0.28^12/12! = 5e-16; for small products, 0.05^8/8! = 1e-15, fewer do
+   integer, parameter :: last = 11, last_of_few = 7
+   real(wp), parameter :: small_product = 0.05_wp
+   integer :: i
+   real(wp), parameter :: power(0:last) = [(real(i, wp), i=0, last)]
+   real(wp), parameter :: reciprocal(2:last) = 1.0_wp/power(2:)
+   ! integrals of the powers, times those of force, its slope, area, its slope and energy
+   real(wp), parameter :: elastic_force(0:last) = 1.0_wp/(power + 2.5_wp)
+   real(wp), parameter :: elastic_slope(0:last) = 1.5_wp/(power + 1.5_wp)
+   real(wp), parameter :: elastic_area(0:last) = 1.0_wp/(power + 2.0_wp)
+   real(wp), parameter :: elastic_area_slope(0:last) = 1.0_wp/(power + 1.0_wp)
+   real(wp), parameter :: elastic_energy(0:last) = 0.4_wp/(power + 3.5_wp)
 
-   ! weights of the elastic sums: force, its slope, area, its slope, energy
-   real(wp), parameter :: by_root(n_elastic) = 2.0_wp*elastic_weight*root_ratio
-   real(wp), parameter :: elastic_force(n_elastic) = by_root*root_ratio**3
-   real(wp), parameter :: elastic_slope(n_elastic) = 1.5_wp*by_root*root_ratio
-   real(wp), parameter :: elastic_area(n_elastic) = by_root*root_ratio**2
-   real(wp), parameter :: elastic_energy(n_elastic) = 0.4_wp*by_root*root_ratio**5
-   ! and of the elasto-plastic sums; those with the force's power lack it, that of the recoverable
-   ! energy, force times recovery, lacks its square
-   real(wp), parameter :: by_log(n_elastoplastic) = elastoplastic_weight*elastoplastic_ratio
-   real(wp), parameter :: force_weight(n_elastoplastic) = by_log*elastoplastic_ratio
-   real(wp), parameter :: work_weight(n_elastoplastic) = by_log*elastoplastic_ratio**2
-   real(wp), parameter :: area_weight(n_elastoplastic) = by_log*exp(plastic_area_exponent*log_ratio)
-   real(wp), parameter :: recoverable_weight(n_elastoplastic) = 0.4_wp*by_log &
-      *exp((2.0_wp - 0.5_wp*plastic_area_exponent)*log_ratio)
-   real(wp), parameter :: area_slope_weight(n_elastoplastic) = plastic_area_exponent*by_log &
+   ! weights of the elasto-plastic sums; those with the force lack what `find_force_powers` gives,
+   ! that of the recoverable energy, force times recovery, its square
+   real(wp), parameter :: by_log(n) = weight*ratio
+   real(wp), parameter :: slope_weight(n) = by_log*exp(middle_exponent*(log_ratio - middle))
+   real(wp), parameter :: force_weight(n) = slope_weight*ratio
+   real(wp), parameter :: work_weight(n) = force_weight*ratio
+   real(wp), parameter :: area_weight(n) = by_log*exp(plastic_area_exponent*log_ratio)
+   real(wp), parameter :: recoverable_weight(n) = 0.4_wp*by_log*exp(2.0_wp*middle_exponent &
+      *(log_ratio - middle) + (2.0_wp - 0.5_wp*plastic_area_exponent)*log_ratio)
+   real(wp), parameter :: area_slope_weight(n) = plastic_area_exponent*by_log &
       *exp((plastic_area_exponent - 1.0_wp)*log_ratio)
 
 contains
@@ -57,41 +64,13 @@ contains
       logical, intent(in) :: with_area_slope
       !> Whether recoverable energy and dissipation are wanted
       logical, intent(in) :: with_memory
-      !> Integrals, with exponents of zero
-      type(piece_type), intent(out) :: elastic, elastoplastic
-      real(wp) :: a, scale, inverse, t(n), exponent(n), density(n), plain
-      real(wp), dimension(n_elastoplastic) :: power, force
+      !> Zero on entry; integrals, with exponents of zero
+      type(piece_type), intent(inout) :: elastic, elastoplastic
+      real(wp) :: a
 
       a = properties%w1/properties%sigma
-      t = a*ratio
-      if (h > 0.0_wp) then
-         exponent = -t*(h + 0.5_wp*t)
-      else
-         exponent = -0.5_wp*(t + h)**2
-      end if
-      call exponentials(n, exponent, density)
-
-      scale = phi_0*a
-      associate (first => density(:n_elastic), rest => density(n_elastic + 1:), &
-            p => properties)
-         call sum_elastic(scale, first, with_area_slope, elastic)
-         power = force_powers(p%b3_less_1, 2.0_wp/p%yield_factor)
-         force = power*rest
-         inverse = 1.0_wp/(p%b3 + 1.0_wp)
-         plain = weighted(n_elastoplastic, by_log, rest)
-         elastoplastic%pressure = scale*weighted(n_elastoplastic, force_weight, force)
-         elastoplastic%stiffness = scale*p%b3*weighted(n_elastoplastic, by_log, force)
-         elastoplastic%area = scale*weighted(n_elastoplastic, area_weight, rest)
-         elastoplastic%energy = scale*(inverse*weighted(n_elastoplastic, work_weight, force) &
-            + (0.4_wp - inverse)*plain)
-         if (with_area_slope) &
-            elastoplastic%area_slope = scale*weighted(n_elastoplastic, area_slope_weight, rest)
-         if (with_memory) then
-            elastoplastic%recoverable = scale*weighted(n_elastoplastic, recoverable_weight, &
-               power*force)
-            elastoplastic%dissipation = elastoplastic%energy - elastoplastic%recoverable
-         end if
-      end associate
+      call sum_series(a, h, with_area_slope, elastic)
+      call sum_points(properties, a, h, with_area_slope, with_memory, elastoplastic)
    end subroutine evaluate_fixed_pieces
 
    !> The elastic piece of deformations up to `largest` w1, where the fixed rule serves: that of
@@ -105,48 +84,106 @@ contains
       real(wp), intent(in) :: largest
       !> Integrals, with an exponent of zero
       type(piece_type) :: piece
-      real(wp) :: a, t(n_elastic), exponent(n_elastic), density(n_elastic)
 
-      a = largest*properties%w1/properties%sigma
-      t = a*ratio(:n_elastic)
-      if (h > 0.0_wp) then
-         exponent = -t*(h + 0.5_wp*t)
-      else
-         exponent = -0.5_wp*(t + h)**2
-      end if
-      call exponentials(n_elastic, exponent, density)
-      call sum_elastic(phi_0*a, density, .false., piece)
+      call sum_series(largest*properties%w1/properties%sigma, h, .false., piece)
       piece%stiffness = piece%stiffness*sqrt(largest)
       piece%pressure = piece%pressure*largest*sqrt(largest)
       piece%area = piece%area*largest
       piece%energy = piece%energy*largest*largest*sqrt(largest)
    end function fixed_elastic_piece
 
-   !> Set the integrals over elastic summits from the density at their points.
-   pure subroutine sum_elastic(scale, density, with_area_slope, piece)
-      real(wp), intent(in) :: scale, density(n_elastic)
+   !> Elastic: the density exp(-t (h + t/2)) at t = a w/w1 by powers of w/w1, each integrated. The
+   !> coefficients are a^i/i! times Hermite polynomials of -h.
+   pure subroutine sum_series(a, h, with_area_slope, piece)
+      real(wp), intent(in) :: a, h
       logical, intent(in) :: with_area_slope
       type(piece_type), intent(inout) :: piece
+      real(wp) :: c(0:last), first, second, scale
+      real(wp), dimension(0:1) :: by_force, by_slope, by_area, by_work
+      integer :: most, i, j
 
-      piece%pressure = scale*weighted(n_elastic, elastic_force, density)
-      piece%stiffness = scale*weighted(n_elastic, elastic_slope, density)
-      piece%area = scale*weighted(n_elastic, elastic_area, density)
-      piece%energy = scale*weighted(n_elastic, elastic_energy, density)
-      if (with_area_slope) piece%area_slope = scale*weighted(n_elastic, by_root, density)
-   end subroutine sum_elastic
-
-   !> Sum of weights times values in four parts, side by side; n is a multiple of four.
-   pure real(wp) function weighted(n, weight, values)
-      integer, intent(in) :: n
-      real(wp), intent(in) :: weight(n), values(n)
-      real(wp) :: parts(4)
-      integer :: i
-
-      parts = 0.0_wp
-      do i = 1, n, 4
-         parts = parts + weight(i:i + 3)*values(i:i + 3)
+      first = -a*h
+      second = -a*a
+      c(0) = 1.0_wp
+      c(1) = first
+      most = last
+      if (abs(first) < small_product) most = last_of_few
+      do i = 2, most
+         c(i) = (first*c(i - 1) + second*c(i - 2))*reciprocal(i)
       end do
-      weighted = (parts(1) + parts(3)) + (parts(2) + parts(4))
-   end function weighted
+      by_force = 0.0_wp
+      by_slope = 0.0_wp
+      by_area = 0.0_wp
+      by_work = 0.0_wp
+      do i = 0, most, 2
+         do j = 0, 1
+            by_force(j) = by_force(j) + elastic_force(i + j)*c(i + j)
+            by_slope(j) = by_slope(j) + elastic_slope(i + j)*c(i + j)
+            by_area(j) = by_area(j) + elastic_area(i + j)*c(i + j)
+            by_work(j) = by_work(j) + elastic_energy(i + j)*c(i + j)
+         end do
+      end do
+      scale = phi_0*a
+      if (h < 0.0_wp) scale = scale*exp(-0.5_wp*h*h)
+      piece%pressure = scale*(by_force(0) + by_force(1))
+      piece%stiffness = scale*(by_slope(0) + by_slope(1))
+      piece%area = scale*(by_area(0) + by_area(1))
+      piece%energy = scale*(by_work(0) + by_work(1))
+      if (with_area_slope) &
+         piece%area_slope = scale*dot_product(elastic_area_slope(:most), c(:most))
+   end subroutine sum_series
+
+   !> Elasto-plastic: sums over the points, in two halves side by side.
+   pure subroutine sum_points(properties, a, h, with_area_slope, with_memory, piece)
+      type(normal_properties), intent(in) :: properties
+      real(wp), intent(in) :: a, h
+      logical, intent(in) :: with_area_slope, with_memory
+      type(piece_type), intent(inout) :: piece
+      real(wp) :: t, exponent(n), density(n), powers(n), force, inverse, scale, force_scale
+      real(wp), dimension(2) :: by_force, by_slope, by_work, by_area, by_range
+      integer :: i, j
+
+      if (h > 0.0_wp) then
+         do i = 1, n
+            t = a*ratio(i)
+            exponent(i) = -t*(h + 0.5_wp*t)
+         end do
+      else
+         exponent = -0.5_wp*(a*ratio + h)**2
+      end if
+      call exponentials(n, exponent, density)
+      call find_force_powers(properties%b3_less_1, powers)
+
+      by_force = 0.0_wp
+      by_slope = 0.0_wp
+      by_work = 0.0_wp
+      by_area = 0.0_wp
+      by_range = 0.0_wp
+      do i = 0, n - 2, 2
+         do j = 1, 2
+            by_range(j) = by_range(j) + by_log(i + j)*density(i + j)
+            by_area(j) = by_area(j) + area_weight(i + j)*density(i + j)
+            force = powers(i + j)*density(i + j)
+            by_slope(j) = by_slope(j) + slope_weight(i + j)*force
+            by_force(j) = by_force(j) + force_weight(i + j)*force
+            by_work(j) = by_work(j) + work_weight(i + j)*force
+         end do
+      end do
+      scale = phi_0*a
+      ! the force in the middle of the range: (2/k)^(1/2), as it is 2/k at its upper end
+      force_scale = scale*sqrt(2.0_wp/properties%yield_factor)
+      inverse = 1.0_wp/(properties%b3 + 1.0_wp)
+      piece%pressure = force_scale*(by_force(1) + by_force(2))
+      piece%stiffness = force_scale*properties%b3*(by_slope(1) + by_slope(2))
+      piece%area = scale*(by_area(1) + by_area(2))
+      piece%energy = force_scale*inverse*(by_work(1) + by_work(2)) &
+         + scale*(0.4_wp - inverse)*(by_range(1) + by_range(2))
+      if (with_area_slope) piece%area_slope = scale*dot_product(area_slope_weight, density)
+      if (with_memory) then
+         piece%recoverable = scale*2.0_wp/properties%yield_factor &
+            *dot_product(recoverable_weight, powers*powers*density)
+         piece%dissipation = piece%energy - piece%recoverable
+      end if
+   end subroutine sum_points
 
 end module asperity_law_quadrature_pieces_by_fixed_rule

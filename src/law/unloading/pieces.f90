@@ -10,20 +10,16 @@ module asperity_law_unloading_pieces
    use asperity_law_exponential, only: exponentials
    use asperity_law_gaussian_tail, only: phi_0
    use asperity_law_normal_properties, only: normal_properties, plastic_ratio
-   use asperity_law_quadrature_fixed_points, only: elastoplastic_weight, log_ratio, &
-      n => n_elastoplastic
    use asperity_law_quadrature_heights, only: find_dense_range, relative_exponent
    use asperity_law_quadrature_pieces_by_fixed_rule, only: fixed_elastic_piece, fixed_pieces_serve
    use asperity_law_quadrature_pieces_by_quadrature, only: elastic_piece, piece_type
+   use asperity_law_unloading_gauss_points, only: n => n_points, points, weights
    use asperity_law_unloading_summit, only: recovery_exponent
    implicit none
    private
    public :: elastic_unloading_piece, elastoplastic_unloading_piece, plastic_unloading_piece
 
    real(wp), parameter :: log_plastic_ratio = log(plastic_ratio)
-   !> Gauss points on 0..1, and weights
-   real(wp), parameter :: points(n) = log_ratio/log_plastic_ratio
-   real(wp), parameter :: weights(n) = elastoplastic_weight/log_plastic_ratio
    !> The root of the area of an elasto-plastic summit, in pi R w1, is sqrt(x) exp(area_slope ln x):
    !> the second factor grows from 1 to sqrt(2), by powers from the middle
    real(wp), parameter :: log_2 = log(2.0_wp), root_of_root_2 = sqrt(sqrt(2.0_wp))
