@@ -1,28 +1,36 @@
 !> Compiles the normal law: values and slopes of the direct evaluation at four points of each
-!> interval become the polynomials of `asperity_law_compiled_law`.
+!> interval become the polynomials of `asperity_law_compiled_law`. All intervals, or those alone
+!> that a range of separations needs.
 module asperity_law_compile_law
    use asperity_base_error, only: error_type, fatal_error
    use asperity_base_kinds, only: wp
-   use asperity_law_compiled_law, only: compiled_law, evaluate_compiled_law, first, last, n_all, &
-      n_near, place_interval
+   use asperity_law_compiled_law, only: compiled_law, evaluate_compiled_law, first, &
+      intervals_below, last, n_all, n_near, place_interval
    use asperity_law_gaussian_tail, only: tail_moments
    use asperity_law_hermite_polynomial, only: degree, hermite_points, hermite_polynomial
    use asperity_law_normal_law, only: evaluate_scaled_law, normal_response
    use asperity_law_normal_properties, only: normal_properties
    implicit none
    private
-   public :: new_compiled_law
+   public :: new_compiled_law, compiling_pays
+
+   !> So many points an interval take as long directly as compiled: three samples of an interval,
+   !> each a direct evaluation, and as much again for all else
+   integer, parameter :: points_to_pay = 6
 
 contains
 
    !> Compile the law. `error` is set when the properties were never built.
-   pure subroutine new_compiled_law(law, properties, error)
+   pure subroutine new_compiled_law(law, properties, error, range)
       !> Result
       type(compiled_law), intent(out) :: law
       !> Checked properties
       type(normal_properties), intent(in) :: properties
       !> Set when the properties were never built
       type(error_type), allocatable, intent(out) :: error
+      !> Least and largest separation, mm, to compile for; beyond them the law is evaluated
+      !> directly. When absent, the whole range of polynomials
+      real(wp), intent(in), optional :: range(2)
       real(wp), dimension(4, 3) :: values, slopes
       real(wp) :: middle, half_width
       integer :: i, j
@@ -34,9 +42,11 @@ contains
       end if
       law%properties = properties
       law%inverse_sigma = 1.0_wp/properties%sigma
-      do i = 1, n_all
+      law%columns = [1, n_all]
+      if (present(range)) law%columns = columns_of(properties, range)
+      do i = law%columns(1), law%columns(2)
          call place_interval(i, middle, half_width)
-         if (i == 1 .or. i == n_near + 1) then
+         if (i == law%columns(1) .or. i == n_near + 1) then
             call sample(properties, middle - half_width, i > n_near, values(1, :), slopes(1, :))
          else
             values(1, :) = values(4, :)
@@ -53,6 +63,29 @@ contains
       end do
       call find_limits(law)
    end subroutine new_compiled_law
+
+   !> Whether so many points are evaluated sooner when the law is compiled for their range first.
+   pure logical function compiling_pays(points, properties, range)
+      !> Number of points
+      integer, intent(in) :: points
+      !> Checked properties
+      type(normal_properties), intent(in) :: properties
+      !> Least and largest separation, mm
+      real(wp), intent(in) :: range(2)
+      integer :: columns(2)
+
+      columns = columns_of(properties, range)
+      compiling_pays = points > points_to_pay*(columns(2) - columns(1) + 1)
+   end function compiling_pays
+
+   !> First and last column that a range of separations needs, one at least.
+   pure function columns_of(properties, range) result(columns)
+      type(normal_properties), intent(in) :: properties
+      real(wp), intent(in) :: range(2)
+      integer :: columns(2)
+
+      columns = min(1 + int(intervals_below(min(max(range/properties%sigma, first), last))), n_all)
+   end function columns_of
 
    !> Pressure, area fraction and energy, and their derivatives by h; over exp(-h^2/2) if `scaled`.
    pure subroutine sample(properties, h, scaled, values, slopes)
@@ -79,24 +112,21 @@ contains
    !> evaluated, and judged, directly.
    pure subroutine find_limits(law)
       type(compiled_law), intent(inout) :: law
-      real(wp) :: near, distant, h, pressure, stiffness, area_fraction, moments(0:2)
-      logical :: passed
+      real(wp) :: lowest, highest, near, distant, h, middle, half_width
       integer :: i
 
+      call place_interval(law%columns(1), middle, half_width)
+      lowest = middle - half_width
+      call place_interval(law%columns(2), middle, half_width)
+      highest = middle + half_width
       do i = 1, 3
-         near = first
-         distant = last
+         law%limits(i) = lowest
+         if (.not. is_passed(law, i, lowest)) cycle
+         near = lowest
+         distant = highest
          do while (distant - near > epsilon(h)*max(1.0_wp, abs(near)))
             h = 0.5_wp*(near + distant)
-            if (i < 3) then
-               call evaluate_compiled_law(law, h*law%properties%sigma, pressure, stiffness, &
-                  area_fraction)
-               passed = merge(area_fraction > 1.0_wp, pressure > law%properties%hardness, i == 1)
-            else
-               moments = tail_moments(h)
-               passed = law%properties%sigma*moments(1) > 0.5_wp*law%properties%radius*moments(0)
-            end if
-            if (passed) then
+            if (is_passed(law, i, h)) then
                near = h
             else
                distant = h
@@ -105,5 +135,21 @@ contains
          law%limits(i) = distant
       end do
    end subroutine find_limits
+
+   !> Whether a limit is passed at a separation over sigma: nominal area, hardness, half the radius.
+   pure logical function is_passed(law, limit, h)
+      type(compiled_law), intent(in) :: law
+      integer, intent(in) :: limit
+      real(wp), intent(in) :: h
+      real(wp) :: pressure, stiffness, area_fraction, moments(0:2)
+
+      if (limit < 3) then
+         call evaluate_compiled_law(law, h*law%properties%sigma, pressure, stiffness, area_fraction)
+         is_passed = merge(area_fraction > 1.0_wp, pressure > law%properties%hardness, limit == 1)
+      else
+         moments = tail_moments(h)
+         is_passed = law%properties%sigma*moments(1) > 0.5_wp*law%properties%radius*moments(0)
+      end if
+   end function is_passed
 
 end module asperity_law_compile_law

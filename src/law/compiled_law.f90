@@ -4,8 +4,8 @@
 !>
 !> Up to h = 8 the polynomials are of pressure, area and energy themselves; beyond, of the same over
 !> exp(-h^2/2). Values and slopes are exact at four points of an interval, its ends among them. The
-!> stiffness is the derivative of the polynomial of the pressure. Outside -8 <= h < 38 the law is
-!> evaluated directly, and beyond 39 it is zero.
+!> stiffness is the derivative of the polynomial of the pressure. Outside -8 <= h < 38, or of the
+!> range that it was compiled for, the law is evaluated directly, and beyond 39 it is zero.
 module asperity_law_compiled_law
    use asperity_base_kinds, only: wp
    use asperity_law_gaussian_tail, only: tail_moments
@@ -16,16 +16,19 @@ module asperity_law_compiled_law
       pressure_above_hardness
    implicit none
    private
-   public :: compiled_law, evaluate_compiled_law, place_interval
+   public :: compiled_law, evaluate_compiled_law, intervals_below, place_interval
 
    !> Ends of the three ranges of h, and intervals per unit of h in each
    real(wp), parameter, public :: first = -8.0_wp, last = 38.0_wp
-   real(wp), parameter :: second = 2.0_wp, third = 8.0_wp
+   real(wp), parameter :: second = 2.0_wp
+   !> Up to here from the mean plane the error is below 1e-10, beyond below 1e-9
+   real(wp), parameter, public :: precise_reach = 8.0_wp
    integer, parameter :: coarse = 5, fine = 21
    real(wp), parameter :: far = 1.5_wp
    !> Number of intervals: in the first two ranges, and in all
-   integer, parameter, public :: n_near = nint((second - first)*coarse + (third - second)*fine)
-   integer, parameter, public :: n_all = n_near + nint((last - third)*far)
+   integer, parameter, public :: n_near = &
+      nint((second - first)*coarse + (precise_reach - second)*fine)
+   integer, parameter, public :: n_all = n_near + nint((last - precise_reach)*far)
    !> Points of a batch that are worked on at a time
    integer, parameter :: chunk = 64
    !> Stand for the column of an h without a polynomial: evaluated directly, or zero
@@ -41,6 +44,8 @@ module asperity_law_compiled_law
       !> Separations over sigma below which a limit of the law is passed: nominal area, hardness,
       !> half the radius
       real(wp) :: limits(3)
+      !> First and last column that holds a polynomial
+      integer :: columns(2)
       !> Polynomials, one column an interval: powers 0 to 7, and the middle of the interval
       real(wp) :: pressure(0:degree + 1, n_all)
       real(wp) :: area_fraction(0:degree, n_all), energy(0:degree, n_all)
@@ -107,17 +112,19 @@ contains
       integer, intent(in) :: n
       real(wp), intent(in) :: separation(n)
       real(wp), intent(out) :: pressure(n), stiffness(n)
-      real(wp) :: h(chunk), intervals, decay
+      real(wp) :: h(chunk), intervals, lowest, highest, decay
       integer :: column(chunk), i, j, m
       logical :: inside(chunk)
 
+      lowest = law%columns(1) - 1
+      highest = law%columns(2)
       do i = 0, n - 1, chunk
          m = min(chunk, n - i)
          do j = 1, m
             h(j) = separation(i + j)*law%inverse_sigma
             intervals = intervals_below(h(j))
-            inside(j) = intervals >= 0.0_wp .and. intervals < n_all
-            column(j) = 1 + int(merge(intervals, 0.0_wp, inside(j)))
+            inside(j) = intervals >= lowest .and. intervals < highest
+            column(j) = 1 + int(merge(intervals, lowest, inside(j)))
          end do
          call evaluate_polynomials(law, m, column, h, pressure(i + 1), stiffness(i + 1))
          if (any(column(:m) > n_near)) then
@@ -229,11 +236,9 @@ contains
       real(wp) :: intervals
 
       intervals = intervals_below(separation*law%inverse_sigma)
-      if (intervals >= 0.0_wp .and. intervals < n_all) then
+      column_at = merge(beyond, outside, separation > vanishing_separation*law%properties%sigma)
+      if (intervals >= law%columns(1) - 1 .and. intervals < law%columns(2)) &
          column_at = 1 + int(intervals)
-      else
-         column_at = merge(beyond, outside, separation > vanishing_separation*law%properties%sigma)
-      end if
    end function column_at
 
    !> Middle and half width of an interval of h.
@@ -252,16 +257,18 @@ contains
          middle = second + half_width*(2*(i - n_first) - 1)
       else
          half_width = 0.5_wp/far
-         middle = third + half_width*(2*(i - n_near) - 1)
+         middle = precise_reach + half_width*(2*(i - n_near) - 1)
       end if
    end subroutine place_interval
 
    !> Number of intervals that lie below h, with a fraction.
-   pure real(wp) function intervals_below(h)
+   pure elemental real(wp) function intervals_below(h)
+      !> d/sigma
       real(wp), intent(in) :: h
 
       intervals_below = (min(h, second) - first)*coarse &
-         + min(max(h - second, 0.0_wp), third - second)*fine + max(h - third, 0.0_wp)*far
+         + min(max(h - second, 0.0_wp), precise_reach - second)*fine &
+         + max(h - precise_reach, 0.0_wp)*far
    end function intervals_below
 
    !> A polynomial by Horner's rule.

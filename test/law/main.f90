@@ -2,6 +2,7 @@
 program test_law
    use funit, only: TestSuite
    use run_suites, only: run_suite
+   use test_law_compile_range, only: suite_compile_range
    use test_law_compiled_energy, only: suite_compiled_energy
    use test_law_compiled_law, only: suite_compiled_law
    use test_law_compiled_unloading, only: suite_compiled_unloading
@@ -39,6 +40,7 @@ program test_law
    call suite%addTest(suite_normal_law_reference())
    call suite%addTest(suite_normal_inverse())
    call suite%addTest(suite_compiled_law())
+   call suite%addTest(suite_compile_range())
    call suite%addTest(suite_compiled_energy())
    call suite%addTest(suite_compiled_unloading())
    call suite%addTest(suite_compiled_unloading_limits())
