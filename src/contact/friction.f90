@@ -32,6 +32,7 @@ contains
       real(wp), intent(in) :: closing
       type(slip_path) :: path
       real(wp) :: gamma(2), gamma_by_pressure(2), energy, kept_energy, share, share_by_overclosure
+      integer :: i
 
       gamma = 0.0_wp
       if (is_closed(start)) gamma = start%elastic_slip
@@ -60,11 +61,17 @@ contains
             r%state%elastic_slip = path%elastic_slip
             r%tangential_energy = elastic_energy(properties, p, path%elastic_slip)
             r%dissipation = r%dissipation + properties%friction_coefficient*p*path%slipped
-            r%traction(2:3) = scale*p*path%elastic_slip
-            r%tangent(2:3, 1) = scale*r%tangent(1, 1) &
-               *(path%elastic_slip + p*matmul(path%by_start, gamma_by_pressure)) &
-               + scale*p*share_by_overclosure*matmul(path%by_increment, slip_increment)
-            r%tangent(2:3, 2:3) = scale*p*share*path%by_increment
+            ! by component, as flang makes library calls of sections and of matmul
+            do i = 1, 2
+               r%traction(1 + i) = scale*p*path%elastic_slip(i)
+               r%tangent(1 + i, 1) = scale*r%tangent(1, 1)*(path%elastic_slip(i) + p &
+                  *(path%by_start(i, 1)*gamma_by_pressure(1) &
+                  + path%by_start(i, 2)*gamma_by_pressure(2))) &
+                  + scale*p*share_by_overclosure*(path%by_increment(i, 1)*slip_increment(1) &
+                  + path%by_increment(i, 2)*slip_increment(2))
+               r%tangent(1 + i, 2) = scale*p*share*path%by_increment(i, 1)
+               r%tangent(1 + i, 3) = scale*p*share*path%by_increment(i, 2)
+            end do
          end if
       end associate
       call end_increment(response, start, overclosure)

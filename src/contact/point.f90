@@ -9,11 +9,12 @@ module asperity_contact_point
    use asperity_base_kinds, only: wp
    use asperity_contact_friction, only: slide
    use asperity_contact_properties, only: close_pressure_ratio, contact_properties
+   use asperity_contact_slip_path, only: is_longer
    use asperity_contact_state, only: contact_response, contact_state, is_closed, may_close, &
       status_open, status_slip, status_unset
    use asperity_law_compiled_law, only: evaluate_compiled_law
    use asperity_law_normal_inverse, only: separation_for_pressure
-   use asperity_law_normal_law, only: evaluate_normal_law, normal_response, vanishing_separation
+   use asperity_law_normal_law, only: evaluate_pressure, normal_response, vanishing_separation
    use asperity_law_normal_properties, only: unloading_elastic
    use asperity_law_unloading_compiled_law, only: compiled_plastic_dissipation, &
       evaluate_compiled_unloading_law
@@ -55,10 +56,12 @@ contains
          max(normal%plastic_dissipation - dissipated_before(properties, start), 0.0_wp)
       turned = start
       if (is_closed(start)) then
-         turned%elastic_slip = matmul(rotation, start%elastic_slip)
+         turned%elastic_slip = rotation(:, 1)*start%elastic_slip(1) &
+            + rotation(:, 2)*start%elastic_slip(2)
          ! a rotation that is not quite one must not lengthen it
-         turned%elastic_slip = turned%elastic_slip*(properties%critical_slip &
-            /max(properties%critical_slip, hypot(turned%elastic_slip(1), turned%elastic_slip(2))))
+         if (is_longer(turned%elastic_slip, properties%critical_slip)) &
+            turned%elastic_slip = turned%elastic_slip*(properties%critical_slip &
+            /hypot(turned%elastic_slip(1), turned%elastic_slip(2)))
       end if
       opens = is_open(properties, normal%pressure, is_closed(start))
       closing = 0.0_wp
@@ -138,7 +141,8 @@ contains
             call evaluate_compiled_law(properties%compiled, separation, normal%pressure, &
                normal%stiffness, energy=normal%energy, validity=normal%validity)
          else
-            normal = evaluate_normal_law(properties%normal, separation)
+            call evaluate_pressure(properties%normal, separation, normal%pressure, &
+               normal%stiffness, normal%energy, normal%validity)
          end if
       end associate
    end subroutine find_normal

@@ -6,21 +6,23 @@ module asperity_contact_slip_path
    use asperity_contact_properties, only: slip_backward_euler
    implicit none
    private
-   public :: slip_path, integrate_slip
+   public :: slip_path, integrate_slip, is_longer
 
    !> End of a straight increment of relative motion.
    type :: slip_path
       !> Elastic slip at the end, mm
-      real(wp) :: elastic_slip(2) = 0.0_wp
+      real(wp) :: elastic_slip(2)
       !> Its derivative by the increment
-      real(wp) :: by_increment(2, 2) = 0.0_wp
+      real(wp) :: by_increment(2, 2)
       !> Its derivative by the elastic slip at the start
-      real(wp) :: by_start(2, 2) = 0.0_wp
+      real(wp) :: by_start(2, 2)
       !> Frictional dissipation divided by mu p, mm; never negative
-      real(wp) :: slipped = 0.0_wp
+      real(wp) :: slipped
       !> Whether the point slips at the end
-      logical :: slips = .false.
+      logical :: slips
    end type slip_path
+
+   real(wp), parameter :: identity(2, 2) = reshape([1.0_wp, 0.0_wp, 0.0_wp, 1.0_wp], [2, 2])
 
 contains
 
@@ -38,21 +40,34 @@ contains
       real(wp) :: length
 
       path%elastic_slip = start + increment
-      length = hypot(increment(1), increment(2))
-      ! a start outside the circle by round-off must not count as slip when the motion turns back
-      path%slips = hypot(path%elastic_slip(1), path%elastic_slip(2)) > critical_slip &
-         .and. length > epsilon(1.0_wp)**2*critical_slip
-      if (path%slips) path%slips = dot_product(path%elastic_slip/critical_slip, &
-         increment/length) > 0.0_wp
+      path%slips = is_longer(path%elastic_slip, critical_slip)
+      if (path%slips) then
+         ! a start outside the circle by round-off must not count as slip when the motion turns back
+         length = hypot(increment(1), increment(2))
+         path%slips = length > epsilon(1.0_wp)**2*critical_slip
+         if (path%slips) path%slips = dot_product(path%elastic_slip/critical_slip, &
+            increment/length) > 0.0_wp
+      end if
       if (.not. path%slips) then
-         path%by_increment = reshape([1.0_wp, 0.0_wp, 0.0_wp, 1.0_wp], [2, 2])
-         path%by_start = path%by_increment
+         path%by_increment = identity
+         path%by_start = identity
+         path%slipped = 0.0_wp
       else if (slip_integration == slip_backward_euler) then
          call return_radially(path, critical_slip)
       else
          call follow_circle(path, start, increment, critical_slip)
       end if
    end function integrate_slip
+
+   !> Whether a slip is longer than a length: without a root where both components are small.
+   pure logical function is_longer(slip, length)
+      !> Slip in two directions, and a length, mm
+      real(wp), intent(in) :: slip(2), length
+      real(wp), parameter :: surely_inside = 0.7_wp
+
+      is_longer = max(abs(slip(1)), abs(slip(2))) > surely_inside*length
+      if (is_longer) is_longer = hypot(slip(1), slip(2)) > length
+   end function is_longer
 
    !> Backward Euler: the trial slip is scaled back to the circle. The path is the chord to the
    !> end point in stick, then slip at the end point.

@@ -18,7 +18,8 @@ module asperity_law_normal_law
       pressure_above_hardness, valid
    implicit none
    private
-   public :: normal_response, evaluate_normal_law, evaluate_scaled_law, sum_pieces, apply_decay
+   public :: normal_response, evaluate_normal_law, evaluate_pressure, evaluate_scaled_law, &
+      sum_pieces, apply_decay
 
    !> Beyond this d/sigma the factor exp(-h^2/2), and with it the law, is zero in double precision:
    !> no summit touches, and no limit is passed
@@ -63,6 +64,40 @@ contains
          response)
    end function evaluate_normal_law
 
+   !> What a contact point needs of the same, to the bit and in less time: no shares and no contact
+   !> density.
+   pure subroutine evaluate_pressure(properties, separation, pressure, stiffness, energy, validity)
+      !> Checked properties
+      type(normal_properties), intent(in) :: properties
+      !> Separation d, mm; any finite value up to 1e100 sigma in size
+      real(wp), intent(in) :: separation
+      !> Pressure, MPa; normal stiffness, MPa/mm; stored energy per nominal area, N/mm
+      real(wp), intent(out) :: pressure, stiffness, energy
+      !> `valid`, or flags
+      integer, intent(out) :: validity
+      type(piece_type) :: pieces(3)
+      real(wp) :: h, decay, area_fraction, root(3), moments(0:2)
+
+      h = separation/properties%sigma
+      call find_pieces(properties, separation, .false., .false., pieces)
+      root = roots_of(pieces)
+      decay = exp(-0.5_wp*max(h, 0.0_wp)**2)
+      associate (p => properties)
+         pressure = p%eta*p%n1*sum(root*root*pieces%pressure)*decay
+         stiffness = p%eta*p%n1/p%w1*sum(root*root*pieces%stiffness)*decay
+         area_fraction = p%eta*pi*p%radius*p%w1*sum(root*root*pieces%area)*decay
+         energy = p%eta*p%n1*p%w1*sum(root*root*pieces%energy)*decay
+         validity = p%validity
+         if (area_fraction > 1.0_wp) validity = ior(validity, area_above_nominal)
+         if (pressure > p%hardness) validity = ior(validity, pressure_above_hardness)
+         ! above the mean plane summits in contact are closed by 0.8 sigma or less in the mean
+         if (h > 0.0_wp .and. 0.8_wp*p%sigma < 0.5_wp*p%radius) return
+         moments = tail_moments(h)
+         if (is_closed_too_far(p, separation, moments)) &
+            validity = ior(validity, closure_above_half_radius)
+      end associate
+   end subroutine evaluate_pressure
+
    !> Multiply what was scaled by the factor, and set the flags of area and pressure.
    pure subroutine apply_decay(properties, decay, response)
       !> Checked properties
@@ -98,28 +133,59 @@ contains
       !> The three pieces, with recoverable energy and dissipation of the elasto-plastic one
       type(piece_type), intent(out), optional :: pieces(3)
       type(piece_type) :: found(3)
-      real(wp) :: h, moments(0:2)
+      real(wp) :: moments(0:2)
 
-      h = separation/properties%sigma
-      if (fixed_pieces_serve(properties%w1/properties%sigma, h)) then
-         call evaluate_fixed_pieces(properties, h, present(area_stiffness), present(pieces), &
-            found(1), found(2))
-      else
-         found(1) = elastic_piece(properties, separation, properties%w1)
-         found(2) = elastoplastic_piece(properties, separation, present(pieces))
-      end if
-      found(3) = plastic_piece(properties, separation)
-      moments = tail_moments(h)
+      call find_pieces(properties, separation, present(area_stiffness), present(pieces), found)
+      moments = tail_moments(separation/properties%sigma)
       call sum_pieces(properties, found, scaled, area_stiffness)
       if (present(pieces)) pieces = found
       associate (p => properties, r => scaled)
          r%contact_density = p%eta*moments(0)
          r%validity = p%validity
-         if (p%sigma*moments(1) > 0.5_wp*p%radius*moments(0) &
-               .and. separation <= vanishing_separation*p%sigma) &
+         if (is_closed_too_far(p, separation, moments)) &
             r%validity = ior(r%validity, closure_above_half_radius)
       end associate
    end subroutine evaluate_scaled_law
+
+   !> The three pieces, by the fixed rule where it serves. Zero on entry, as they are declared.
+   pure subroutine find_pieces(properties, separation, with_area_slope, with_memory, pieces)
+      type(normal_properties), intent(in) :: properties
+      real(wp), intent(in) :: separation
+      logical, intent(in) :: with_area_slope, with_memory
+      type(piece_type), intent(inout) :: pieces(3)
+      real(wp) :: h
+
+      h = separation/properties%sigma
+      if (fixed_pieces_serve(properties%w1/properties%sigma, h)) then
+         call evaluate_fixed_pieces(properties, h, with_area_slope, with_memory, pieces(1), &
+            pieces(2))
+      else
+         pieces(1) = elastic_piece(properties, separation, properties%w1)
+         pieces(2) = elastoplastic_piece(properties, separation, with_memory)
+      end if
+      pieces(3) = plastic_piece(properties, separation)
+   end subroutine find_pieces
+
+   !> Whether the summits in contact are closed by more than half their radius in the mean.
+   pure logical function is_closed_too_far(properties, separation, moments)
+      type(normal_properties), intent(in) :: properties
+      real(wp), intent(in) :: separation, moments(0:2)
+
+      is_closed_too_far = properties%sigma*moments(1) > 0.5_wp*properties%radius*moments(0) &
+         .and. separation <= vanishing_separation*properties%sigma
+   end function is_closed_too_far
+
+   !> Roots of the factors exp(-exponent) of the pieces.
+   pure function roots_of(pieces) result(roots)
+      type(piece_type), intent(in) :: pieces(3)
+      real(wp) :: roots(3)
+      integer :: i
+
+      do i = 1, 3
+         roots(i) = 1.0_wp
+         if (pieces(i)%exponent > 0.0_wp) roots(i) = exp(-0.5_wp*pieces(i)%exponent)
+      end do
+   end function roots_of
 
    !> Add up the elastic, the elasto-plastic and the plastic piece.
    pure subroutine sum_pieces(properties, pieces, scaled, area_stiffness)
@@ -132,12 +198,8 @@ contains
       !> Derivative of the area fraction by closure, 1/mm, over the factor
       real(wp), intent(out), optional :: area_stiffness
       real(wp) :: total, root(3), share(3)
-      integer :: i
 
-      do i = 1, 3
-         root(i) = 1.0_wp
-         if (pieces(i)%exponent > 0.0_wp) root(i) = exp(-0.5_wp*pieces(i)%exponent)
-      end do
+      root = roots_of(pieces)
       associate (p => properties, r => scaled)
          total = sum(root*root*pieces%pressure)
          r%pressure = p%eta*p%n1*total
