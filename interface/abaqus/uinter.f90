@@ -59,7 +59,7 @@ subroutine uinter( &
    type(contact_state) :: start
    type(contact_response) :: response
    type(error_type), allocatable :: error
-   real(wp) :: slip(2), rotation(2, 2), overclosure, tangent(3, 3)
+   real(wp) :: slip(2), rotation(2, 2), overclosure, moved(7), tangent(3, 3)
    !> Whether STATEV and the position are numbers that can be computed with
    logical :: known
 
@@ -69,13 +69,12 @@ subroutine uinter( &
       ! arguments of the interface that the law does not need
    end associate
 
-   ddsddr = 0.0_wp
-   dviscous = 0.0_wp
-   dstructural = 0.0_wp
+   call clear(ndir*ndir, dviscous)
+   call clear(ndir*ndir, dstructural)
+   call clear(2*ndir, ddsddt)
+   call clear(2*ndir, ddfddr)
    flux = 0.0_wp
    ddfddt = 0.0_wp
-   ddsddt = 0.0_wp
-   ddfddr = 0.0_wp
    sfd = 0.0_wp
    spd = 0.0_wp
    svd = 0.0_wp
@@ -87,6 +86,7 @@ subroutine uinter( &
       call tell(fatal, error%message)
       call xit()
       stress = 0.0_wp
+      ddsddr = 0.0_wp
       sed = 0.0_wp
       return
    end if
@@ -94,6 +94,7 @@ subroutine uinter( &
    if (known) known = is_finite(rdisp(1)) &
       .and. all(abs(statev(state_pressure:state_elastic_slip_2)) < largest)
    if (.not. known) then
+      ddsddr = 0.0_wp
       pnewdt = cut_back
       return
    end if
@@ -119,7 +120,12 @@ subroutine uinter( &
       overclosure = rdisp(1)
       slip(:ndir - 1) = drdisp(2:)
       if (ndir == 3) rotation = drot
-      if (.not. computable([overclosure, slip, rotation(:, 1), rotation(:, 2)])) then
+      moved(1) = overclosure
+      moved(2:3) = slip
+      moved(4:5) = rotation(:, 1)
+      moved(6:7) = rotation(:, 2)
+      if (.not. computable(moved)) then
+         ddsddr = 0.0_wp
          pnewdt = cut_back
          return
       end if
@@ -138,6 +144,14 @@ subroutine uinter( &
 
 contains
 
+   !> Zero in one run, without a loop over columns.
+   pure subroutine clear(n, values)
+      integer, intent(in) :: n
+      real(wp), intent(out) :: values(n)
+
+      values = 0.0_wp
+   end subroutine clear
+
    !> Refuse what would be read or written out of bounds, and a STATEV that is not ours.
    subroutine check_state(error)
       type(error_type), allocatable, intent(out) :: error
@@ -155,8 +169,8 @@ contains
       integer, intent(in) :: validity
       integer :: reached, warned, fresh
 
-      reached = nint(statev(state_validity))
-      warned = nint(statev(state_warned))
+      reached = int(statev(state_validity))
+      warned = int(statev(state_warned))
       if (kit == 0) then
          fresh = iand(ior(validity, reached), not(warned))
          if (fresh /= 0) call tell(warning, validity_remark(fresh))
