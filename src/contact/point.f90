@@ -19,7 +19,7 @@ module asperity_contact_point
    use asperity_law_unloading_compiled_law, only: compiled_plastic_dissipation, &
       evaluate_compiled_unloading_law
    use asperity_law_unloading_inverse, only: retraction_for_pressure
-   use asperity_law_unloading_law, only: evaluate_unloading_branch, evaluate_unloading_law, &
+   use asperity_law_unloading_law, only: evaluate_unloading_branch, evaluate_virgin_pressure, &
       plastic_dissipation, unloading_stiffness
    implicit none
    private
@@ -161,7 +161,8 @@ contains
       else if (retraction > 0.0_wp) then
          call evaluate_unloading_branch(properties%normal, closest_separation, retraction, normal)
       else
-         normal = evaluate_unloading_law(properties%normal, closest_separation, 0.0_wp)
+         call evaluate_virgin_pressure(properties%normal, closest_separation, normal%pressure, &
+            normal%stiffness, normal%energy, normal%plastic_dissipation, normal%validity)
       end if
    end subroutine find_with_memory
 

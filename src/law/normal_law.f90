@@ -66,7 +66,8 @@ contains
 
    !> What a contact point needs of the same, to the bit and in less time: no shares and no contact
    !> density.
-   pure subroutine evaluate_pressure(properties, separation, pressure, stiffness, energy, validity)
+   pure subroutine evaluate_pressure(properties, separation, pressure, stiffness, energy, &
+         validity, pieces)
       !> Checked properties
       type(normal_properties), intent(in) :: properties
       !> Separation d, mm; any finite value up to 1e100 sigma in size
@@ -75,18 +76,21 @@ contains
       real(wp), intent(out) :: pressure, stiffness, energy
       !> `valid`, or flags
       integer, intent(out) :: validity
-      type(piece_type) :: pieces(3)
+      !> The three pieces, with recoverable energy and dissipation of the elasto-plastic one
+      type(piece_type), intent(out), optional :: pieces(3)
+      type(piece_type) :: found(3)
       real(wp) :: h, decay, area_fraction, root(3), moments(0:2)
 
       h = separation/properties%sigma
-      call find_pieces(properties, separation, .false., .false., pieces)
-      root = roots_of(pieces)
+      call find_pieces(properties, separation, .false., present(pieces), found)
+      if (present(pieces)) pieces = found
+      root = roots_of(found)
       decay = exp(-0.5_wp*max(h, 0.0_wp)**2)
       associate (p => properties)
-         pressure = p%eta*p%n1*sum(root*root*pieces%pressure)*decay
-         stiffness = p%eta*p%n1/p%w1*sum(root*root*pieces%stiffness)*decay
-         area_fraction = p%eta*pi*p%radius*p%w1*sum(root*root*pieces%area)*decay
-         energy = p%eta*p%n1*p%w1*sum(root*root*pieces%energy)*decay
+         pressure = p%eta*p%n1*sum(root*root*found%pressure)*decay
+         stiffness = p%eta*p%n1/p%w1*sum(root*root*found%stiffness)*decay
+         area_fraction = p%eta*pi*p%radius*p%w1*sum(root*root*found%area)*decay
+         energy = p%eta*p%n1*p%w1*sum(root*root*found%energy)*decay
          validity = p%validity
          if (area_fraction > 1.0_wp) validity = ior(validity, area_above_nominal)
          if (pressure > p%hardness) validity = ior(validity, pressure_above_hardness)
@@ -147,11 +151,16 @@ contains
       end associate
    end subroutine evaluate_scaled_law
 
-   !> The three pieces, by the fixed rule where it serves. Zero on entry, as they are declared.
+   !> The three pieces, by the fixed rule where it serves.
    pure subroutine find_pieces(properties, separation, with_area_slope, with_memory, pieces)
+      !> Checked properties
       type(normal_properties), intent(in) :: properties
+      !> Separation d, mm
       real(wp), intent(in) :: separation
+      !> Whether the area's slope is wanted; recoverable energy and dissipation of elasto-plastic
+      !> summits
       logical, intent(in) :: with_area_slope, with_memory
+      !> Zero on entry, as they are declared
       type(piece_type), intent(inout) :: pieces(3)
       real(wp) :: h
 

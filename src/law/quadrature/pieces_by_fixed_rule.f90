@@ -12,7 +12,8 @@ module asperity_law_quadrature_pieces_by_fixed_rule
    use asperity_law_quadrature_pieces_by_quadrature, only: piece_type
    implicit none
    private
-   public :: fixed_pieces_serve, evaluate_fixed_pieces, fixed_elastic_piece
+   public :: fixed_pieces_serve, evaluate_fixed_pieces, fixed_elastic_piece, &
+      fixed_elastoplastic_piece
 
    !> Largest w1/sigma, smallest d/sigma and largest product of the two: test/law/fixed_pieces.f90
    real(wp), parameter :: largest_ratio = 0.025_wp, lowest = -7.0_wp, largest_product = 0.28_wp
@@ -91,6 +92,19 @@ contains
       piece%area = piece%area*largest
       piece%energy = piece%energy*largest*largest*sqrt(largest)
    end function fixed_elastic_piece
+
+   !> The elasto-plastic piece alone, with recoverable energy and dissipation, where the fixed rule
+   !> serves.
+   pure function fixed_elastoplastic_piece(properties, h) result(piece)
+      !> Checked properties
+      type(normal_properties), intent(in) :: properties
+      !> d/sigma
+      real(wp), intent(in) :: h
+      !> Integrals, with an exponent of zero
+      type(piece_type) :: piece
+
+      call sum_points(properties, properties%w1/properties%sigma, h, .false., .true., piece)
+   end function fixed_elastoplastic_piece
 
    !> Elastic: the density exp(-t (h + t/2)) at t = a w/w1 by powers of w/w1, each integrated. The
    !> coefficients are a^i/i! times Hermite polynomials of -h.

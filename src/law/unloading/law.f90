@@ -9,19 +9,22 @@
 module asperity_law_unloading_law
    use asperity_base_kinds, only: wp
    use asperity_law_gaussian_tail, only: tail_moments
-   use asperity_law_normal_law, only: apply_decay, evaluate_scaled_law, normal_response, &
-      sum_pieces, vanishing_separation
+   use asperity_law_normal_law, only: apply_decay, evaluate_pressure, evaluate_scaled_law, &
+      normal_response, sum_pieces, vanishing_separation
    use asperity_law_normal_properties, only: normal_properties
    use asperity_law_quadrature_heights, only: relative_exponent
-   use asperity_law_quadrature_pieces_by_quadrature, only: piece_type
+   use asperity_law_quadrature_pieces_by_fixed_rule, only: fixed_elastoplastic_piece, &
+      fixed_pieces_serve
+   use asperity_law_quadrature_pieces_by_quadrature, only: elastoplastic_piece, piece_type, &
+      plastic_piece
    use asperity_law_unloading_pieces, only: elastic_unloading_piece, &
-      elastoplastic_unloading_piece, plastic_unloading_piece
+      elastoplastic_unloading_piece, plastic_unloading_piece, recoverable_plastic_energy
    use asperity_law_unloading_summit, only: find_contact_edge
    use asperity_law_validity, only: closure_above_half_radius, memory_beyond_data
    implicit none
    private
-   public :: evaluate_unloading_law, evaluate_unloading_branch, unloading_stiffness, &
-      plastic_dissipation
+   public :: evaluate_unloading_law, evaluate_unloading_branch, evaluate_virgin_pressure, &
+      unloading_stiffness, plastic_dissipation
 
    !> Mean deformation over w1 of the summits in contact up to which unloading was computed
    real(wp), parameter, public :: largest_mean_ratio = 170.0_wp
@@ -62,21 +65,61 @@ contains
       type(normal_properties), intent(in) :: properties
       real(wp), intent(in) :: separation
       type(normal_response), intent(out) :: response
-      type(piece_type) :: pieces(3), plastic
-      real(wp) :: root(3)
+      type(piece_type) :: pieces(3)
+      real(wp) :: decay
 
       call evaluate_scaled_law(properties, separation, response, pieces=pieces)
-      plastic = plastic_unloading_piece(properties, separation, 0.0_wp)
-      root = exp(-0.5_wp*pieces%exponent)
       associate (p => properties, r => response)
-         r%energy = p%eta*p%n1*p%w1*sum(root*root*[pieces(1)%energy, pieces(2)%recoverable, &
-            plastic%energy])
-         r%plastic_dissipation = p%eta*p%n1*p%w1*sum(root(2:)*root(2:)*[pieces(2)%dissipation, &
-            pieces(3)%energy - plastic%energy])*decay_at(p, separation)
+         decay = decay_at(p, separation)
+         call split_work(p, separation, pieces, r%energy, r%plastic_dissipation)
+         r%plastic_dissipation = r%plastic_dissipation*decay
          r%validity = ior(r%validity, memory_flags(p, separation))
-         call apply_decay(p, decay_at(p, separation), r)
+         call apply_decay(p, decay, r)
       end associate
    end subroutine evaluate_virgin_branch
+
+   !> What a contact point needs of the virgin branch, in less time: no shares and no contact density.
+   pure subroutine evaluate_virgin_pressure(properties, separation, pressure, stiffness, energy, &
+         dissipation, validity)
+      !> Checked properties
+      type(normal_properties), intent(in) :: properties
+      !> Separation, the closest so far, mm
+      real(wp), intent(in) :: separation
+      !> Pressure, MPa; stiffness of closing, MPa/mm
+      real(wp), intent(out) :: pressure, stiffness
+      !> Recoverable energy and plastic dissipation since first touch, per nominal area, N/mm
+      real(wp), intent(out) :: energy, dissipation
+      !> `valid`, or flags
+      integer, intent(out) :: validity
+      type(piece_type) :: pieces(3)
+      real(wp) :: decay
+
+      call evaluate_pressure(properties, separation, pressure, stiffness, energy, validity, pieces)
+      decay = decay_at(properties, separation)
+      call split_work(properties, separation, pieces, energy, dissipation)
+      energy = energy*decay
+      dissipation = dissipation*decay
+      validity = ior(validity, memory_flags(properties, separation))
+   end subroutine evaluate_virgin_pressure
+
+   !> Recoverable energy and plastic dissipation, scaled, of the pieces of the law without memory.
+   pure subroutine split_work(properties, separation, pieces, energy, plastic_dissipation)
+      type(normal_properties), intent(in) :: properties
+      real(wp), intent(in) :: separation
+      type(piece_type), intent(in) :: pieces(3)
+      real(wp), intent(out) :: energy, plastic_dissipation
+      real(wp) :: recoverable, factor(3)
+      integer :: i
+
+      recoverable = recoverable_plastic_energy(properties, separation)
+      do i = 1, 3
+         factor(i) = properties%eta*properties%n1*properties%w1
+         if (pieces(i)%exponent > 0.0_wp) factor(i) = factor(i)*exp(-pieces(i)%exponent)
+      end do
+      energy = factor(1)*pieces(1)%energy + factor(2)*pieces(2)%recoverable + factor(3)*recoverable
+      plastic_dissipation = factor(2)*pieces(2)%dissipation &
+         + factor(3)*(pieces(3)%energy - recoverable)
+   end subroutine split_work
 
    !> The unloading branch without the plastic dissipation, a constant on it.
    pure subroutine evaluate_unloading_branch(properties, closest_separation, retraction, response)
@@ -133,10 +176,18 @@ contains
       type(normal_properties), intent(in) :: properties
       !> Closest separation so far, mm
       real(wp), intent(in) :: closest_separation
-      type(normal_response) :: response
+      type(piece_type) :: pieces(3)
+      real(wp) :: h, energy
 
-      call evaluate_virgin_branch(properties, closest_separation, response)
-      dissipation = response%plastic_dissipation
+      h = closest_separation/properties%sigma
+      if (fixed_pieces_serve(properties%w1/properties%sigma, h)) then
+         pieces(2) = fixed_elastoplastic_piece(properties, h)
+      else
+         pieces(2) = elastoplastic_piece(properties, closest_separation, .true.)
+      end if
+      pieces(3) = plastic_piece(properties, closest_separation)
+      call split_work(properties, closest_separation, pieces, energy, dissipation)
+      dissipation = dissipation*decay_at(properties, closest_separation)
    end function plastic_dissipation
 
    !> The factor that scaled values lack.
@@ -156,6 +207,9 @@ contains
       flags = 0
       associate (p => properties)
          if (closest_separation > vanishing_separation*p%sigma) return
+         ! above the mean plane summits in contact are closed by 0.8 sigma or less in the mean
+         if (closest_separation > 0.0_wp .and. 0.8_wp*p%sigma < min(0.5_wp*p%radius, &
+            largest_mean_ratio*p%w1)) return
          moments = tail_moments(closest_separation/p%sigma)
          if (p%sigma*moments(1) > 0.5_wp*p%radius*moments(0)) flags = closure_above_half_radius
          if (p%sigma*moments(1) > largest_mean_ratio*p%w1*moments(0)) &
