@@ -78,7 +78,7 @@ contains
       end associate
    end subroutine evaluate_virgin_branch
 
-   !> What a contact point needs of the virgin branch, in less time: no shares and no contact density.
+   !> What a contact point needs of the virgin branch, in less time: no shares, no contact density.
    pure subroutine evaluate_virgin_pressure(properties, separation, pressure, stiffness, energy, &
          dissipation, validity)
       !> Checked properties

@@ -156,8 +156,8 @@ contains
       end if
    end function plastic_unloading_piece
 
-   !> The `energy` of the same piece at a retraction of zero, 2/5 N e a summit: by its exponent, which
-   !> is that of the plastic piece of the law without memory.
+   !> The `energy` of the same piece at a retraction of zero, 2/5 N e a summit: by its exponent,
+   !> which is that of the plastic piece of the law without memory.
    pure real(wp) function recoverable_plastic_energy(properties, separation) result(energy)
       !> Checked properties
       type(normal_properties), intent(in) :: properties
@@ -182,8 +182,8 @@ contains
 
    !> Range of the root of the deformation beyond the edge, and the density in it: from the anchor,
    !> where it is densest, at y. All in sigma, as is the edge.
-   pure subroutine find_plastic_range(properties, closest_separation, edge, anchor, y, first, last, &
-         exponent)
+   pure subroutine find_plastic_range(properties, closest_separation, edge, anchor, y, first, &
+         last, exponent)
       type(normal_properties), intent(in) :: properties
       real(wp), intent(in) :: closest_separation, edge
       real(wp), intent(out) :: anchor, y, first, last, exponent
