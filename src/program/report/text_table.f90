@@ -220,6 +220,9 @@ contains
             .and. smallest*10.0_wp**decimals >= 10.0_wp) then
             decimals = needed_decimals(pack(values, .not. is_none(values)), decimals)
             write (form, '(a, i0, a)') '(f32.', decimals, ')'
+         else if (any(abs(values) > 0.0_wp .and. abs(values) < 1.0e-99_wp)) then
+            ! round-off as well must show its exponent
+            form = '(es32.3e3)'
          else
             form = '(es32.3)'
          end if

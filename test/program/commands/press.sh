@@ -90,6 +90,8 @@ run press --unloading elastic --control overclosure --peak 0.12,0.15 --csv p.csv
 check 'press, memory: by overclosure' is_quiet
 check 'press, memory: it parts on the way back' csv p.csv \
    'if (NR == 102 && (c["pressure"] > 1e-100 || c["status"] != "open")) fail(c["pressure"])'
+check 'press, memory: exponents of three digits keep their letter' awk '
+   /[0-9][+-][0-9][0-9][0-9]/ { print; bad = 1 } /E-1[0-9][0-9]/ { seen = 1 } END { exit bad || !seen }' out
 refuses 'one of several peaks' 2 '--peak: peak = 0.0 is not allowed' press --peak 1,0
 refuses 'peaks that are no numbers' 2 "--peak: .* 'x' is not a finite number" press --peak 1,x
 refuses 'unloading of no kind' 2 "--unloading: unloading = 'yes' is unknown" press --unloading yes
