@@ -2,8 +2,7 @@
 module test_abaqus_memory
    use abaqus_stubs, only: forget_calls, last_message, messages
    use asperity, only: contact_properties, contact_response, contact_state, error_type, &
-      find_pair, new_contact_properties, no_rotation, pair_preset, unloading_elastic, &
-      unloading_stiffness, update_contact_point, wp
+      no_rotation, unloading_elastic, unloading_stiffness, update_contact_point, wp
    use asperity_abaqus_props_and_statev, only: n_props, n_statev, props_from_properties, &
       state_largest_closure, state_normal_energy, state_overclosure
    use asperity_abaqus_uinter_signature, only: uinter_interface
@@ -32,17 +31,6 @@ contains
       call suite%addTest(TestMethod('what is refused', test_refused))
    end function suite_abaqus_memory
 
-   !> A pair of the paper with memory.
-   function pair_with_memory() result(p)
-      type(contact_properties) :: p
-      type(pair_preset) :: pair
-      type(error_type), allocatable :: error
-
-      call find_pair('transverse-tangential', pair, error)
-      call new_contact_properties(p, pair, error, unloading=unloading_elastic)
-      if (allocated(error)) error stop error%message
-   end function pair_with_memory
-
    subroutine test_same()
       type(contact_properties) :: p
       type(host_point) :: point
@@ -54,7 +42,7 @@ contains
       real(wp) :: flattened, lost
       integer :: i
 
-      p = pair_with_memory()
+      p = pair_properties(unloading=unloading_elastic)
       call new_host_point(point, uinter, p)
       flattened = 0.0_wp
       lost = 0.0_wp
@@ -87,7 +75,7 @@ contains
       type(host_point) :: point
       type(error_type), allocatable :: error
 
-      p = pair_with_memory()
+      p = pair_properties(unloading=unloading_elastic)
       call new_host_point(point, uinter, p)
       call try_increment(point, 0.1_wp, [0.1_wp, 0.05_wp], dtime, error)
       call accept_increment(point)
@@ -109,7 +97,7 @@ contains
       call accept_increment(older)
       call try_increment(older, 0.1_wp, [0.0_wp, 0.0_wp], dtime, error)
       call accept_increment(older)
-      p = pair_with_memory()
+      p = pair_properties(unloading=unloading_elastic)
       call new_host_point(point, uinter, p)
       point%start%statev = older%start%statev
       call try_increment(point, 0.115_wp, [0.0_wp, 0.0_wp], dtime, error)
@@ -122,7 +110,7 @@ contains
       real(wp) :: props(n_props), statev(n_statev)
 
       call assertEqual(unloading_slot, n_props, 'the last property')
-      props = props_from_properties(pair_with_memory())
+      props = props_from_properties(pair_properties(unloading=unloading_elastic))
       call assertEqual(1.0_wp, props(unloading_slot), 0.0_wp, 'elastic')
       statev = 0.0_wp
       call expect(1.0_wp, statev, '')

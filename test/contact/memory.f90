@@ -3,17 +3,16 @@
 module test_contact_memory
    use, intrinsic :: iso_fortran_env, only: int64
    use asperity, only: contact_properties, contact_response, contact_state, contact_tangent, &
-      error_type, evaluate_normal_law, evaluate_unloading_law, find_pair, memory_beyond_data, &
-      new_contact_properties, new_normal_properties, no_opposite_surface, no_rotation, &
-      normal_properties, normal_response, pair_preset, rule_abaqus, rule_dissipative, &
-      slip_backward_euler, slip_exact, status_open, status_stick, unloading_elastic, unloading_stiffness, &
+      evaluate_normal_law, evaluate_unloading_law, memory_beyond_data, no_opposite_surface, &
+      no_rotation, normal_response, rule_abaqus, rule_dissipative, slip_backward_euler, &
+      slip_exact, status_open, status_stick, unloading_elastic, unloading_stiffness, &
       update_contact_point, wp
    use asperity_contact_properties, only: close_pressure_ratio
-   use contact_cases, only: random_contact
+   use contact_cases, only: pair_properties, random_contact
    use contact_work, only: normal_work, tangential_work
    use extremes, only: worsen
-   use funit, only: anyExceptions, assertEqual, assertFalse, assertGreaterThan, &
-      assertGreaterThanOrEqual, assertLessThan, assertTrue, TestMethod, TestSuite
+   use funit, only: anyExceptions, assertEqual, assertGreaterThan, assertGreaterThanOrEqual, &
+      assertLessThan, TestMethod, TestSuite
    use measurements, only: record
    use random_inputs, only: random_stream
    implicit none
@@ -35,19 +34,7 @@ contains
       call suite%addTest(TestMethod('what a point remembers', test_memory))
       call suite%addTest(TestMethod('closing again', test_closing))
       call suite%addTest(TestMethod('beyond the data', test_flag))
-      call suite%addTest(TestMethod('what is refused', test_refused))
    end function suite_contact_memory
-
-   !> A pair of the paper with memory, and friction.
-   function pair_with_memory() result(p)
-      type(contact_properties) :: p
-      type(pair_preset) :: pair
-      type(error_type), allocatable :: error
-
-      call find_pair('transverse-tangential', pair, error)
-      call new_contact_properties(p, pair, error, unloading=unloading_elastic)
-      if (allocated(error)) error stop error%message
-   end function pair_with_memory
 
    !> Random paths, both rules and both integrations; the error is relative to the energies that
    !> pass through the increment.
@@ -186,7 +173,7 @@ contains
       real(wp) :: tangent(3, 3), separation
       real(wp), parameter :: overclosure = 0.1_wp
 
-      p = pair_with_memory()
+      p = pair_properties(unloading=unloading_elastic)
       separation = p%initial_separation - overclosure
       virgin = evaluate_normal_law(p%normal, separation)
       call update_contact_point(p, contact_state(), overclosure, none, no_rotation, r)
@@ -214,7 +201,7 @@ contains
       real(wp) :: pressure
       integer :: i
 
-      p = pair_with_memory()
+      p = pair_properties(unloading=unloading_elastic)
       call update_contact_point(p, contact_state(), no_opposite_surface, none, no_rotation, r)
       call assertEqual(status_open, r%status, 'nothing opposite')
       call update_contact_point(p, (r%state), 0.05_wp, none, no_rotation, r)
@@ -248,7 +235,7 @@ contains
       real(wp), parameter :: slip(2) = [0.02_wp, 0.0_wp], largest = 0.12_wp, end = 0.118_wp
       integer :: i
 
-      p = pair_with_memory()
+      p = pair_properties(unloading=unloading_elastic)
       call update_contact_point(p, contact_state(), largest, none, no_rotation, r)
       call update_contact_point(p, (r%state), 0.0_wp, none, no_rotation, r)
       open = r%state
@@ -279,7 +266,7 @@ contains
       type(contact_properties) :: p
       type(contact_response) :: r
 
-      p = pair_with_memory()
+      p = pair_properties(unloading=unloading_elastic)
       call update_contact_point(p, contact_state(), p%initial_separation, none, no_rotation, r)
       call assertEqual(0, iand(r%validity, memory_beyond_data), 'mean deformation 53 w1')
       call update_contact_point(p, (r%state), p%initial_separation + 3.0_wp*p%normal%sigma, none, &
@@ -288,36 +275,5 @@ contains
       call update_contact_point(p, (r%state), -1.0_wp, none, no_rotation, r)
       call assertEqual(memory_beyond_data, iand(r%state%validity, memory_beyond_data), 'kept')
    end subroutine test_flag
-
-   subroutine test_refused()
-      type(normal_properties) :: n
-      type(error_type), allocatable :: error
-      real(wp), parameter :: edge = 2.0_wp/sqrt(110.0_wp)
-
-      call build(unloading_elastic, edge*(1.0_wp + 1.0e-12_wp))
-      call assertFalse(allocated(error), 'just above')
-      call build(unloading_elastic, edge*(1.0_wp - 1.0e-12_wp))
-      call assertTrue(allocated(error), 'just below')
-      if (allocated(error)) then
-         call assertTrue(index(error%message, 'yield_factor = 0.190') == 1, error%message)
-         call assertTrue(index(error%message, 'with elastic unloading') > 0, error%message)
-         call assertEqual('yield_factor', error%subject)
-      end if
-      call build(2, 0.4_wp)
-      call assertTrue(allocated(error), 'unknown')
-      if (allocated(error)) call assertEqual('unloading = 2 is unknown: 0 is reversible, '// &
-         '1 is elastic', error%message)
-
-   contains
-
-      subroutine build(unloading, yield_factor)
-         integer, intent(in) :: unloading
-         real(wp), intent(in) :: yield_factor
-
-         call new_normal_properties(n, 206.0_wp, 297.0_wp, 0.1477_wp, 24.53_wp, yield_factor, &
-            0.0593_wp, error, unloading=unloading)
-      end subroutine build
-
-   end subroutine test_refused
 
 end module test_contact_memory

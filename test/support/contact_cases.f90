@@ -1,8 +1,7 @@
 !> Properties and random contact points for the tests of the update and of UINTER.
 module contact_cases
    use asperity, only: contact_properties, error_type, find_pair, new_contact_properties, &
-      normal_properties, pair_preset, rule_abaqus, slip_exact, &
-      unloading_reversible, wp
+      normal_properties, pair_preset, rule_abaqus, slip_exact, unloading_reversible, wp
    use random_inputs, only: random_properties, random_stream
    implicit none
    private
@@ -10,10 +9,12 @@ module contact_cases
 
 contains
 
-   !> The pair `transverse-tangential`, or another, with a friction rule and a slip integration.
-   function pair_properties(friction_rule, slip_integration, pair) result(properties)
+   !> The pair `transverse-tangential`, or another, with a friction rule and a slip integration,
+   !> without memory unless unloading says otherwise.
+   function pair_properties(friction_rule, slip_integration, pair, unloading) result(properties)
       integer, intent(in), optional :: friction_rule, slip_integration
       character(len=*), intent(in), optional :: pair
+      integer, intent(in), optional :: unloading
       type(contact_properties) :: properties
       type(pair_preset) :: preset
       type(error_type), allocatable :: error
@@ -29,7 +30,7 @@ contains
       integration = slip_exact
       if (present(slip_integration)) integration = slip_integration
       call new_contact_properties(properties, preset, error, friction_rule=rule, &
-         slip_integration=integration)
+         slip_integration=integration, unloading=unloading)
       if (allocated(error)) error stop 'the pair of the tests is refused'
    end function pair_properties
 
