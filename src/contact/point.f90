@@ -23,7 +23,7 @@ module asperity_contact_point
       plastic_dissipation, unloading_stiffness
    implicit none
    private
-   public :: update_contact_point, contact_tangent, contact_pressure, find_normal
+   public :: update_contact_point, contact_tangent, contact_pressure, find_normal, overclosure_for
 
 contains
 
@@ -193,6 +193,32 @@ contains
       end associate
    end function dissipated_before
 
+   !> Overclosure at which a point comes to a pressure from the state that it is in: on the
+   !> unloading branch where that has it, else on the virgin one. `error` is set when the law has no
+   !> such pressure.
+   pure subroutine overclosure_for(properties, state, pressure, overclosure, error)
+      !> Checked properties
+      type(contact_properties), intent(in) :: properties
+      !> State of the point
+      type(contact_state), intent(in) :: state
+      !> Pressure, MPa; above zero
+      real(wp), intent(in) :: pressure
+      !> Overclosure, mm
+      real(wp), intent(out) :: overclosure
+      !> Set when the pressure is refused
+      type(error_type), allocatable, intent(out) :: error
+      real(wp) :: separation, retraction
+
+      if (properties%normal%unloading == unloading_elastic .and. remembers(properties, state)) then
+         retraction = retraction_for_pressure(properties%normal, &
+            properties%initial_separation - state%largest_closure, pressure)
+         overclosure = state%largest_closure - retraction
+         if (retraction > 0.0_wp) return
+      end if
+      call separation_for_pressure(properties%normal, pressure, separation, error)
+      overclosure = properties%initial_separation - separation
+   end subroutine overclosure_for
+
    !> Open below p_open; an open point closes only above twice that.
    pure logical function is_open(properties, pressure, was_closed)
       type(contact_properties), intent(in) :: properties
@@ -207,22 +233,14 @@ contains
    end function is_open
 
    !> Overclosure at which an open point closes, mm; far below any where that is not found.
-   pure real(wp) function closing_overclosure(properties, start)
+   pure real(wp) function closing_overclosure(properties, start) result(overclosure)
       type(contact_properties), intent(in) :: properties
       type(contact_state), intent(in) :: start
       type(error_type), allocatable :: error
-      real(wp) :: separation, pressure, retraction
 
-      pressure = close_pressure_ratio*properties%p_open
-      if (properties%normal%unloading == unloading_elastic .and. remembers(properties, start)) then
-         retraction = retraction_for_pressure(properties%normal, &
-            properties%initial_separation - start%largest_closure, pressure)
-         closing_overclosure = start%largest_closure - retraction
-         if (retraction > 0.0_wp) return
-      end if
-      call separation_for_pressure(properties%normal, pressure, separation, error)
-      closing_overclosure = properties%initial_separation - separation
-      if (allocated(error)) closing_overclosure = -huge(1.0_wp)
+      call overclosure_for(properties, start, close_pressure_ratio*properties%p_open, &
+         overclosure, error)
+      if (allocated(error)) overclosure = -huge(1.0_wp)
    end function closing_overclosure
 
 end module asperity_contact_point

@@ -9,13 +9,14 @@ module asperity_replay_press
    use asperity_base_kinds, only: wp
    use asperity_base_memory, only: check_work
    use asperity_base_number_text, only: to_text
+   use asperity_contact_point, only: overclosure_for
    use asperity_contact_properties, only: contact_properties
    use asperity_contact_state, only: contact_state
    use asperity_law_normal_law, only: normal_response
    use asperity_paper_wood, only: wood_strength_across
    use asperity_replay_abaqus_host, only: accept_increment, host_point, new_host_point, &
       refuse_cut, try_increment
-   use asperity_replay_normal, only: law_at, overclosure_for
+   use asperity_replay_normal, only: law_at
    use asperity_replay_sizes, only: check_between
    implicit none
    private

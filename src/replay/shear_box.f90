@@ -10,11 +10,12 @@ module asperity_replay_shear_box
    use asperity_base_kinds, only: wp
    use asperity_base_memory, only: check_work
    use asperity_base_number_text, only: to_text
+   use asperity_contact_point, only: overclosure_for
    use asperity_contact_properties, only: close_pressure_ratio, contact_properties
    use asperity_law_normal_law, only: normal_response
    use asperity_replay_abaqus_host, only: accept_increment, host_point, new_host_point, &
       refuse_cut, try_increment
-   use asperity_replay_normal, only: law_at, overclosure_for
+   use asperity_replay_normal, only: law_at
    use asperity_replay_shear_settings, only: box_path, check_shear_settings, current_area, &
       default_displacement, overlap_area, shear_settings
    implicit none
