@@ -27,28 +27,26 @@ module asperity
    use asperity_law_unloading_summit, only: elastic_recovery, evaluate_unloading_asperity
    use asperity_law_validity, only: area_above_nominal, closure_above_half_radius, &
       implausible_property, memory_beyond_data, pressure_above_hardness, roughness_number_high, &
-      roughness_number_low, &
-      stiffer_than_hertz, valid, validity_remark, validity_text
+      roughness_number_low, stiffer_than_hertz, valid, validity_remark, validity_text
    use asperity_paper_pairs, only: find_pair, find_surface, pair_preset, pairs, surface_preset, &
       surfaces
    implicit none
    private
    public :: area_above_nominal, asperity_response, closure_above_half_radius, compiled_law, &
-      compiled_plastic_dissipation, compiled_unloading_law, evaluate_compiled_unloading_law, &
-      new_compiled_unloading_law, &
-      computation_error, contact_properties, contact_response, contact_state, contact_states, &
-      contact_tangent, elastic_recovery, equivalent_modulus, error_type, evaluate_asperity, &
-      evaluate_compiled_law, evaluate_normal_law, evaluate_unloading_asperity, &
-      evaluate_unloading_law, file_error, find_pair, find_surface, &
-      get_contact_state, implausible_property, input_error, memory_beyond_data, new_compiled_law, &
-      new_contact_properties, new_contact_states, new_normal_properties, set_contact_state, &
-      no_opposite_surface, no_rotation, no_surface_limit, normal_properties, normal_response, &
-      pair_preset, pairs, pressure_above_hardness, retraction_for_pressure, &
-      roughness_number_high, roughness_number_low, &
-      rule_abaqus, rule_dissipative, separation_for_pressure, slip_backward_euler, slip_exact, &
-      stage_elastic, stage_elastoplastic, stage_open, stage_plastic, status_open, status_slip, &
-      status_stick, status_text, status_unset, stiffer_than_hertz, surface_preset, surfaces, &
-      unloading_elastic, unloading_reversible, unloading_stiffness, update_contact_point, &
-      update_contact_points, valid, validity_remark, validity_text, &
-      version, wp
+      compiled_plastic_dissipation, compiled_unloading_law, computation_error, contact_properties, &
+      contact_response, contact_state, contact_states, contact_tangent, elastic_recovery, &
+      equivalent_modulus, error_type, evaluate_asperity, evaluate_compiled_law, &
+      evaluate_compiled_unloading_law, evaluate_normal_law, evaluate_unloading_asperity, &
+      evaluate_unloading_law, file_error, find_pair, find_surface, get_contact_state, &
+      implausible_property, input_error, memory_beyond_data, new_compiled_law, &
+      new_compiled_unloading_law, new_contact_properties, new_contact_states, &
+      new_normal_properties, no_opposite_surface, no_rotation, no_surface_limit, &
+      normal_properties, normal_response, pair_preset, pairs, pressure_above_hardness, &
+      retraction_for_pressure, roughness_number_high, roughness_number_low, rule_abaqus, &
+      rule_dissipative, separation_for_pressure, set_contact_state, slip_backward_euler, &
+      slip_exact, stage_elastic, stage_elastoplastic, stage_open, stage_plastic, status_open, &
+      status_slip, status_stick, status_text, status_unset, stiffer_than_hertz, surface_preset, &
+      surfaces, unloading_elastic, unloading_reversible, unloading_stiffness, &
+      update_contact_point, update_contact_points, valid, validity_remark, validity_text, version, &
+      wp
 end module asperity
