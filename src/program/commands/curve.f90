@@ -73,7 +73,7 @@ contains
          'separations, also from:to:count as an option; 4 sigma to 0 unless given')
       call keys%follows(self%faces%keys(sigma), '4 sigma to 0')
       call keys%optional_real('closest_separation', self%closest_separation, 'mm', &
-         'separation that the faces part from, of unloading = elastic; closer is first loading')
+         'closest so far, which the faces part from; needs unloading = elastic')
       call self%declare_outputs(keys, has_picture=.true.)
       call self%declare_requests(keys)
    end subroutine declare

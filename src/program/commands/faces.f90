@@ -200,7 +200,7 @@ contains
       type(key_list), intent(inout) :: keys
 
       call keys%choice('unloading', self%has_memory, 'reversible elastic', &
-         'how summits unload: as they load (the paper), or flattened, with memory')
+         'how summits unload: back as they loaded (the paper), or elastically, staying flat')
    end subroutine declare_unloading
 
    !> Declare the rules of friction.

@@ -49,7 +49,7 @@ contains
       self%purpose = 'Press two faces together and release them, through UINTER. Fig. 17 of '// &
          'the paper is the ramp of overclosure. A ramp of pressure starts and ends where the '// &
          'faces just part. With unloading = elastic every peak leaves a loop of pressure '// &
-         'against closure, its loss and a residual closure.'
+         'against closure: cycle_loss is its work, residual_closure where the faces part again.'
    end subroutine describe
 
    !> Faces and load path.
@@ -70,7 +70,7 @@ contains
       if (.not. allocated(self%press%peak)) self%press%peak = [default_peak]
       call keys%list('peak', self%press%peak, trim(merge('mm ', 'MPa', &
          self%press%control == 'overclosure')), &
-         'values at the top of the ramps, up and down to each; in mm when control is overclosure')
+         'peaks, a ramp up and a ramp down for each; needed, in mm, when control is overclosure')
       self%has_peak = keys%given()
       call keys%whole('increments', self%press%increments, 'increments of each ramp')
       call keys%real('step_time', self%press%step_time, 's', 'time of each ramp')
@@ -135,7 +135,7 @@ contains
          'pressure', 'stiffness', 'area_fraction', 'energy', 'elastic_share', &
          'elastoplastic_share', 'plastic_share', 'status', 'validity']
       if (self%faces%has_memory) report%shown_columns = [report%shown_columns, &
-         [character(len=24) :: 'plastic_dissipation', 'residual_closure', 'cycle_loss']]
+         [character(len=24) :: 'plastic_dissipation']]
       report%summary = loops_table(loops, trim(merge('mm ', 'MPa', &
          self%press%control == 'overclosure')))
       report%faces = self%faces%words()
