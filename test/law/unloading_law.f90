@@ -154,8 +154,8 @@ contains
       call assertLessThan(worst(2), 1.0e-9_wp, 'energy')
    end subroutine test_slopes
 
-   !> Steps above round-off's size, 64 eps of the retraction or of the length over which the
-   !> pressure changes; the virgin branch lies higher, but for the round-off of both.
+   !> Steps above round-off's size, 1e-12 of the retraction or of the length over which the pressure
+   !> changes; the virgin branch lies higher, but for the round-off of both.
    subroutine test_monotone()
       type(random_stream) :: stream
       type(normal_properties) :: p

@@ -78,8 +78,7 @@ contains
       integer, intent(in), optional :: unloading
 
       call random_contact(stream, direct, merge(rule_dissipative, rule_abaqus, btest(choice, 0)), &
-         merge(slip_exact, slip_backward_euler, btest(choice, 1)), &
-         unloading)
+         merge(slip_exact, slip_backward_euler, btest(choice, 1)), unloading)
       call compile(direct, compiled)
    end subroutine random_pair
 
