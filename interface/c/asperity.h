@@ -241,7 +241,8 @@ int asperity_law_properties(const asperity_law *law, asperity_properties *proper
                             asperity_error *error);
 
 /**
- * @brief The normal law at n separations, each as if the face had never been closer.
+ * @brief The normal law at n separations, each as if the face had never been closer: first loading,
+ *        the same for every #asperity_unloading.
  * @param law             the law
  * @param n               number of points; with 0 the arrays may be NULL
  * @param separation      [n] separations, mm, up to 1e36 in size
@@ -249,7 +250,8 @@ int asperity_law_properties(const asperity_law *law, asperity_properties *proper
  * @param stiffness       [n] receives stiffnesses -dp/dd, MPa/mm
  * @param area_fraction   [n] receives real area over nominal area; may be NULL
  * @param contact_density [n] receives summits in contact per area, 1/mm2; may be NULL
- * @param energy          [n] receives stored energies per area, N/mm; may be NULL
+ * @param energy          [n] receives works per area since first touch, N/mm, stored unless with
+ *                        memory; may be NULL
  * @param validity        [n] receives sums of #asperity_validity flags; may be NULL
  * @param error           may be NULL
  */

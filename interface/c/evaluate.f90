@@ -8,7 +8,7 @@ module asperity_c_evaluate
    use asperity_c_law, only: law_of
    use asperity_c_types, only: code_input, error_struct
    use asperity_contact_properties, only: contact_properties
-   use asperity_law_compiled_law, only: evaluate_compiled_law
+   use asperity_law_compiled_law, only: compiled_law, evaluate_compiled_law
    use asperity_law_normal_inverse, only: separation_for_pressure
    use asperity_law_normal_law, only: evaluate_normal_law, normal_response
    use asperity_law_normal_properties, only: unloading_elastic
@@ -37,6 +37,7 @@ contains
       !> Filled when present
       type(error_struct), intent(inout), optional :: error
       type(contact_properties), pointer :: properties
+      type(compiled_law), pointer :: compiled
       type(error_type), allocatable :: problem
       real(wp), pointer, contiguous :: d(:), p(:), s(:)
 
@@ -55,13 +56,17 @@ contains
          call c_f_pointer(separation, d, [n])
          call c_f_pointer(pressure, p, [n])
          call c_f_pointer(stiffness, s, [n])
-         if (allocated(properties%compiled) .and. .not. (c_associated(area_fraction) &
+         nullify (compiled)
+         if (allocated(properties%compiled)) compiled => properties%compiled
+         if (allocated(properties%compiled_unloading)) &
+            compiled => properties%compiled_unloading%virgin
+         if (associated(compiled) .and. .not. (c_associated(area_fraction) &
                .or. c_associated(contact_density) .or. c_associated(energy) &
                .or. c_associated(validity))) then
-            call evaluate_compiled_law(properties%compiled, d, p, s)
+            call evaluate_compiled_law(compiled, d, p, s)
          else
-            call evaluate_all(properties, d, p, s, area_fraction, contact_density, energy, &
-               validity)
+            call evaluate_all(properties, compiled, d, p, s, area_fraction, contact_density, &
+               energy, validity)
          end if
       end if
       code = answer(problem, error)
@@ -181,9 +186,11 @@ contains
       code = answer(problem, error)
    end function asperity_law_separation
 
-   !> Everything that the law answers, into those arrays that are there.
-   subroutine evaluate_all(properties, d, p, s, area_fraction, contact_density, energy, validity)
+   !> Everything that the law answers, compiled or directly, into those arrays that are there.
+   subroutine evaluate_all(properties, compiled, d, p, s, area_fraction, contact_density, energy, &
+         validity)
       type(contact_properties), intent(in) :: properties
+      type(compiled_law), pointer, intent(in) :: compiled
       real(wp), intent(in), contiguous :: d(:)
       real(wp), intent(out), contiguous :: p(:), s(:)
       type(c_ptr), intent(in) :: area_fraction, contact_density, energy, validity
@@ -197,8 +204,8 @@ contains
       e => reals(energy, size(d))
       v => flags(validity, size(d))
       do i = 1, size(d)
-         if (allocated(properties%compiled)) then
-            call evaluate_compiled_law(properties%compiled, d(i), r%pressure, r%stiffness, &
+         if (associated(compiled)) then
+            call evaluate_compiled_law(compiled, d(i), r%pressure, r%stiffness, &
                r%area_fraction, r%contact_density, r%energy, r%validity)
          else
             r = evaluate_normal_law(properties%normal, d(i))

@@ -4,9 +4,9 @@
 #include <math.h>
 #include <stddef.h>
 
-static asperity_law *law_with_memory(void)
+static asperity_law *law_with_memory(int compiled)
 {
-   asperity_properties p = wood(0);
+   asperity_properties p = wood(compiled);
    asperity_law *law;
    asperity_error error;
 
@@ -20,7 +20,7 @@ static asperity_law *law_with_memory(void)
 static void virgin(void)
 {
    enum { n = 5 };
-   asperity_law *law = law_with_memory(), *reversible = wood_law(0);
+   asperity_law *law = law_with_memory(0), *reversible = wood_law(0);
    asperity_error error;
    const double closest[n] = {0.3, 0.2, 0.1, 0.0, -0.1}, zero[n] = {0.0, 0.0, 0.0, -0.01, -0.02};
    double d[n], p[n], s[n], a[n], c[n], e[n], f[n], q[n], k[n], b[n], g[n], w[n];
@@ -43,10 +43,35 @@ static void virgin(void)
    asperity_law_free(&reversible, NULL);
 }
 
+/* First loading is the same law whatever its unloading, compiled as well: bit for bit. */
+static void first_loading(void)
+{
+   enum { n = 5 };
+   asperity_error error;
+   const double d[n] = {0.3, 0.2, 0.1, 0.0, -0.1};
+   double p[2][n], s[2][n], e[2][n];
+   int compiled, with_energy, i;
+
+   for (compiled = 0; compiled <= 1; compiled++) {
+      asperity_law *laws[2];
+      laws[0] = law_with_memory(compiled);
+      laws[1] = wood_law(compiled);
+      for (with_energy = 0; with_energy <= 1; with_energy++) {
+         for (i = 0; i < 2; i++)
+            CHECK_CODE(asperity_law_evaluate(laws[i], n, d, p[i], s[i], NULL, NULL,
+                                             with_energy ? e[i] : NULL, NULL, &error), ASPERITY_OK);
+         for (i = 0; i < n; i++)
+            CHECK(p[0][i] == p[1][i] && s[0][i] == s[1][i] && (!with_energy || e[0][i] == e[1][i]));
+      }
+      for (i = 0; i < 2; i++)
+         asperity_law_free(&laws[i], NULL);
+   }
+}
+
 /* Stiffness is -dp/du and pressure is -de/du at fixed memory, by differences of fourth order. */
 static void differences(void)
 {
-   asperity_law *law = law_with_memory();
+   asperity_law *law = law_with_memory(0);
    asperity_error error;
    const double step = 1e-6;
    double u;
@@ -72,7 +97,7 @@ static void cycle(void)
 {
    enum { steps = 4000, legs = 4 };
    const double to[legs] = {0.1, 0.02, 0.13, 0.02};
-   asperity_law *law = law_with_memory();
+   asperity_law *law = law_with_memory(0);
    asperity_states *states = fresh_states(1);
    asperity_state state;
    asperity_error error;
@@ -107,7 +132,7 @@ static void cycle(void)
 static void refused(void)
 {
    enum { n = 2 };
-   asperity_law *law = law_with_memory(), *reversible = wood_law(0);
+   asperity_law *law = law_with_memory(0), *reversible = wood_law(0);
    asperity_properties properties = wood(0);
    asperity_state state = {ASPERITY_STICK, 0, 0.1, 1.0, 0.0, {0.0, 0.0}, 0.09, 0.0, 0.0};
    asperity_states *states = fresh_states(1);
@@ -157,6 +182,7 @@ static void refused(void)
 void test_unloading(void)
 {
    virgin();
+   first_loading();
    differences();
    cycle();
    refused();
