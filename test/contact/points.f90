@@ -28,7 +28,7 @@ contains
    end function suite_contact_points
 
    !> Random paths of 30 points: both rules, both integrations, direct and compiled law, with memory
-   !> and without; now and then no opposite surface, and a rotation that turns or stretches a little.
+   !> and without; now and then no opposite surface, and a rotation that turns or stretches a bit.
    subroutine test_same()
       integer, parameter :: points = 30, increments = 20
       type(random_stream) :: stream
