@@ -1,7 +1,7 @@
 !> The normal law of a rough face: summits with Gaussian heights, each of them elastic,
 !> elasto-plastic or fully plastic (Eqs 23-26), as a function of the separation d of the rigid
 !> plane from the mean plane of summit heights. Direct evaluation by quadrature, the reference
-!> of everything else. The law is reversible: it has no memory.
+!> of everything else. The law is reversible; that with memory is in `asperity_law_unloading_law`.
 !>
 !> Three pieces, in the summit deformation t = w/sigma: elastic on (0, w1), elasto-plastic on
 !> (w1, w2), plastic beyond. Each integral is scaled by the density at its largest point, so
