@@ -174,7 +174,8 @@ contains
       call assertLessThan(worst, 64.0_wp, 'error in eps')
    end subroutine test_inverse
 
-   !> Pressures from 1e-300 MPa, wherever the face is pressed harder.
+   !> Pressures from 1e-300 MPa, wherever the face is pressed harder; zero and less end where the
+   !> smallest normal number does.
    subroutine test_smallest()
       type(random_stream) :: stream
       type(normal_properties) :: p
@@ -194,6 +195,9 @@ contains
          u = retraction_for_pressure(p, d, pressure)
          r = evaluate_unloading_law(p, d, u)
          call worsen(worst, abs(r%pressure - pressure)/(pressure + r%stiffness*u)/epsilon(u))
+         u = retraction_for_pressure(p, d, tiny(u))
+         call assertEqual(u, retraction_for_pressure(p, d, 0.0_wp), 0.0_wp, 'zero')
+         call assertEqual(u, retraction_for_pressure(p, d, -1.0_wp), 0.0_wp, 'below zero')
       end do
       call assertGreaterThan(tried, 2500, message='cases')
       call record('unloading_inverse.smallest.eps', worst)

@@ -22,21 +22,24 @@ contains
       type(normal_properties), intent(in) :: properties
       !> Closest separation so far, mm
       real(wp), intent(in) :: closest_separation
-      !> Pressure, MPa; a normal number above zero
+      !> Pressure, MPa; below the smallest normal number, zero too, it is taken for that
       real(wp), intent(in) :: pressure
       type(normal_response) :: response
-      real(wp) :: near, far, next, step, small, mismatch
+      real(wp) :: sought, near, far, next, step, small, mismatch
       integer :: iteration
       logical :: settled
 
       retraction = 0.0_wp
+      sought = pressure
+      ! the pressure falls to zero by underflow alone, and never below
+      if (pressure < tiny(1.0_wp)) sought = tiny(1.0_wp)
       response = evaluate_normal_law(properties, closest_separation)
-      if (.not. response%pressure > pressure) return
+      if (.not. response%pressure > sought) return
       near = 0.0_wp
       far = properties%w1
       do
          call evaluate_unloading_branch(properties, closest_separation, far, response)
-         if (.not. response%pressure >= pressure) exit
+         if (.not. response%pressure >= sought) exit
          near = far
          far = 2.0_wp*far
       end do
@@ -47,8 +50,8 @@ contains
          step = huge(1.0_wp)
          small = 1.0e-9_wp*retraction
          if (response%pressure >= tiny(1.0_wp)) then
-            mismatch = log(response%pressure) - log(pressure)
-            if (abs(mismatch) < 0.5_wp) mismatch = log(response%pressure/pressure)
+            mismatch = log(response%pressure) - log(sought)
+            if (abs(mismatch) < 0.5_wp) mismatch = log(response%pressure/sought)
             step = mismatch*response%pressure/response%stiffness
             small = 1.0e-9_wp*max(retraction, response%pressure/response%stiffness)
          end if
@@ -60,7 +63,7 @@ contains
          settled = abs(step) <= small
          retraction = next
          call evaluate_unloading_branch(properties, closest_separation, retraction, response)
-         if (response%pressure >= pressure) then
+         if (response%pressure >= sought) then
             near = retraction
          else
             far = retraction
