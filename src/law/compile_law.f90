@@ -75,7 +75,7 @@ contains
       integer :: columns(2)
 
       columns = columns_of(properties, range)
-      compiling_pays = points > points_to_pay*(columns(2) - columns(1) + 1)
+      compiling_pays = points > points_to_pay*max(columns(2) - columns(1) + 1, 1)
    end function compiling_pays
 
    !> First and last column that a range of separations needs, one at least.

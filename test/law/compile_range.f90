@@ -82,13 +82,15 @@ contains
       call assertEqual(7, iand(flags_seen, 7), 'each limit was passed')
    end subroutine test_range
 
-   !> Six points an interval, and at least one interval: of 0.2 below h = 2, of 1/21 above.
+   !> Six points an interval, and at least one interval: of 0.2 below h = 2, of 1/21 above. No point
+   !> has no range: it is empty.
    subroutine test_what_pays()
       type(normal_properties) :: p
       real(wp) :: sigma
 
       p = normal_of_pair('transverse-tangential')
       sigma = p%sigma
+      call assertFalse(compiling_pays(0, p, [8.0_wp, -8.0_wp]*sigma), 'no point')
       call assertFalse(compiling_pays(6, p, [2.01_wp, 2.01_wp]*sigma), 'six points, one interval')
       call assertTrue(compiling_pays(7, p, [2.01_wp, 2.01_wp]*sigma), 'seven')
       call assertFalse(compiling_pays(6*68, p, [1.01_wp, 4.99_wp]*sigma), '1 to 5 sigma')
