@@ -12,6 +12,9 @@ module asperity_program_commands_plots
 
    !> Evenly spaced points of each run that are drawn
    integer, parameter :: most_points = 1000
+   !> Smallest pressure that is drawn, over the largest: faces that part with memory lose it so fast
+   !> that it would fill the picture with nothing
+   real(wp), parameter :: least_drawn = 1.0e-12_wp
    !> Room above and below the closures, as a part of their range, or of sigma
    real(wp), parameter :: margin = 0.05_wp
 
@@ -33,6 +36,8 @@ contains
             area => column(report, 'area_fraction', rows), &
             codes => report%table%columns(report%table%find('validity'))%codes(rows))
          panel%y%logarithmic = any(pressure > 0.0_wp)
+         if (any(pressure > 0.0_wp .and. pressure < least_drawn*maxval(pressure))) &
+            panel%y%low = least_drawn*maxval(pressure)
          ! past the limit of the law there is no such area
          if (any(area > 1.0_wp)) panel%right%high = 1.0_wp
          call panel%add(separation, pressure, 'pressure (left)', blue)

@@ -17,6 +17,9 @@ if command -v gnuplot >/dev/null; then
    done
    run curve --separation 100 --plot far.svg
    check 'picture of one point without pressure' test "$status" -eq 0 -a -s far.svg
+   run curve --unloading elastic --closest-separation 0.1 --plot parting.svg
+   check 'picture of faces that part: twelve decades of pressure' \
+      sh -c 'grep -q "1e-10" parting.svg && ! grep -q "1e-[2-9][0-9]" parting.svg'
    run shear --displacement 0 --plot rest.svg
    check 'picture of a box at rest' test "$status" -eq 0 -a -s rest.svg
    run shear --normal-stress 0.05:0.2:60 --plot many.svg
