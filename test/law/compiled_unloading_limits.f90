@@ -61,6 +61,11 @@ contains
       call assertEqual(0, differ, 'points where flags differ')
       call assertEqual(area_above_nominal + pressure_above_hardness + closure_above_half_radius &
          + memory_beyond_data, seen, 'limits that were passed')
+      ! a face too stiff to pass the limit of memory even where the cells begin
+      call compile(law, properties_with(1.0_wp, 0.4_wp))
+      values = compiled_at(law, -8.0_wp, 0.1_wp, validity)
+      values = direct_at(law, -8.0_wp, 0.1_wp, expected)
+      call assertEqual(expected, validity, 'flags where the cells begin')
    end subroutine test_validity
 
    !> Outside the cells the direct law's numbers; far out, and on the virgin branch far out, zero;

@@ -142,15 +142,16 @@ contains
    !> Find, by bisection, where the mean deformation passes what unloading is known for.
    pure subroutine find_memory_limit(law)
       type(compiled_unloading_law), intent(inout) :: law
-      real(wp) :: near, distant, h, moments(0:2)
+      real(wp) :: near, distant, h
 
-      near = first
-      distant = vanishing_separation
       associate (p => law%virgin%properties)
+         law%memory_limit = first
+         if (.not. is_flattened_too_far(p, first)) return
+         near = first
+         distant = vanishing_separation
          do while (distant - near > epsilon(h)*max(1.0_wp, abs(near)))
             h = 0.5_wp*(near + distant)
-            moments = tail_moments(h)
-            if (p%sigma*moments(1) > largest_mean_ratio*p%w1*moments(0)) then
+            if (is_flattened_too_far(p, h)) then
                near = h
             else
                distant = h
@@ -159,6 +160,17 @@ contains
       end associate
       law%memory_limit = distant
    end subroutine find_memory_limit
+
+   !> Whether the mean deformation is above what unloading is known for.
+   pure logical function is_flattened_too_far(properties, h)
+      type(normal_properties), intent(in) :: properties
+      real(wp), intent(in) :: h
+      real(wp) :: moments(0:2)
+
+      moments = tail_moments(h)
+      is_flattened_too_far = properties%sigma*moments(1) &
+         > largest_mean_ratio*properties%w1*moments(0)
+   end function is_flattened_too_far
 
    !> Bracket the retractions at which the real area is the nominal one, from the largest closest
    !> separation at which it is ever above: they rise as the closest separation falls.
