@@ -19,7 +19,7 @@ module asperity_law_normal_law
    implicit none
    private
    public :: normal_response, evaluate_normal_law, evaluate_pressure, evaluate_scaled_law, &
-      sum_pieces, apply_decay
+      sum_pieces, apply_decay, is_closed_too_far
 
    !> Beyond this d/sigma the factor exp(-h^2/2), and with it the law, is zero in double precision:
    !> no summit touches, and no limit is passed
@@ -177,7 +177,9 @@ contains
 
    !> Whether the summits in contact are closed by more than half their radius in the mean.
    pure logical function is_closed_too_far(properties, separation, moments)
+      !> Checked properties
       type(normal_properties), intent(in) :: properties
+      !> Separation d, mm, and `tail_moments` of d/sigma
       real(wp), intent(in) :: separation, moments(0:2)
 
       is_closed_too_far = properties%sigma*moments(1) > 0.5_wp*properties%radius*moments(0) &

@@ -106,8 +106,8 @@ contains
       call sum_points(properties, properties%w1/properties%sigma, h, .false., .true., piece)
    end function fixed_elastoplastic_piece
 
-   !> Elastic: the density exp(-t (h + t/2)) at t = a w/w1 by powers of w/w1, each integrated. The
-   !> coefficients are a^i/i! times Hermite polynomials of -h.
+   !> Elastic summits, by the density exp(-t (h + t/2)) at t = a w/w1 in powers of w/w1, each
+   !> integrated. The coefficients are a^i/i! times Hermite polynomials of -h.
    pure subroutine sum_series(a, h, with_area_slope, piece)
       real(wp), intent(in) :: a, h
       logical, intent(in) :: with_area_slope
@@ -147,7 +147,7 @@ contains
          piece%area_slope = scale*dot_product(elastic_area_slope(:most), c(:most))
    end subroutine sum_series
 
-   !> Elasto-plastic: sums over the points, in two halves side by side.
+   !> Elasto-plastic summits, by sums over the points, in two halves side by side.
    pure subroutine sum_points(properties, a, h, with_area_slope, with_memory, piece)
       type(normal_properties), intent(in) :: properties
       real(wp), intent(in) :: a, h

@@ -10,15 +10,16 @@ module asperity_law_unloading_law
    use asperity_base_kinds, only: wp
    use asperity_law_gaussian_tail, only: tail_moments
    use asperity_law_normal_law, only: apply_decay, evaluate_pressure, evaluate_scaled_law, &
-      normal_response, sum_pieces, vanishing_separation
+      is_closed_too_far, normal_response, sum_pieces, vanishing_separation
    use asperity_law_normal_properties, only: normal_properties
    use asperity_law_quadrature_heights, only: relative_exponent
    use asperity_law_quadrature_pieces_by_fixed_rule, only: fixed_elastoplastic_piece, &
       fixed_pieces_serve
    use asperity_law_quadrature_pieces_by_quadrature, only: elastoplastic_piece, piece_type, &
       plastic_piece
-   use asperity_law_unloading_pieces, only: elastic_unloading_piece, &
-      elastoplastic_unloading_piece, plastic_unloading_piece, recoverable_plastic_energy
+   use asperity_law_unloading_pieces, only: elastic_unloading_piece, elastoplastic_unloading_piece
+   use asperity_law_unloading_plastic_pieces, only: plastic_unloading_piece, &
+      recoverable_plastic_energy
    use asperity_law_unloading_summit, only: find_contact_edge
    use asperity_law_validity, only: closure_above_half_radius, memory_beyond_data
    implicit none
@@ -211,7 +212,7 @@ contains
          if (closest_separation > 0.0_wp .and. 0.8_wp*p%sigma < min(0.5_wp*p%radius, &
             largest_mean_ratio*p%w1)) return
          moments = tail_moments(closest_separation/p%sigma)
-         if (p%sigma*moments(1) > 0.5_wp*p%radius*moments(0)) flags = closure_above_half_radius
+         if (is_closed_too_far(p, closest_separation, moments)) flags = closure_above_half_radius
          if (p%sigma*moments(1) > largest_mean_ratio*p%w1*moments(0)) &
             flags = ior(flags, memory_beyond_data)
       end associate
