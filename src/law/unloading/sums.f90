@@ -1,8 +1,8 @@
 !> What yielded summits that part again carry together. A summit's contact radius is a, and it is
 !> still pressed in elastically by e - u, e its recovery and u the retraction: its stiffness is
-!> 3/2 a, its force a (e - u), its stored energy 2/5 a (e - u)^2 and its area a^2, in units of N1, w1
-!> and sqrt(R w1). The point where it loses contact is a branch point of a; each stage has a variable
-!> without it.
+!> 3/2 a, its force a (e - u), its stored energy 2/5 a (e - u)^2 and its area a^2, in units of N1,
+!> w1 and sqrt(R w1). The point where it loses contact is a branch point of a; each stage has a
+!> variable without it.
 module asperity_law_unloading_sums
    use asperity_base_kinds, only: wp
    use asperity_law_quadrature_pieces_by_quadrature, only: piece_type
