@@ -1,7 +1,7 @@
 !> Products and quotients with twice the digits, as a sum of two doubles. The constants w1 and w2
 !> are found with it: far in the tail of the heights one bit of theirs is worth 1e-12 of a result.
 module asperity_base_double_double
-   use, intrinsic :: iso_fortran_env, only: real32
+   use, intrinsic :: iso_fortran_env, only: int64, real32
    use asperity_base_kinds, only: wp
    implicit none
    private
@@ -23,12 +23,14 @@ module asperity_base_double_double
       module procedure :: round
    end interface assignment(=)
 
-   !> Not more than single precision holds
-   real(wp), parameter :: largest = 3.0e38_wp
+   !> Sizes whose upper half single precision holds
+   real(wp), parameter :: smallest = 1.0e-37_wp, largest = 1.0e38_wp
+   !> Bits of the lower half of a double
+   integer, parameter :: half_bits = 27
 
 contains
 
-   !> a/b to about 30 digits for operands and quotients of 1e-30 to 1e30.
+   !> a/b to about 30 digits. Operands between 1e-140 and 1e140 in size.
    pure elemental function quotient(a, b) result(q)
       !> Numerator and denominator
       real(wp), intent(in) :: a, b
@@ -70,13 +72,19 @@ contains
       c%low = ((a_high*b_high - c%high) + a_high*b_low + a_low*b_high) + a_low*b_low
    end function exact_product
 
-   !> The leading bits, rounded to nearest, as single precision holds them: without Dekker's
-   !> multiplication, which a fused multiply-add would spoil. Beyond that range a product is what it
-   !> is in double precision.
+   !> The leading bits, rounded to nearest: as single precision holds them, of other sizes by the
+   !> bits, which flang gets at by a library call; without Dekker's multiplication, which a fused
+   !> multiply-add would spoil.
    pure elemental real(wp) function upper_half(a)
       real(wp), intent(in) :: a
+      integer(int64), parameter :: lower = 2_int64**half_bits - 1_int64
+      integer(int64), parameter :: half = 2_int64**(half_bits - 1)
 
-      upper_half = real(real(min(a, largest), real32), wp)
+      if (abs(a) > smallest .and. abs(a) < largest) then
+         upper_half = real(real(a, real32), wp)
+      else
+         upper_half = transfer(iand(transfer(a, lower) + half, not(lower)), a)
+      end if
    end function upper_half
 
    pure elemental subroutine round(x, a)
