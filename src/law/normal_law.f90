@@ -160,8 +160,8 @@ contains
       !> Whether the area's slope is wanted; recoverable energy and dissipation of elasto-plastic
       !> summits
       logical, intent(in) :: with_area_slope, with_memory
-      !> Zero on entry, as they are declared
-      type(piece_type), intent(inout) :: pieces(3)
+      !> The pieces
+      type(piece_type), intent(out) :: pieces(3)
       real(wp) :: h
 
       h = separation/properties%sigma

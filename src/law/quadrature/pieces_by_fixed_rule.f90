@@ -9,7 +9,7 @@ module asperity_law_quadrature_pieces_by_fixed_rule
    use asperity_law_normal_properties, only: normal_properties, plastic_area_exponent
    use asperity_law_quadrature_fixed_points, only: find_force_powers, log_ratio, &
       middle, middle_exponent, n => n_points, ratio, weight
-   use asperity_law_quadrature_pieces_by_quadrature, only: piece_type
+   use asperity_law_quadrature_pieces_by_quadrature, only: no_summits, piece_type
    implicit none
    private
    public :: fixed_pieces_serve, evaluate_fixed_pieces, fixed_elastic_piece, &
@@ -65,8 +65,8 @@ contains
       logical, intent(in) :: with_area_slope
       !> Whether recoverable energy and dissipation are wanted
       logical, intent(in) :: with_memory
-      !> Zero on entry; integrals, with exponents of zero
-      type(piece_type), intent(inout) :: elastic, elastoplastic
+      !> Integrals, with exponents of zero
+      type(piece_type), intent(out) :: elastic, elastoplastic
       real(wp) :: a
 
       a = properties%w1/properties%sigma
@@ -111,7 +111,7 @@ contains
    pure subroutine sum_series(a, h, with_area_slope, piece)
       real(wp), intent(in) :: a, h
       logical, intent(in) :: with_area_slope
-      type(piece_type), intent(inout) :: piece
+      type(piece_type), intent(out) :: piece
       real(wp) :: c(0:last), first, second, scale
       real(wp), dimension(0:1) :: by_force, by_slope, by_area, by_work
       integer :: most, i, j
@@ -137,6 +137,7 @@ contains
             by_work(j) = by_work(j) + elastic_energy(i + j)*c(i + j)
          end do
       end do
+      piece = no_summits
       scale = phi_0*a
       if (h < 0.0_wp) scale = scale*exp(-0.5_wp*h*h)
       piece%pressure = scale*(by_force(0) + by_force(1))
@@ -152,7 +153,7 @@ contains
       type(normal_properties), intent(in) :: properties
       real(wp), intent(in) :: a, h
       logical, intent(in) :: with_area_slope, with_memory
-      type(piece_type), intent(inout) :: piece
+      type(piece_type), intent(out) :: piece
       real(wp) :: t, exponent(n), density(n), powers(n), force, inverse, scale, force_scale
       real(wp), dimension(2) :: by_force, by_slope, by_work, by_area, by_range
       integer :: i, j
@@ -183,6 +184,7 @@ contains
             by_work(j) = by_work(j) + work_weight(i + j)*force
          end do
       end do
+      piece = no_summits
       scale = phi_0*a
       ! the force in the middle of the range: (2/k)^(1/2), as it is 2/k at its upper end
       force_scale = scale*sqrt(2.0_wp/properties%yield_factor)

@@ -12,17 +12,21 @@ module asperity_law_quadrature_pieces_by_quadrature
    private
    public :: piece_type, elastic_piece, elastoplastic_piece, plastic_piece
 
-   !> Integrals over one piece, to be multiplied by exp(-exponent - max(h, 0)^2/2).
+   !> Integrals over one piece, to be multiplied by exp(-exponent - max(h, 0)^2/2). Without default
+   !> values, which flang sets by library calls that take as long as the piece itself.
    type :: piece_type
       !> Force, its slope, area, its slope and energy, in units of N1, N1/w1, pi R w1, pi R, N1 w1
-      real(wp) :: pressure = 0.0_wp, stiffness = 0.0_wp
-      real(wp) :: area = 0.0_wp, area_slope = 0.0_wp, energy = 0.0_wp
+      real(wp) :: pressure, stiffness, area, area_slope, energy
       !> Of an elasto-plastic energy what unloading gives back and what it does not (see
       !> `asperity_law_unloading_law`), on request; their sum is the energy
-      real(wp) :: recoverable = 0.0_wp, dissipation = 0.0_wp
+      real(wp) :: recoverable, dissipation
       !> See above; never negative
-      real(wp) :: exponent = 0.0_wp
+      real(wp) :: exponent
    end type piece_type
+
+   !> The piece of no summits
+   type(piece_type), parameter, public :: no_summits = piece_type(0.0_wp, 0.0_wp, 0.0_wp, 0.0_wp, &
+      0.0_wp, 0.0_wp, 0.0_wp, 0.0_wp)
 
 contains
 
@@ -38,6 +42,7 @@ contains
       integer :: i
 
       rule = new_quadrature(properties, separation, 0.0_wp, largest)
+      piece = no_summits
       piece%exponent = rule%exponent
       do i = 1, rule%panels
          associate (ratio => rule%ratio(:, i), weight => rule%weight(:, i))
@@ -65,6 +70,7 @@ contains
       integer :: i
 
       rule = new_log_quadrature(properties, separation, properties%w1, properties%w2)
+      piece = no_summits
       piece%exponent = rule%exponent
       inverse = 1.0_wp/(properties%b3 + 1.0_wp)
       do i = 1, rule%panels
@@ -101,6 +107,7 @@ contains
       b = properties%w2/properties%sigma
       y = (separation + properties%w2)/properties%sigma
       moments = tail_moments(y)
+      piece = no_summits
       ! moments of y < 0 are not scaled
       piece%exponent = relative_exponent(separation/properties%sigma, b, max(y, 0.0_wp))
       slope = 2.0_wp/properties%yield_factor

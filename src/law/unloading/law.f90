@@ -15,8 +15,8 @@ module asperity_law_unloading_law
    use asperity_law_quadrature_heights, only: relative_exponent
    use asperity_law_quadrature_pieces_by_fixed_rule, only: fixed_elastoplastic_piece, &
       fixed_pieces_serve
-   use asperity_law_quadrature_pieces_by_quadrature, only: elastoplastic_piece, piece_type, &
-      plastic_piece
+   use asperity_law_quadrature_pieces_by_quadrature, only: elastoplastic_piece, no_summits, &
+      piece_type, plastic_piece
    use asperity_law_unloading_pieces, only: elastic_unloading_piece, elastoplastic_unloading_piece
    use asperity_law_unloading_plastic_pieces, only: plastic_unloading_piece, &
       recoverable_plastic_energy
@@ -181,6 +181,7 @@ contains
       real(wp) :: h, energy
 
       h = closest_separation/properties%sigma
+      pieces(1) = no_summits
       if (fixed_pieces_serve(properties%w1/properties%sigma, h)) then
          pieces(2) = fixed_elastoplastic_piece(properties, h)
       else

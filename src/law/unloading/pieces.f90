@@ -7,7 +7,8 @@ module asperity_law_unloading_pieces
    use asperity_law_normal_properties, only: normal_properties, plastic_ratio
    use asperity_law_quadrature_heights, only: find_dense_range, relative_exponent
    use asperity_law_quadrature_pieces_by_fixed_rule, only: fixed_elastic_piece, fixed_pieces_serve
-   use asperity_law_quadrature_pieces_by_quadrature, only: elastic_piece, piece_type
+   use asperity_law_quadrature_pieces_by_quadrature, only: elastic_piece, no_summits, &
+      piece_type
    use asperity_law_unloading_gauss_points, only: n => n_points, points, weights
    use asperity_law_unloading_sums, only: add_summits, lowest, lowest_exponent
    use asperity_law_unloading_summit, only: recovery_exponent
@@ -40,6 +41,7 @@ contains
       type(piece_type) :: piece
       real(wp) :: h, now, largest
 
+      piece = no_summits
       if (.not. retraction < properties%w1) return
       associate (p => properties)
          h = closest_separation/p%sigma
@@ -75,6 +77,7 @@ contains
       real(wp), dimension(n) :: density, weight, left, radius
       integer :: panel, panels, i
 
+      piece = no_summits
       if (.not. edge < properties%w2) return
       associate (p => properties)
          u = retraction/p%w1

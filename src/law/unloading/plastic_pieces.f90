@@ -5,7 +5,7 @@ module asperity_law_unloading_plastic_pieces
    use asperity_law_gaussian_tail, only: phi_0
    use asperity_law_normal_properties, only: normal_properties
    use asperity_law_quadrature_heights, only: find_dense_range
-   use asperity_law_quadrature_pieces_by_quadrature, only: piece_type
+   use asperity_law_quadrature_pieces_by_quadrature, only: no_summits, piece_type
    use asperity_law_unloading_gauss_points, only: n => n_points, points, weights
    use asperity_law_unloading_sums, only: add_summits, lowest, lowest_exponent
    implicit none
@@ -90,6 +90,7 @@ contains
       real(wp), dimension(n) :: exponents, density, weight, left, radius
       integer :: panel, i
 
+      piece = no_summits
       associate (p => properties)
          u = retraction/p%w1
          ! deformations in sigma from here
