@@ -16,14 +16,17 @@ contains
 
    !> Friction over one increment at a known pressure: first the pressure changes, at the elastic
    !> slip of the start and as its rule says, then the point slips at the pressure of the end.
-   pure subroutine slide(response, properties, start, overclosure, slip_increment, is_open, closing)
-      !> Pressure, its derivative, normal energy, plastic dissipation and validity at the end; gets
-      !> all the rest
+   pure subroutine slide(response, properties, start, elastic_slip, overclosure, slip_increment, &
+         is_open, closing)
+      !> Pressure, its derivative, normal energy, plastic dissipation and validity at the end; all
+      !> the rest is set
       type(contact_response), intent(inout) :: response
       !> Friction
       type(contact_properties), intent(in) :: properties
-      !> State at the start; its elastic slip in the slip directions of the end
+      !> State at the start
       type(contact_state), intent(in) :: start
+      !> Its elastic slip in the slip directions of the end, mm; used where it is closed
+      real(wp), intent(in) :: elastic_slip(2)
       !> Overclosure at the end, mm, and relative tangential motion of the increment, mm
       real(wp), intent(in) :: overclosure, slip_increment(2)
       !> Whether the point is open at the end
@@ -35,7 +38,7 @@ contains
       integer :: i
 
       gamma = 0.0_wp
-      if (is_closed(start)) gamma = start%elastic_slip
+      if (is_closed(start)) gamma = elastic_slip
       energy = elastic_energy(properties, start%pressure, gamma)
       associate (r => response, p => response%traction(1), &
             scale => properties%friction_coefficient/properties%critical_slip)
@@ -45,6 +48,17 @@ contains
             gamma = gamma*(start%pressure/p)
          end if
          kept_energy = elastic_energy(properties, p, gamma)
+         r%dissipation = 0.0_wp
+         r%pressure_coupling = 0.0_wp
+         r%tangential_energy = 0.0_wp
+         r%state%elastic_slip = 0.0_wp
+         do i = 2, 3
+            r%traction(i) = 0.0_wp
+            r%tangent(1, i) = 0.0_wp
+            r%tangent(i, 1) = 0.0_wp
+            r%tangent(i, 2) = 0.0_wp
+            r%tangent(i, 3) = 0.0_wp
+         end do
          if (properties%friction_rule == rule_dissipative) then
             r%dissipation = max(energy - kept_energy, 0.0_wp)
          else

@@ -23,7 +23,22 @@ module asperity_contact_point
       plastic_dissipation, unloading_stiffness
    implicit none
    private
-   public :: update_contact_point, contact_tangent, contact_pressure, find_normal, overclosure_for
+   public :: update_contact_point, contact_tangent, contact_pressure, find_normal, &
+      normal_values, overclosure_for
+
+   !> What a contact point takes from the normal law. Without default values, which flang sets by
+   !> library calls.
+   type :: normal_values
+      !> Pressure, MPa, and normal stiffness, MPa/mm
+      real(wp) :: pressure, stiffness
+      !> Stored (recoverable) energy per area, N/mm
+      real(wp) :: energy
+      !> Plastic dissipation per area since first touch, N/mm; zero without memory, and while the
+      !> point is not closer than ever
+      real(wp) :: plastic_dissipation
+      !> `valid`, or flags
+      integer :: validity
+   end type normal_values
 
 contains
 
@@ -40,11 +55,10 @@ contains
       real(wp), intent(in) :: slip_increment(2)
       !> Rotation of the slip directions in the increment: a vector v becomes rotation v
       real(wp), intent(in) :: rotation(2, 2)
-      !> Result
-      type(contact_response), intent(out) :: response
-      type(normal_response) :: normal
-      type(contact_state) :: turned
-      real(wp) :: closing
+      !> Result; all of it is set
+      type(contact_response), intent(inout) :: response
+      type(normal_values) :: normal
+      real(wp) :: elastic_slip(2), closing
       logical :: opens
 
       call find_normal(properties, start, overclosure, normal)
@@ -52,21 +66,21 @@ contains
       response%tangent(1, 1) = normal%stiffness
       response%normal_energy = normal%energy
       response%validity = normal%validity
+      response%plastic_dissipation = 0.0_wp
       if (normal%plastic_dissipation > 0.0_wp) response%plastic_dissipation = &
          max(normal%plastic_dissipation - dissipated_before(properties, start), 0.0_wp)
-      turned = start
+      elastic_slip = start%elastic_slip
       if (is_closed(start)) then
-         turned%elastic_slip = rotation(:, 1)*start%elastic_slip(1) &
-            + rotation(:, 2)*start%elastic_slip(2)
+         elastic_slip = rotation(:, 1)*start%elastic_slip(1) + rotation(:, 2)*start%elastic_slip(2)
          ! a rotation that is not quite one must not lengthen it
-         if (is_longer(turned%elastic_slip, properties%critical_slip)) &
-            turned%elastic_slip = turned%elastic_slip*(properties%critical_slip &
-            /hypot(turned%elastic_slip(1), turned%elastic_slip(2)))
+         if (is_longer(elastic_slip, properties%critical_slip)) elastic_slip = elastic_slip &
+            *(properties%critical_slip/hypot(elastic_slip(1), elastic_slip(2)))
       end if
       opens = is_open(properties, normal%pressure, is_closed(start))
       closing = 0.0_wp
       if (may_close(start) .and. .not. opens) closing = closing_overclosure(properties, start)
-      call slide(response, properties, turned, overclosure, slip_increment, opens, closing)
+      call slide(response, properties, start, elastic_slip, overclosure, slip_increment, opens, &
+         closing)
    end subroutine update_contact_point
 
    !> Tangent about a state, for perturbations: sticking points stick, slipping points slip on, so
@@ -79,7 +93,7 @@ contains
       type(contact_state), intent(in) :: state
       !> d traction(i)/d (overclosure, slip 1, slip 2)(j), MPa/mm
       real(wp) :: tangent(3, 3)
-      type(normal_response) :: normal
+      type(normal_values) :: normal
       real(wp) :: scale, across(2)
 
       tangent = 0.0_wp
@@ -108,14 +122,13 @@ contains
       type(contact_properties), intent(in) :: properties
       !> State of the point
       type(contact_state), intent(in) :: state
-      type(normal_response) :: normal
+      type(normal_values) :: normal
 
       call find_normal(properties, state, state%overclosure, normal)
       pressure = normal%pressure
    end function contact_pressure
 
-   !> The normal law at an overclosure, in the way the properties choose. With memory the plastic
-   !> dissipation is that since first touch, and zero while the point is not closer than ever.
+   !> The normal law at an overclosure, in the way the properties choose.
    pure subroutine find_normal(properties, start, overclosure, normal)
       !> Checked properties
       type(contact_properties), intent(in) :: properties
@@ -123,14 +136,14 @@ contains
       type(contact_state), intent(in) :: start
       !> Overclosure at its end, mm
       real(wp), intent(in) :: overclosure
-      !> Pressure, stiffness, energy, plastic dissipation, validity
-      type(normal_response), intent(out) :: normal
+      !> Its values
+      type(normal_values), intent(out) :: normal
 
+      normal = normal_values(0.0_wp, 0.0_wp, 0.0_wp, 0.0_wp, properties%normal%validity)
       associate (separation => properties%initial_separation - overclosure)
-         if (separation > vanishing_separation*properties%normal%sigma) then
-            ! open, as most points of a model are: no need to evaluate zeros
-            normal%validity = properties%normal%validity
-         else if (properties%normal%unloading == unloading_elastic) then
+         ! open, as most points of a model are: no need to evaluate zeros
+         if (separation > vanishing_separation*properties%normal%sigma) return
+         if (properties%normal%unloading == unloading_elastic) then
             if (remembers(properties, start) .and. overclosure < start%largest_closure) then
                call find_with_memory(properties, properties%initial_separation &
                   - start%largest_closure, start%largest_closure - overclosure, normal)
@@ -151,7 +164,8 @@ contains
    pure subroutine find_with_memory(properties, closest_separation, retraction, normal)
       type(contact_properties), intent(in) :: properties
       real(wp), intent(in) :: closest_separation, retraction
-      type(normal_response), intent(inout) :: normal
+      type(normal_values), intent(inout) :: normal
+      type(normal_response) :: law
 
       if (allocated(properties%compiled_unloading)) then
          call evaluate_compiled_unloading_law(properties%compiled_unloading, closest_separation, &
@@ -159,7 +173,8 @@ contains
          if (.not. retraction > 0.0_wp) normal%plastic_dissipation = &
             compiled_plastic_dissipation(properties%compiled_unloading, closest_separation)
       else if (retraction > 0.0_wp) then
-         call evaluate_unloading_branch(properties%normal, closest_separation, retraction, normal)
+         call evaluate_unloading_branch(properties%normal, closest_separation, retraction, law)
+         normal = normal_values(law%pressure, law%stiffness, law%energy, 0.0_wp, law%validity)
       else
          call evaluate_virgin_pressure(properties%normal, closest_separation, normal%pressure, &
             normal%stiffness, normal%energy, normal%plastic_dissipation, normal%validity)

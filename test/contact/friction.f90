@@ -40,7 +40,8 @@ contains
 
       response%traction(1) = stiffness*max(overclosure, 0.0_wp)
       if (overclosure > 0.0_wp) response%tangent(1, 1) = stiffness
-      call slide(response, properties, start, overclosure, slip, .not. overclosure > 0.0_wp, 0.0_wp)
+      call slide(response, properties, start, start%elastic_slip, overclosure, slip, &
+         .not. overclosure > 0.0_wp, 0.0_wp)
    end function slid
 
    !> Random paths that open and close, rise and fall, both rules and integrations: shear stresses

@@ -257,8 +257,8 @@ contains
          type(contact_response) :: response
 
          response%traction(1) = pressure
-         call slide(response, properties, start%state, overclosure, [0.1_wp, 0.2_wp], &
-            is_open=.not. pressure > 0.0_wp, closing=0.0_wp)
+         call slide(response, properties, start%state, start%state%elastic_slip, overclosure, &
+            [0.1_wp, 0.2_wp], is_open=.not. pressure > 0.0_wp, closing=0.0_wp)
          call keep_response(trial, response, overclosure, 1.0_wp)
       end subroutine at_pressure
 

@@ -50,7 +50,7 @@ contains
             response%tangent(1, 1) = k
             response%normal_energy = 0.5_wp*k*o*(o - s) + k*s*s/6.0_wp
          end if
-         call slide(response, law%properties, start, overclosure, slip, &
+         call slide(response, law%properties, start, start%elastic_slip, overclosure, slip, &
             is_open=.not. pressure > 0.0_wp, closing=0.0_wp)
       end associate
    end subroutine update

@@ -31,7 +31,7 @@ contains
       associate (pressure => response%traction(1), touching => closure - sum(start%indentation))
          call bearing_pressure(law%wood, start%indentation, closure, pressure, &
             response%tangent(1, 1))
-         call slide(response, law%faces, start%state, touching, slip, &
+         call slide(response, law%faces, start%state, start%state%elastic_slip, touching, slip, &
             is_open=.not. pressure > 0.0_wp, closing=0.0_wp)
          response%state%overclosure = min(touching, 0.0_wp)
          trial%indentation = bearing_indentation(law%wood, start%indentation, pressure, closure)

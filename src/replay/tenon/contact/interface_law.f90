@@ -82,8 +82,8 @@ contains
       type(contact_response) :: response
 
       response%traction(1) = law%side_pressure
-      call slide(response, law%sides, start%state, 0.0_wp, slip, is_open=.false., &
-         closing=start%state%overclosure)
+      call slide(response, law%sides, start%state, start%state%elastic_slip, 0.0_wp, slip, &
+         is_open=.false., closing=start%state%overclosure)
       call keep_response(trial, response, 0.0_wp, 1.0_wp)
    end subroutine slide_at_side_pressure
 

@@ -5,11 +5,10 @@ module asperity_replay_tenon_contact_rough
    use asperity_base_error, only: computation_error, error_type, fatal_error
    use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
-   use asperity_contact_point, only: find_normal, update_contact_point
+   use asperity_contact_point, only: find_normal, normal_values, update_contact_point
    use asperity_contact_properties, only: compile_normal_law
    use asperity_contact_state, only: contact_response, no_rotation
    use asperity_law_normal_inverse, only: separation_for_pressure
-   use asperity_law_normal_law, only: normal_response
    use asperity_replay_tenon_contact_interface_law, only: interface_law
    use asperity_replay_tenon_contact_overclosure_search, only: improve_overclosure, &
       new_overclosure_search, overclosure_search
@@ -94,7 +93,7 @@ contains
       real(wp), intent(out) :: pressure, stiffness
       !> Set on failure
       type(error_type), allocatable, intent(out) :: error
-      type(normal_response) :: normal
+      type(normal_values) :: normal
 
       associate (unused => slip)
       end associate
