@@ -6,7 +6,7 @@ module asperity_law_compile_law
    use asperity_base_kinds, only: wp
    use asperity_law_compiled_law, only: compiled_law, evaluate_compiled_law, first, &
       intervals_below, last, n_all, n_near, place_interval
-   use asperity_law_gaussian_tail, only: tail_moments
+   use asperity_law_gaussian_tail, only: find_tail_moments
    use asperity_law_hermite_polynomial, only: degree, hermite_points, hermite_polynomial
    use asperity_law_normal_law, only: evaluate_scaled_law, normal_response
    use asperity_law_normal_properties, only: normal_properties
@@ -147,7 +147,7 @@ contains
          call evaluate_compiled_law(law, h*law%properties%sigma, pressure, stiffness, area_fraction)
          is_passed = merge(area_fraction > 1.0_wp, pressure > law%properties%hardness, limit == 1)
       else
-         moments = tail_moments(h)
+         call find_tail_moments(h, moments)
          is_passed = law%properties%sigma*moments(1) > 0.5_wp*law%properties%radius*moments(0)
       end if
    end function is_passed

@@ -8,7 +8,7 @@
 !> range that it was compiled for, the law is evaluated directly, and beyond 39 it is zero.
 module asperity_law_compiled_law
    use asperity_base_kinds, only: wp
-   use asperity_law_gaussian_tail, only: tail_moments
+   use asperity_law_gaussian_tail, only: find_tail_moments
    use asperity_law_hermite_polynomial, only: degree
    use asperity_law_normal_law, only: evaluate_normal_law, normal_response, vanishing_separation
    use asperity_law_normal_properties, only: normal_properties
@@ -223,7 +223,7 @@ contains
          area_fraction = polynomial(law%area_fraction(:, column), t)*decay
       if (present(energy)) energy = polynomial(law%energy(:, column), t)*decay
       if (present(contact_density)) then
-         moments = tail_moments(h)
+         call find_tail_moments(h, moments)
          contact_density = law%properties%eta*moments(0)*exp(-0.5_wp*max(h, 0.0_wp)**2)
       end if
       if (present(validity)) validity = flags_at(law, h)
@@ -288,8 +288,12 @@ contains
       real(wp), intent(in) :: h
       integer, parameter :: flags(3) = &
          [area_above_nominal, pressure_above_hardness, closure_above_half_radius]
+      integer :: i
 
-      flags_at = ior(law%properties%validity, sum(flags, mask=h < law%limits))
+      flags_at = law%properties%validity
+      do i = 1, size(flags)
+         if (h < law%limits(i)) flags_at = ior(flags_at, flags(i))
+      end do
    end function flags_at
 
 end module asperity_law_compiled_law

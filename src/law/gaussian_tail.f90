@@ -4,7 +4,7 @@ module asperity_law_gaussian_tail
    use asperity_base_kinds, only: wp
    implicit none
    private
-   public :: tail_moments, density_reach
+   public :: find_tail_moments, density_reach
 
    !> 1/sqrt(2 pi)
    real(wp), parameter, public :: phi_0 = 0.398942280401432677939946_wp
@@ -54,10 +54,11 @@ contains
    !> For y > 0 the closed forms phi - y Q and (1 + y^2) Q - y phi lose 13 digits by y = 37. There
    !> all follow from the ratio F_2/F_1 by sums of positive terms: F_0 = F_2 + y F_1 and
    !> phi = F_1 + y F_0.
-   pure function tail_moments(y) result(moments)
+   pure subroutine find_tail_moments(y, moments)
       !> Lower end of the tail; any finite value up to 1e150 in size
       real(wp), intent(in) :: y
-      real(wp) :: moments(0:2)
+      !> The three moments
+      real(wp), intent(out) :: moments(0:2)
       real(wp) :: u, x, x2, x4, ratio
       integer :: i
 
@@ -79,7 +80,7 @@ contains
          moments(1) = phi_0*exp(-0.5_wp*y*y) - y*moments(0)
          moments(2) = moments(0) - y*moments(1)
       end if
-   end function tail_moments
+   end subroutine find_tail_moments
 
    !> How far from y, away from zero, the density phi matters: where it is exp(-45) phi(y).
    pure elemental real(wp) function density_reach(y)

@@ -9,7 +9,7 @@
 module asperity_law_normal_law
    use asperity_base_constants, only: pi
    use asperity_base_kinds, only: wp
-   use asperity_law_gaussian_tail, only: tail_moments
+   use asperity_law_gaussian_tail, only: find_tail_moments
    use asperity_law_normal_properties, only: normal_properties
    use asperity_law_quadrature_pieces_by_fixed_rule, only: evaluate_fixed_pieces, fixed_pieces_serve
    use asperity_law_quadrature_pieces_by_quadrature, only: elastic_piece, elastoplastic_piece, &
@@ -80,11 +80,14 @@ contains
       type(piece_type), intent(out), optional :: pieces(3)
       type(piece_type) :: found(3)
       real(wp) :: h, decay, area_fraction, root(3), moments(0:2)
+      integer :: i
 
       h = separation/properties%sigma
       call find_pieces(properties, separation, .false., present(pieces), found)
       if (present(pieces)) pieces = found
-      root = roots_of(found)
+      do i = 1, 3
+         root(i) = root_of(found(i)%exponent)
+      end do
       decay = exp(-0.5_wp*max(h, 0.0_wp)**2)
       associate (p => properties)
          pressure = p%eta*p%n1*sum(root*root*found%pressure)*decay
@@ -96,7 +99,7 @@ contains
          if (pressure > p%hardness) validity = ior(validity, pressure_above_hardness)
          ! above the mean plane summits in contact are closed by 0.8 sigma or less in the mean
          if (h > 0.0_wp .and. 0.8_wp*p%sigma < 0.5_wp*p%radius) return
-         moments = tail_moments(h)
+         call find_tail_moments(h, moments)
          if (is_closed_too_far(p, separation, moments)) &
             validity = ior(validity, closure_above_half_radius)
       end associate
@@ -140,7 +143,7 @@ contains
       real(wp) :: moments(0:2)
 
       call find_pieces(properties, separation, present(area_stiffness), present(pieces), found)
-      moments = tail_moments(separation/properties%sigma)
+      call find_tail_moments(separation/properties%sigma, moments)
       call sum_pieces(properties, found, scaled, area_stiffness)
       if (present(pieces)) pieces = found
       associate (p => properties, r => scaled)
@@ -179,24 +182,20 @@ contains
    pure logical function is_closed_too_far(properties, separation, moments)
       !> Checked properties
       type(normal_properties), intent(in) :: properties
-      !> Separation d, mm, and `tail_moments` of d/sigma
+      !> Separation d, mm, and `find_tail_moments` of d/sigma
       real(wp), intent(in) :: separation, moments(0:2)
 
       is_closed_too_far = properties%sigma*moments(1) > 0.5_wp*properties%radius*moments(0) &
          .and. separation <= vanishing_separation*properties%sigma
    end function is_closed_too_far
 
-   !> Roots of the factors exp(-exponent) of the pieces.
-   pure function roots_of(pieces) result(roots)
-      type(piece_type), intent(in) :: pieces(3)
-      real(wp) :: roots(3)
-      integer :: i
+   !> Root of the factor exp(-exponent) of a piece.
+   pure real(wp) function root_of(exponent)
+      real(wp), intent(in) :: exponent
 
-      do i = 1, 3
-         roots(i) = 1.0_wp
-         if (pieces(i)%exponent > 0.0_wp) roots(i) = exp(-0.5_wp*pieces(i)%exponent)
-      end do
-   end function roots_of
+      root_of = 1.0_wp
+      if (exponent > 0.0_wp) root_of = exp(-0.5_wp*exponent)
+   end function root_of
 
    !> Add up the elastic, the elasto-plastic and the plastic piece.
    pure subroutine sum_pieces(properties, pieces, scaled, area_stiffness)
@@ -209,8 +208,11 @@ contains
       !> Derivative of the area fraction by closure, 1/mm, over the factor
       real(wp), intent(out), optional :: area_stiffness
       real(wp) :: total, root(3), share(3)
+      integer :: i
 
-      root = roots_of(pieces)
+      do i = 1, 3
+         root(i) = root_of(pieces(i)%exponent)
+      end do
       associate (p => properties, r => scaled)
          total = sum(root*root*pieces%pressure)
          r%pressure = p%eta*p%n1*total

@@ -5,7 +5,7 @@ module test_law_unloading_law
    use, intrinsic :: ieee_exceptions, only: ieee_divide_by_zero, ieee_get_flag, ieee_invalid, &
       ieee_overflow, ieee_set_flag
    use asperity_base_kinds, only: wp
-   use asperity_law_gaussian_tail, only: tail_moments
+   use asperity_law_gaussian_tail, only: find_tail_moments
    use asperity_law_normal_law, only: evaluate_normal_law, normal_response
    use asperity_law_normal_properties, only: normal_properties
    use asperity_law_unloading_inverse, only: retraction_for_pressure
@@ -276,7 +276,7 @@ contains
       far = 10.0_wp*p%sigma
       do i = 1, 60
          d = 0.5_wp*(near + far)
-         moments = tail_moments(d/p%sigma)
+         call find_tail_moments(d/p%sigma, moments)
          if (p%sigma*moments(1)/moments(0) > 170.0_wp*p%w1) then
             near = d
          else

@@ -3,7 +3,7 @@
 module asperity_law_quadrature_pieces_by_quadrature
    use asperity_base_kinds, only: wp
    use asperity_law_exponential, only: exponentials
-   use asperity_law_gaussian_tail, only: tail_moments
+   use asperity_law_gaussian_tail, only: find_tail_moments
    use asperity_law_normal_properties, only: normal_properties
    use asperity_law_quadrature_gauss_legendre, only: n_points, pairwise_sum
    use asperity_law_quadrature_heights, only: new_log_quadrature, new_quadrature, quadrature_type, &
@@ -106,7 +106,7 @@ contains
       a = properties%w1/properties%sigma
       b = properties%w2/properties%sigma
       y = (separation + properties%w2)/properties%sigma
-      moments = tail_moments(y)
+      call find_tail_moments(y, moments)
       piece = no_summits
       ! moments of y < 0 are not scaled
       piece%exponent = relative_exponent(separation/properties%sigma, b, max(y, 0.0_wp))

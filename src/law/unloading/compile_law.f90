@@ -6,7 +6,7 @@ module asperity_law_unloading_compile_law
    use asperity_base_kinds, only: wp
    use asperity_law_compile_law, only: new_compiled_law
    use asperity_law_compiled_law, only: first
-   use asperity_law_gaussian_tail, only: tail_moments
+   use asperity_law_gaussian_tail, only: find_tail_moments
    use asperity_law_normal_law, only: evaluate_normal_law, normal_response, vanishing_separation
    use asperity_law_normal_properties, only: normal_properties, unloading_elastic
    use asperity_law_unloading_cell, only: degree_h, strip_half_width
@@ -167,7 +167,7 @@ contains
       real(wp), intent(in) :: h
       real(wp) :: moments(0:2)
 
-      moments = tail_moments(h)
+      call find_tail_moments(h, moments)
       is_flattened_too_far = properties%sigma*moments(1) &
          > largest_mean_ratio*properties%w1*moments(0)
    end function is_flattened_too_far

@@ -8,7 +8,7 @@
 !> has none; this one is Etsion, Kligerman and Kadin's idea with the paper's summits.
 module asperity_law_unloading_law
    use asperity_base_kinds, only: wp
-   use asperity_law_gaussian_tail, only: tail_moments
+   use asperity_law_gaussian_tail, only: find_tail_moments
    use asperity_law_normal_law, only: apply_decay, evaluate_pressure, evaluate_scaled_law, &
       is_closed_too_far, normal_response, sum_pieces, vanishing_separation
    use asperity_law_normal_properties, only: normal_properties
@@ -147,7 +147,7 @@ contains
       associate (p => properties, r => response)
          h = closest_separation/p%sigma
          y = h + edge/p%sigma
-         moments = tail_moments(y)
+         call find_tail_moments(y, moments)
          r%contact_density = p%eta*moments(0) &
             *exp(min(shift - relative_exponent(h, edge/p%sigma, max(y, 0.0_wp)), 0.0_wp))
          r%validity = ior(p%validity, memory_flags(p, closest_separation))
@@ -212,7 +212,7 @@ contains
          ! above the mean plane summits in contact are closed by 0.8 sigma or less in the mean
          if (closest_separation > 0.0_wp .and. 0.8_wp*p%sigma < min(0.5_wp*p%radius, &
             largest_mean_ratio*p%w1)) return
-         moments = tail_moments(closest_separation/p%sigma)
+         call find_tail_moments(closest_separation/p%sigma, moments)
          if (is_closed_too_far(p, closest_separation, moments)) flags = closure_above_half_radius
          if (p%sigma*moments(1) > largest_mean_ratio*p%w1*moments(0)) &
             flags = ior(flags, memory_beyond_data)
