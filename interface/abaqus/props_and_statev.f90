@@ -3,13 +3,13 @@
 module asperity_abaqus_props_and_statev
    use asperity_base_constants, only: pi
    use asperity_base_error, only: error_type, fatal_error
-   use asperity_base_finite, only: is_finite
+   use asperity_base_finite, only: all_finite, is_finite
    use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
-   use asperity_contact_properties, only: contact_properties, new_contact_properties, rule_abaqus, &
-      slip_exact
+   use asperity_contact_properties, only: complete_contact_properties, contact_properties, &
+      rule_abaqus, slip_exact
    use asperity_contact_state, only: contact_state
-   use asperity_law_normal_properties, only: new_normal_properties, normal_properties
+   use asperity_law_normal_properties, only: new_normal_properties
    implicit none
    private
    public :: properties_from_props, props_from_properties, state_from_statev, statev_from_state, &
@@ -74,16 +74,19 @@ contains
    !> not near pi, or a property is refused.
    pure subroutine properties_from_props(props, properties, error)
       !> The property list
-      real(wp), intent(in) :: props(:)
+      real(wp), intent(in), contiguous :: props(:)
       !> Checked properties; all of them are set
       type(contact_properties), intent(inout) :: properties
       !> Set when the list is refused
       type(error_type), allocatable, intent(out) :: error
-      type(normal_properties) :: normal
       integer :: options(prop_friction_rule:n_props), i
 
       if (size(props) < prop_sigma .or. size(props) > n_props) then
          call refuse_length(error, size(props))
+         return
+      end if
+      if (.not. all_finite(props)) then
+         call refuse_number(error, props)
          return
       end if
       if (.not. near_pi(props(prop_pi))) then
@@ -102,15 +105,15 @@ contains
       end do
       if (options(prop_friction_rule) == 0) options(prop_friction_rule) = rule_abaqus
       if (options(prop_slip_integration) == 0) options(prop_slip_integration) = slip_exact
-      call new_normal_properties(normal, props(prop_eta), props(prop_modulus), &
+      call new_normal_properties(properties%normal, props(prop_eta), props(prop_modulus), &
          props(prop_radius), props(prop_hardness), props(prop_yield_factor), props(prop_sigma), &
          error, options(prop_accept_unphysical) == 1, options(prop_unloading))
       if (allocated(error)) return
       if (size(props) < prop_initial_separation) then
-         call new_contact_properties(properties, normal, props(prop_friction_coefficient), &
+         call complete_contact_properties(properties, props(prop_friction_coefficient), &
             props(prop_critical_slip), error)
       else
-         call new_contact_properties(properties, normal, props(prop_friction_coefficient), &
+         call complete_contact_properties(properties, props(prop_friction_coefficient), &
             props(prop_critical_slip), error, props(prop_initial_separation), &
             options(prop_friction_rule), options(prop_slip_integration), &
             accept_unphysical=options(prop_accept_unphysical) == 1)
@@ -141,10 +144,11 @@ contains
    end function props_from_properties
 
    !> State of a point from STATEV.
-   pure function state_from_statev(statev) result(state)
+   pure subroutine state_from_statev(statev, state)
       !> At least `n_statev` numbers
       real(wp), intent(in) :: statev(:)
-      type(contact_state) :: state
+      !> State of the point; all of it is set
+      type(contact_state), intent(inout) :: state
 
       state%status = int(statev(state_status))
       state%overclosure = statev(state_overclosure)
@@ -156,7 +160,7 @@ contains
       state%dissipation = statev(state_dissipation)
       state%pressure_coupling = statev(state_pressure_coupling)
       state%validity = int(statev(state_validity))
-   end function state_from_statev
+   end subroutine state_from_statev
 
    !> Write a state to STATEV; the slot of warnings is left alone.
    pure subroutine statev_from_state(state, statev)
@@ -186,15 +190,25 @@ contains
       if (near_pi) near_pi = abs(value - pi) < pi_tolerance
    end function near_pi
 
-   !> Is it a whole number from 0 on?
+   !> Is it a whole number from 0 on? Of a finite number.
    pure logical function is_option(value, largest)
       real(wp), intent(in) :: value
       integer, intent(in) :: largest
 
-      is_option = is_finite(value)
-      if (is_option) is_option = value >= 0.0_wp .and. value <= largest
+      is_option = value >= 0.0_wp .and. value <= largest
       if (is_option) is_option = abs(value - int(value)) <= 0.0_wp
    end function is_option
+
+   !> Name the first property that is no number.
+   pure subroutine refuse_number(error, props)
+      type(error_type), allocatable, intent(out) :: error
+      real(wp), intent(in) :: props(:)
+      integer :: slot
+
+      slot = findloc(is_finite(props), .false., dim=1)
+      call fatal_error(error, 'PROPS('//to_text(slot)//') = '//to_text(props(slot))// &
+         ' is not allowed: every property must be a finite number')
+   end subroutine refuse_number
 
    !> Say what an option may be.
    pure subroutine refuse_option(error, slot, value)

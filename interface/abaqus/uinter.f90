@@ -55,9 +55,13 @@ subroutine uinter( &
    !> Time step factor asked for when the host's numbers are not finite
    real(wp), parameter :: cut_back = 0.25_wp
    integer, parameter :: warning = -1, fatal = -3
-   type(contact_properties) :: properties
-   type(contact_state) :: start
-   type(contact_response) :: response
+   !> Default values as one block, which flang would set component by component by library calls
+   type :: point_type
+      type(contact_properties) :: properties = contact_properties()
+      type(contact_state) :: start = contact_state()
+      type(contact_response) :: response = contact_response()
+   end type point_type
+   type(point_type) :: point
    type(error_type), allocatable :: error
    real(wp) :: slip(2), rotation(2, 2), overclosure, moved(7), tangent(3, 3)
    !> Whether STATEV and the position are numbers that can be computed with
@@ -80,7 +84,7 @@ subroutine uinter( &
    svd = 0.0_wp
    scd = 0.0_wp
 
-   call properties_from_props(props, properties, error)
+   call properties_from_props(props, point%properties, error)
    if (.not. allocated(error)) call check_state(error)
    if (allocated(error)) then
       call tell(fatal, error%message)
@@ -98,10 +102,10 @@ subroutine uinter( &
       pnewdt = cut_back
       return
    end if
-   start = state_from_statev(statev)
+   call state_from_statev(statev, point%start)
 
    if (linper == 1) then
-      tangent = contact_tangent(properties, start)
+      tangent = contact_tangent(point%properties, point%start)
       ddsddr = tangent(:ndir, :ndir)
       stress = 0.0_wp
       if (rdisp(1) < no_surface_limit) return
@@ -131,16 +135,19 @@ subroutine uinter( &
       end if
    end if
 
-   call update_contact_point(properties, start, overclosure, slip, rotation, response)
-   stress = response%traction(:ndir)
-   ddsddr = response%tangent(:ndir, :ndir)
-   sed = response%normal_energy + response%tangential_energy
-   sfd = response%dissipation
-   spd = response%plastic_dissipation
-   lopenclose = merge(0, 1, response%status == status_open)
-   lstate = response%status
-   call warn_once(response%validity)
-   call statev_from_state(response%state, statev)
+   associate (response => point%response)
+      call update_contact_point(point%properties, point%start, overclosure, slip, rotation, &
+         response)
+      stress = response%traction(:ndir)
+      ddsddr = response%tangent(:ndir, :ndir)
+      sed = response%normal_energy + response%tangential_energy
+      sfd = response%dissipation
+      spd = response%plastic_dissipation
+      lopenclose = merge(0, 1, response%status == status_open)
+      lstate = response%status
+      call warn_once(response%validity)
+      call statev_from_state(response%state, statev)
+   end associate
 
 contains
 

@@ -67,6 +67,8 @@ subroutine vuinter( &
 
    integer, parameter :: warning = -1, fatal = -3
    type(contact_properties) :: properties
+   type(contact_state) :: start
+   type(contact_response) :: response
    type(error_type), allocatable :: error
    logical :: pressure_is_rounded
    integer :: node, faulty, first_to_warn, n_to_warn, flags_to_warn
@@ -98,7 +100,7 @@ subroutine vuinter( &
    if (.not. allocated(error)) call compile_for_nodes(error)
    if (.not. allocated(error)) then
       do node = 1, nslvnod
-         call advance(node, error)
+         call advance(node, start, response, error)
          if (.not. allocated(error)) cycle
          faulty = node
          exit
@@ -145,7 +147,8 @@ contains
          separation = properties%initial_separation - real(rdisp(1, node), wp)
          if (.not. abs(separation) < reach) cycle
          n = n + 1
-         range = [min(range(1), separation), max(range(2), separation)]
+         range(1) = min(range(1), separation)
+         range(2) = max(range(2), separation)
       end do
       if (.not. compiling_pays(n, properties%normal, range)) return
       allocate (properties%compiled)
@@ -153,11 +156,13 @@ contains
    end subroutine compile_for_nodes
 
    !> Advance a node over the increment. `error` is set when it cannot be computed.
-   subroutine advance(node, error)
+   subroutine advance(node, start, response, error)
       integer, intent(in) :: node
+      !> Variables of the caller, as setting their default values at every node takes flang longer
+      !> than the law
+      type(contact_state), intent(inout) :: start
+      type(contact_response), intent(inout) :: response
       type(error_type), allocatable, intent(out) :: error
-      type(contact_state) :: start
-      type(contact_response) :: response
       real(wp) :: overclosure, slip(2), rotation(2, 2)
 
       call gather(node, start, overclosure, slip, rotation, error)
@@ -169,10 +174,10 @@ contains
    !> State and motion of a node.
    subroutine gather(node, state, overclosure, slip, rotation, error)
       integer, intent(in) :: node
-      type(contact_state), intent(out) :: state
+      type(contact_state), intent(inout) :: state
       real(wp), intent(out) :: overclosure, slip(2), rotation(2, 2)
       type(error_type), allocatable, intent(out) :: error
-      real(wp) :: slots(n_statev)
+      real(wp) :: slots(n_statev), moved(7)
       logical :: is_known
 
       overclosure = no_opposite_surface
@@ -187,7 +192,7 @@ contains
       end if
       call check_statev(slots, error)
       if (allocated(error)) return
-      state = state_from_statev(slots)
+      call state_from_statev(slots, state)
       if (pressure_is_rounded) call restore_pressure(state)
 
       if (.not. is_finite(real(rdisp(1, node), wp))) then
@@ -196,8 +201,11 @@ contains
          overclosure = real(rdisp(1, node), wp)
          slip(:ndir - 1) = real(drdisp(2:, node), wp)
          if (ndir == 3) rotation = real(drot(:, :, node), wp)
-         if (.not. computable([overclosure, slip, rotation(:, 1), rotation(:, 2)])) &
-            call refuse_motion(node, error)
+         moved(1) = overclosure
+         moved(2:3) = slip
+         moved(4:5) = rotation(:, 1)
+         moved(6:7) = rotation(:, 2)
+         if (.not. computable(moved)) call refuse_motion(node, error)
       end if
    end subroutine gather
 

@@ -1,8 +1,7 @@
 !> Checks of numbers that a caller gives: each names the value, its unit and what is allowed.
 module asperity_base_checks
-   use, intrinsic :: iso_fortran_env, only: int64
    use asperity_base_error, only: error_type, fatal_error
-   use asperity_base_finite, only: is_finite
+   use asperity_base_finite, only: all_within, is_finite
    use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
    implicit none
@@ -10,24 +9,16 @@ module asperity_base_checks
    public :: all_positive, check_positive, check_range
 
    !> Range of a number above zero, wide of any system of units
-   real(wp), parameter :: smallest = 1.0e-20_wp, largest = 1.0e20_wp
+   real(wp), parameter, public :: smallest_positive = 1.0e-20_wp, largest_positive = 1.0e20_wp
 
 contains
 
-   !> Whether `check_positive` passes every value. By their bits, whose order is that of positive
-   !> numbers: what is none has larger ones.
+   !> Whether `check_positive` passes every value.
    pure logical function all_positive(values)
       !> Any numbers
       real(wp), intent(in), contiguous :: values(:)
-      integer(int64) :: bits
-      integer :: i
 
-      all_positive = .true.
-      do i = 1, size(values)
-         bits = transfer(values(i), bits)
-         all_positive = all_positive .and. bits >= transfer(smallest, bits) &
-            .and. bits <= transfer(largest, bits)
-      end do
+      all_positive = all_within(values, smallest_positive, largest_positive)
    end function all_positive
 
    !> Set `error` unless `value` is a number above zero (1e-20 to 1e20).
@@ -40,8 +31,10 @@ contains
       real(wp), intent(in) :: value
       !> Its unit, for the message
       character(len=*), intent(in) :: unit
+      real(wp) :: values(1)
 
-      if (all_positive([value])) return
+      values = value
+      if (all_positive(values)) return
       call fatal_error(error, name//' = '//to_text(value)// &
          ' is not allowed: it must be a number above zero (1e-20 to 1e20), in '//unit, &
          subject=name)

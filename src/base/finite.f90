@@ -7,7 +7,7 @@ module asperity_base_finite
    use asperity_base_kinds, only: wp
    implicit none
    private
-   public :: all_below, all_finite, is_finite, is_nan
+   public :: all_below, all_finite, all_within, is_finite, is_nan
 
    interface
       !> C's own. flang makes a library call of every `transfer`, which takes as long as twenty of
@@ -24,6 +24,8 @@ module asperity_base_finite
    !> Exponent bits of a double: all set in an infinity and in what is not a number
    integer(int64), parameter :: exponent_bits = int(z'7FF0000000000000', int64)
 
+   !> Numbers whose bits are looked at side by side
+   integer, parameter :: block = 32
    integer(int64), parameter :: sign_bit = ibset(0_int64, 63)
    integer(int64), parameter :: fraction_bits = int(z'000FFFFFFFFFFFFF', int64)
 
@@ -52,18 +54,34 @@ contains
       !> A number above zero
       real(wp), intent(in) :: limit
 
+      real(wp) :: limits(1)
       integer(int64) :: bits(1)
 
-      call copy_bytes(bits, [limit], storage_size(limit, c_size_t)/8)
+      limits = limit
+      call copy_bytes(bits, limits, storage_size(limits, c_size_t)/8)
       all_below = largest_bits(size(values), values) < bits(1)
    end function all_below
+
+   !> Whether all are numbers within a range above zero.
+   pure logical function all_within(values, lowest, highest)
+      !> Any numbers
+      real(wp), intent(in), contiguous :: values(:)
+      !> Ends of the range, above zero
+      real(wp), intent(in) :: lowest, highest
+      real(wp) :: ends(2)
+      integer(int64) :: limits(2)
+
+      ends(1) = lowest
+      ends(2) = highest
+      call copy_bytes(limits, ends, 2*storage_size(ends, c_size_t)/8)
+      all_within = bits_within(size(values), values, limits)
+   end function all_within
 
    !> Bits of the largest in size: in the order of positive numbers, infinity and what is none above
    !> all others.
    pure integer(int64) function largest_bits(n, values) result(largest)
       integer, intent(in) :: n
       real(wp), intent(in) :: values(n)
-      integer, parameter :: block = 32
       integer(int64) :: bits(block)
       integer :: first, m, i
 
@@ -76,6 +94,23 @@ contains
          end do
       end do
    end function largest_bits
+
+   pure logical function bits_within(n, values, limits)
+      integer, intent(in) :: n
+      real(wp), intent(in) :: values(n)
+      integer(int64), intent(in) :: limits(2)
+      integer(int64) :: bits(block)
+      integer :: first, m, i
+
+      bits_within = .true.
+      do first = 1, n, block
+         m = min(block, n - first + 1)
+         call copy_bytes(bits, values(first), m*storage_size(values, c_size_t)/8)
+         do i = 1, m
+            bits_within = bits_within .and. bits(i) >= limits(1) .and. bits(i) <= limits(2)
+         end do
+      end do
+   end function bits_within
 
    !> True for what is not a number.
    pure elemental logical function is_nan(x)

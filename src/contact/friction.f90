@@ -34,7 +34,8 @@ contains
       !> Overclosure from which on a point is closed, mm; used where `may_close(start)`
       real(wp), intent(in) :: closing
       type(slip_path) :: path
-      real(wp) :: gamma(2), gamma_by_pressure(2), energy, kept_energy, share, share_by_overclosure
+      real(wp) :: gamma(2), gamma_by_pressure(2), motion(2)
+      real(wp) :: energy, kept_energy, share, share_by_overclosure
       integer :: i
 
       gamma = 0.0_wp
@@ -69,14 +70,15 @@ contains
             r%dissipation = r%dissipation + kept_energy
          else
             call share_after_closing(start, overclosure, closing, share, share_by_overclosure)
-            path = integrate_slip(gamma, share*slip_increment, properties%critical_slip, &
+            motion = share*slip_increment
+            path = integrate_slip(gamma, motion, properties%critical_slip, &
                properties%slip_integration)
             r%status = merge(status_slip, status_stick, path%slips)
-            r%state%elastic_slip = path%elastic_slip
             r%tangential_energy = elastic_energy(properties, p, path%elastic_slip)
             r%dissipation = r%dissipation + properties%friction_coefficient*p*path%slipped
             ! by component, as flang makes library calls of sections and of matmul
             do i = 1, 2
+               r%state%elastic_slip(i) = path%elastic_slip(i)
                r%traction(1 + i) = scale*p*path%elastic_slip(i)
                r%tangent(1 + i, 1) = scale*r%tangent(1, 1)*(path%elastic_slip(i) + p &
                   *(path%by_start(i, 1)*gamma_by_pressure(1) &

@@ -1,8 +1,10 @@
 !> Properties of one pair of faces: the normal law, friction and the datum of the overclosure.
 module asperity_contact_properties
-   use asperity_base_checks, only: check_positive, check_range
+   use asperity_base_checks, only: check_positive, check_range, largest_positive, &
+      smallest_positive
    use asperity_base_constants, only: pi
    use asperity_base_error, only: error_type, fatal_error
+   use asperity_base_finite, only: all_finite
    use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
    use asperity_law_compile_law, only: new_compiled_law
@@ -16,7 +18,8 @@ module asperity_contact_properties
    use asperity_paper_pairs, only: pair_preset
    implicit none
    private
-   public :: contact_properties, new_contact_properties, compile_normal_law
+   public :: contact_properties, new_contact_properties, complete_contact_properties, &
+      compile_normal_law
 
    !> What happens to the elastic slip when the pressure changes
    enum, bind(c)
@@ -50,7 +53,7 @@ module asperity_contact_properties
    !> Everything a contact point needs. Build it with `new_contact_properties`; read only after.
    type :: contact_properties
       !> Properties of the normal law
-      type(normal_properties) :: normal
+      type(normal_properties) :: normal = normal_properties()
       !> Coulomb friction coefficient mu
       real(wp) :: friction_coefficient = 0.0_wp
       !> Critical elastic slip gcrit, mm: the largest |elastic slip|
@@ -102,31 +105,61 @@ contains
       logical, intent(in), optional :: compiled
       !> Let lengths that no face has pass; results are then flagged
       logical, intent(in), optional :: accept_unphysical
-      logical :: accepted
+      real(wp) :: separation
 
+      separation = 0.0_wp
+      if (present(initial_separation)) separation = initial_separation
+      ! what is no number must not be compared: that may trap
+      if (.not. all_finite([friction_coefficient, critical_slip, separation])) then
+         call refuse(error, friction_coefficient, critical_slip, separation)
+         return
+      end if
       properties%normal = normal
+      call complete_contact_properties(properties, friction_coefficient, critical_slip, error, &
+         initial_separation, friction_rule, slip_integration, compiled, accept_unphysical)
+   end subroutine from_normal
+
+   !> The same where `properties%normal` is in its place already, for many calls: without a copy.
+   pure subroutine complete_contact_properties(properties, friction_coefficient, critical_slip, &
+         error, initial_separation, friction_rule, slip_integration, compiled, accept_unphysical)
+      !> With checked properties of the normal law; all the rest is set
+      type(contact_properties), intent(inout) :: properties
+      !> As above, and finite
+      real(wp), intent(in) :: friction_coefficient, critical_slip
+      type(error_type), allocatable, intent(out) :: error
+      real(wp), intent(in), optional :: initial_separation
+      integer, intent(in), optional :: friction_rule, slip_integration
+      logical, intent(in), optional :: compiled, accept_unphysical
+      logical :: allowed, accepted
+
+      if (allocated(properties%compiled)) deallocate (properties%compiled)
+      if (allocated(properties%compiled_unloading)) deallocate (properties%compiled_unloading)
       properties%friction_coefficient = friction_coefficient
       properties%critical_slip = critical_slip
-      properties%initial_separation = default_initial_separation*normal%sigma
+      properties%initial_separation = default_initial_separation*properties%normal%sigma
       if (present(initial_separation)) properties%initial_separation = initial_separation
+      properties%friction_rule = rule_abaqus
       if (present(friction_rule)) properties%friction_rule = friction_rule
+      properties%slip_integration = slip_exact
       if (present(slip_integration)) properties%slip_integration = slip_integration
-      properties%p_open = open_pressure_factor &
-         *2.0_wp*pi*normal%eta*normal%radius*normal%hardness*normal%sigma
+      associate (p => properties%normal)
+         properties%p_open = open_pressure_factor*2.0_wp*pi*p%eta*p%radius*p%hardness*p%sigma
+      end associate
 
-      call check_range(error, 'friction_coefficient', friction_coefficient, 0.0_wp, &
-         largest_friction, '')
-      if (.not. allocated(error)) call check_positive(error, 'critical_slip', critical_slip, 'mm')
-      if (.not. allocated(error)) call check_range(error, 'initial_separation', &
-         properties%initial_separation, -largest_separation, largest_separation, ' mm')
-      if (allocated(error)) return
+      allowed = friction_coefficient >= 0.0_wp .and. friction_coefficient <= largest_friction &
+         .and. critical_slip >= smallest_positive .and. critical_slip <= largest_positive &
+         .and. abs(properties%initial_separation) <= largest_separation
+      if (.not. allowed) then
+         call refuse(error, friction_coefficient, critical_slip, properties%initial_separation)
+         return
+      end if
       accepted = .false.
       if (present(accept_unphysical)) accepted = accept_unphysical
       call check_plausible_length('critical_slip', critical_slip, length_max, accepted, &
          properties%normal%validity, error)
       if (.not. allocated(error)) call check_plausible_length('initial_separation', &
-         properties%initial_separation, max(length_max, vanishing_separation*normal%sigma), &
-         accepted, properties%normal%validity, error)
+         properties%initial_separation, max(length_max, &
+         vanishing_separation*properties%normal%sigma), accepted, properties%normal%validity, error)
       if (allocated(error)) return
       if (properties%friction_rule /= rule_abaqus &
             .and. properties%friction_rule /= rule_dissipative) then
@@ -139,7 +172,19 @@ contains
       end if
       if (allocated(error) .or. .not. present(compiled)) return
       if (compiled) call compile_normal_law(properties, error)
-   end subroutine from_normal
+   end subroutine complete_contact_properties
+
+   !> Name the first number that is not allowed.
+   pure subroutine refuse(error, friction_coefficient, critical_slip, initial_separation)
+      type(error_type), allocatable, intent(inout) :: error
+      real(wp), intent(in) :: friction_coefficient, critical_slip, initial_separation
+
+      call check_range(error, 'friction_coefficient', friction_coefficient, 0.0_wp, &
+         largest_friction, '')
+      if (.not. allocated(error)) call check_positive(error, 'critical_slip', critical_slip, 'mm')
+      if (.not. allocated(error)) call check_range(error, 'initial_separation', &
+         initial_separation, -largest_separation, largest_separation, ' mm')
+   end subroutine refuse
 
    !> Compile the normal law, unless it is. `error` is set when the properties were never built.
    pure subroutine compile_normal_law(properties, error)

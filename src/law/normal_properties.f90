@@ -86,8 +86,8 @@ contains
    !> `asperity_law_plausibility`).
    pure subroutine from_values(properties, eta, modulus, radius, hardness, yield_factor, sigma, &
          error, accept_unphysical, unloading)
-      !> Result
-      type(normal_properties), intent(out) :: properties
+      !> Result; all of it is set
+      type(normal_properties), intent(inout) :: properties
       !> Asperity density, 1/mm^2
       real(wp), intent(in) :: eta
       !> Equivalent modulus, MPa
@@ -107,9 +107,17 @@ contains
       !> `unloading_reversible` (default) or `unloading_elastic`
       integer, intent(in), optional :: unloading
       type(double_double) :: strain, yield
+      real(wp) :: values(6)
       logical :: allowed, accepted
 
-      allowed = all_positive([eta, modulus, radius, hardness, yield_factor, sigma])
+      ! one by one, as flang allocates memory for an array constructor
+      values(1) = eta
+      values(2) = modulus
+      values(3) = radius
+      values(4) = hardness
+      values(5) = yield_factor
+      values(6) = sigma
+      allowed = all_positive(values)
       if (allowed) &
          allowed = yield_factor >= yield_factor_min .and. yield_factor <= yield_factor_max
       if (.not. allowed) then
@@ -142,6 +150,7 @@ contains
 
       if (properties%b3 > largest_force_exponent) &
          properties%validity = ior(properties%validity, stiffer_than_hertz)
+      properties%unloading = unloading_reversible
       if (present(unloading)) call set_unloading(properties, unloading, error)
    end subroutine from_values
 

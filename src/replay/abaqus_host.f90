@@ -130,9 +130,9 @@ contains
       type(contact_response) :: response
       type(contact_state) :: start
 
-      start = state_from_statev(point%start%statev)
+      call state_from_statev(point%start%statev, start)
       associate (t => point%trial, n => point%ndir, state => response%state)
-         state = state_from_statev(t%statev)
+         call state_from_statev(t%statev, state)
          response%traction(:n) = t%stress
          response%tangent(:n, :n) = t%ddsddr
          response%status = state%status

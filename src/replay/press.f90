@@ -158,13 +158,14 @@ contains
       type(press_step), intent(in) :: first, last
       type(press_loop), intent(out) :: loop
       type(error_type), allocatable, intent(out) :: error
+      type(contact_state) :: state
 
       loop%peak = peak
       loop%closest_separation = last%closest_separation
       loop%cycle_loss = last%energy - first%energy + last%plastic_dissipation &
          - first%plastic_dissipation
-      call overclosure_for(properties, state_from_statev(point%start%statev), properties%p_open, &
-         loop%residual_closure, error)
+      call state_from_statev(point%start%statev, state)
+      call overclosure_for(properties, state, properties%p_open, loop%residual_closure, error)
    end subroutine close_loop
 
    !> Newton on the pressure that UINTER returns, from the inverse of the law. Zero pressure is
@@ -174,12 +175,13 @@ contains
       type(contact_properties), intent(in) :: properties
       real(wp), intent(in) :: pressure, dtime
       type(error_type), allocatable, intent(out) :: error
+      type(contact_state) :: start
       real(wp) :: overclosure, wanted
       integer :: iteration
 
       wanted = max(pressure, 0.5_wp*properties%p_open)
-      call overclosure_for(properties, state_from_statev(point%start%statev), wanted, &
-         overclosure, error)
+      call state_from_statev(point%start%statev, start)
+      call overclosure_for(properties, start, wanted, overclosure, error)
       if (allocated(error)) return
       do iteration = 1, max_iterations
          call try_increment(point, overclosure, [0.0_wp], dtime, error)
@@ -203,7 +205,7 @@ contains
       type(normal_response) :: normal
       type(contact_state) :: state
 
-      state = state_from_statev(point%start%statev)
+      call state_from_statev(point%start%statev, state)
       step%time = point%start%time(1)
       step%overclosure = point%start%rdisp(1)
       step%separation = properties%initial_separation - step%overclosure

@@ -12,6 +12,7 @@ module asperity_replay_shear_box
    use asperity_base_number_text, only: to_text
    use asperity_contact_point, only: overclosure_for
    use asperity_contact_properties, only: close_pressure_ratio, contact_properties
+   use asperity_contact_state, only: contact_state
    use asperity_law_normal_law, only: normal_response
    use asperity_replay_abaqus_host, only: accept_increment, host_point, new_host_point, &
       refuse_cut, try_increment
@@ -115,6 +116,7 @@ contains
       type(contact_properties), intent(in) :: properties
       real(wp), intent(in) :: displacement, dtime
       type(error_type), allocatable, intent(out) :: error
+      type(contact_state) :: start
       real(wp) :: pressure, area, compliance, overclosure, slip, low, high
       real(wp) :: r(2), j(2, 2), allowed(2), determinant
       integer :: iteration
@@ -122,8 +124,8 @@ contains
       area = current_area(settings, displacement)
       pressure = settings%normal_stress*overlap_area(settings%diameter, 0.0_wp)/area
       compliance = settings%shear_compliance*area
-      call overclosure_for(properties, state_from_statev(point%start%statev), pressure, &
-         overclosure, error)
+      call state_from_statev(point%start%statev, start)
+      call overclosure_for(properties, start, pressure, overclosure, error)
       if (allocated(error)) return
       low = displacement - 1.01_wp*compliance*properties%friction_coefficient*pressure
       high = displacement + 1.01_wp*compliance*properties%friction_coefficient*pressure
@@ -164,6 +166,7 @@ contains
       type(contact_properties), intent(in) :: properties
       real(wp), intent(in) :: displacement
       type(shear_step) :: step
+      type(contact_state) :: state
       type(normal_response) :: normal
 
       associate (trial => point%trial)
@@ -184,7 +187,8 @@ contains
          step%plastic_dissipation = step%overlap_area*trial%spd
          step%status = trial%lstate
       end associate
-      normal = law_at(properties, state_from_statev(point%trial%statev))
+      call state_from_statev(point%trial%statev, state)
+      normal = law_at(properties, state)
       step%area_fraction = normal%area_fraction
       step%elastic_share = normal%elastic_share
       step%elastoplastic_share = normal%elastoplastic_share

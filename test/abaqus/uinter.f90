@@ -391,7 +391,7 @@ contains
       call assertEqual(2, warnings, 'once, and once more for a later iteration')
       call assertTrue(index(last_message, 'real area above nominal') > 0, trim(last_message))
       call assertEqual(0, exits, 'no XIT')
-      state = state_from_statev(point%start%statev)
+      call state_from_statev(point%start%statev, state)
       call assertTrue(iand(state%validity, 1) == 1, 'kept in STATEV')
       call assertEqual(point%start%statev(state_validity), point%start%statev(state_warned), &
          0.0_wp, 'warned of')

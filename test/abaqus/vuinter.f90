@@ -98,7 +98,7 @@ contains
                r%state%dissipation, r%state%pressure_coupling, real(r%state%validity, wp)]
             call assertEqual(wanted/max(1.0_wp, wanted), statev(:10)/max(1.0_wp, wanted), &
                4.0_wp*eps, 'statev')
-            r%state = state_from_statev(statev)
+            call state_from_statev(statev, r%state)
             if (anyExceptions()) return
          end do
          rotation(:, :, 1) = reshape([0.8_vp, 0.6_vp, -0.6_vp, 0.8_vp], [2, 2])
