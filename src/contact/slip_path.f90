@@ -80,7 +80,8 @@ contains
       direction = path%elastic_slip/length
       tangent = [-direction(2), direction(1)]
       path%elastic_slip = critical_slip*direction
-      path%by_increment = critical_slip/length*outer(tangent, tangent)
+      call set_outer(tangent, tangent, path%by_increment)
+      path%by_increment = critical_slip/length*path%by_increment
       path%by_start = path%by_increment
       path%slipped = length - critical_slip
    end subroutine return_radially
@@ -92,12 +93,13 @@ contains
    pure subroutine follow_circle(path, start, increment, critical_slip)
       type(slip_path), intent(inout) :: path
       real(wp), intent(in) :: start(2), increment(2), critical_slip
-      real(wp) :: e(2), n(2), tangent(2), length, size, a, b, c, one_minus_c, inside, stick, x, q
-      real(wp) :: one_minus_q, growth, k, t, cosine, sine, turn
+      real(wp) :: e(2), n(2), tangent(2), along(2), length, size, a, b, c, one_minus_c, inside
+      real(wp) :: stick, x, q, one_minus_q, growth, k, t, cosine, sine, turn
 
       length = hypot(increment(1), increment(2))
       e = increment/length
-      n = [-e(2), e(1)]
+      n(1) = -e(2)
+      n(2) = e(1)
       associate (g => critical_slip)
          a = dot_product(start, e)
          b = min(max(dot_product(start, n), -g), g)
@@ -122,8 +124,10 @@ contains
          tangent = -sine*e + cosine*n
          turn = (one_minus_q*(1.0_wp - k*one_minus_c) + 2.0_wp*k*c*stick/g) &
             /(1.0_wp + t*t)
-         path%by_increment = outer(tangent, -sine*e + turn*g/length*n)
-         path%by_start = outer(tangent, -sine*e + 2.0_wp*c*k/(1.0_wp + t*t)*n)
+         along = -sine*e + turn*g/length*n
+         call set_outer(tangent, along, path%by_increment)
+         along = -sine*e + 2.0_wp*c*k/(1.0_wp + t*t)*n
+         call set_outer(tangent, along, path%by_start)
       end associate
    end subroutine follow_circle
 
@@ -148,12 +152,13 @@ contains
       end if
    end subroutine decay_and_growth
 
-   pure function outer(u, v) result(matrix)
+   !> The matrix u v^T; no function, as flang copies the array that one returns by a library call.
+   pure subroutine set_outer(u, v, matrix)
       real(wp), intent(in) :: u(2), v(2)
-      real(wp) :: matrix(2, 2)
+      real(wp), intent(out) :: matrix(2, 2)
 
       matrix(:, 1) = u*v(1)
       matrix(:, 2) = u*v(2)
-   end function outer
+   end subroutine set_outer
 
 end module asperity_contact_slip_path
