@@ -1,6 +1,6 @@
 !> UINTER as a host sees it: signs, outputs, the no-surface value, perturbations, errors, warnings.
 module test_abaqus_uinter
-   use, intrinsic :: ieee_arithmetic, only: ieee_quiet_nan, ieee_value
+   use, intrinsic :: ieee_arithmetic, only: ieee_negative_inf, ieee_quiet_nan, ieee_value
    use abaqus_stubs, only: exits, forget_calls, last_level, last_message, messages, warnings
    use asperity, only: contact_properties, contact_response, contact_state, error_type, &
       evaluate_normal_law, no_opposite_surface, no_rotation, normal_response, &
@@ -10,6 +10,7 @@ module test_abaqus_uinter
       properties_from_props, state_elastic_slip_1, state_elastic_slip_2, state_from_statev, &
       state_overclosure, state_pressure, state_status, state_validity, state_warned
    use asperity_abaqus_uinter_signature, only: uinter_interface
+   use asperity_base_number_text, only: to_text
    use asperity_replay_abaqus_host, only: accept_increment, host_point, new_host_point, &
       try_increment
    use contact_cases, only: pair_properties
@@ -202,6 +203,7 @@ contains
    subroutine test_refused()
       type(contact_properties) :: p
       real(wp) :: props(n_props)
+      integer :: i
 
       p = pair_properties()
       props = props_from_properties(p)
@@ -226,6 +228,13 @@ contains
       props = props_from_properties(p)
       props(5) = 3.0_wp
       call expect_error(props, 'PROPS(5) = 3.0')
+      do i = 1, n_props
+         props = props_from_properties(p)
+         props(i) = ieee_value(1.0_wp, ieee_quiet_nan)
+         call expect_error(props, 'PROPS('//to_text(i)//') = NaN')
+         props(i) = ieee_value(1.0_wp, ieee_negative_inf)
+         call expect_error(props, 'PROPS('//to_text(i)//') = -Inf')
+      end do
    end subroutine test_refused
 
    subroutine expect_error(props, text)
