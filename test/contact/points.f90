@@ -2,13 +2,13 @@
 module test_contact_points
    use, intrinsic :: iso_fortran_env, only: int64
    use asperity, only: contact_properties, contact_response, contact_state, contact_states, &
-      error_type, get_contact_state, new_contact_states, no_rotation, rule_dissipative, &
-      status_open, status_slip, status_stick, status_unset, unloading_elastic, &
-      unloading_reversible, update_contact_point, wp
-   use contact_cases, only: pair_properties
+      error_type, get_contact_state, new_contact_states, no_rotation, rule_abaqus, &
+      rule_dissipative, slip_backward_euler, slip_exact, status_open, status_slip, status_stick, &
+      status_unset, unloading_elastic, unloading_reversible, update_contact_point, wp
+   use contact_cases, only: pair_properties, random_contact
    use funit, only: anyExceptions, assertEqual, assertFalse, assertGreaterThan, TestMethod, &
       TestSuite
-   use points_cases, only: call_arguments, numbers_of, random_arguments, random_pair, update
+   use points_cases, only: call_arguments, compile, numbers_of, random_arguments, update
    use random_inputs, only: random_stream
    implicit none
    private
@@ -32,7 +32,7 @@ contains
    subroutine test_same()
       integer, parameter :: points = 30, increments = 20
       type(random_stream) :: stream
-      type(contact_properties) :: p, direct, compiled
+      type(contact_properties) :: p, direct
       type(contact_states) :: states
       type(contact_state) :: alone(points)
       type(call_arguments) :: a
@@ -42,10 +42,13 @@ contains
       stream = random_stream(seed)
       seen = 0
       do set = 0, 63
-         call random_pair(stream, set, direct, compiled, &
+         call random_contact(stream, p, merge(rule_dissipative, rule_abaqus, btest(set, 0)), &
+            merge(slip_exact, slip_backward_euler, btest(set, 1)), &
             merge(unloading_elastic, unloading_reversible, btest(set, 5)))
-         p = direct
-         if (btest(set, 2)) p = compiled
+         if (btest(set, 2)) then
+            direct = p
+            call compile(direct, p)
+         end if
          call new_contact_states(states, points, error)
          alone = contact_state()
          do i = 1, increments

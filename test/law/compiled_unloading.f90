@@ -36,7 +36,7 @@ contains
    !> Random properties, closest separations from -8 to 8 sigma, retractions until the pressure is
    !> 1e-12 of that at the closest separation, many of them small. 1e-9 is demanded.
    subroutine test_sweep()
-      integer, parameter :: seed = 271828, n_sets = 40, n_points = 400
+      integer, parameter :: seed = 271828, n_sets = 24, n_points = 400
       type(random_stream) :: stream
       type(normal_properties) :: p
       type(compiled_unloading_law) :: law
@@ -72,7 +72,7 @@ contains
    !> What is recoverable and the plastic dissipation, to 36 sigma, of which it may
    !> be zero below 1e-260.
    subroutine test_virgin()
-      integer, parameter :: seed = 1618, n_sets = 20, n_points = 300
+      integer, parameter :: seed = 1618, n_sets = 10, n_points = 300
       type(random_stream) :: stream
       type(normal_properties) :: p
       type(compiled_unloading_law) :: law
