@@ -78,8 +78,8 @@ add_executable(asperity_single_tests
    ${PROJECT_BINARY_DIR}/asperity_vuinter_single.f90 ${single_sources}
    # of the face of the law, what that file has no need of
    src/base/version.f90 src/contact/points.f90 src/asperity.f90
-   interface/abaqus/uinter.f90 interface/abaqus/uinter_signature.f90
-   interface/abaqus/vuinter_signature.f90
+   interface/abaqus/uinter.f90 interface/abaqus/uinter_point.f90
+   interface/abaqus/uinter_signature.f90 interface/abaqus/vuinter_signature.f90
    src/replay/abaqus_record.f90 src/replay/abaqus_host.f90)
 # one rule writes the file, not two at once
 add_dependencies(asperity_single_tests uinter_file)

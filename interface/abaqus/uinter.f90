@@ -12,14 +12,13 @@ subroutine uinter( &
    use asperity_abaqus_props_and_statev, only: n_statev, properties_from_props, &
       state_elastic_slip_2, state_from_statev, state_pressure, state_validity, state_warned, &
       statev_from_state
+   use asperity_abaqus_uinter_point, only: uinter_point
    use asperity_base_error, only: error_type
    use asperity_base_finite, only: all_finite, is_finite
    use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
    use asperity_contact_point, only: contact_tangent, update_contact_point
-   use asperity_contact_properties, only: contact_properties
-   use asperity_contact_state, only: contact_response, contact_state, no_opposite_surface, &
-      no_rotation, no_surface_limit, status_open
+   use asperity_contact_state, only: no_opposite_surface, no_rotation, no_surface_limit, status_open
    use asperity_law_validity, only: validity_remark
    implicit none
    integer, intent(in) :: node, ndir, nstatv, npred, nprops, mcrd, kstep, kinc, kit
@@ -55,13 +54,7 @@ subroutine uinter( &
    !> Time step factor asked for when the host's numbers are not finite
    real(wp), parameter :: cut_back = 0.25_wp
    integer, parameter :: warning = -1, fatal = -3
-   !> Default values as one block, which flang would set component by component by library calls
-   type :: point_type
-      type(contact_properties) :: properties = contact_properties()
-      type(contact_state) :: start = contact_state()
-      type(contact_response) :: response = contact_response()
-   end type point_type
-   type(point_type) :: point
+   type(uinter_point) :: point
    type(error_type), allocatable :: error
    real(wp) :: slip(2), rotation(2, 2), overclosure, moved(7), tangent(3, 3)
    !> Whether STATEV and the position are numbers that can be computed with
