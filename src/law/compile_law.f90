@@ -8,7 +8,7 @@ module asperity_law_compile_law
       intervals_below, last, n_all, n_near, place_interval
    use asperity_law_gaussian_tail, only: find_tail_moments
    use asperity_law_hermite_polynomial, only: degree, hermite_points, hermite_polynomial
-   use asperity_law_normal_law, only: evaluate_scaled_law, normal_response
+   use asperity_law_normal_law, only: evaluate_scaled_law, is_closed_too_far, normal_response
    use asperity_law_normal_properties, only: normal_properties
    implicit none
    private
@@ -148,7 +148,7 @@ contains
          is_passed = merge(area_fraction > 1.0_wp, pressure > law%properties%hardness, limit == 1)
       else
          call find_tail_moments(h, moments)
-         is_passed = law%properties%sigma*moments(1) > 0.5_wp*law%properties%radius*moments(0)
+         is_passed = is_closed_too_far(law%properties, h*law%properties%sigma, moments)
       end if
    end function is_passed
 

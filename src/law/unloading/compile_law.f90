@@ -16,7 +16,7 @@ module asperity_law_unloading_compile_law
    use asperity_law_unloading_compiled_law, only: brackets_per_sigma, compiled_unloading_law, &
       n_brackets, n_strips, n_strips_with_cells
    use asperity_law_unloading_inverse, only: retraction_for_pressure
-   use asperity_law_unloading_law, only: evaluate_unloading_law, largest_mean_ratio
+   use asperity_law_unloading_law, only: evaluate_unloading_law, is_flattened_too_far
    use asperity_law_unloading_summit, only: elastic_recovery
    implicit none
    private
@@ -146,12 +146,12 @@ contains
 
       associate (p => law%virgin%properties)
          law%memory_limit = first
-         if (.not. is_flattened_too_far(p, first)) return
+         if (.not. passes_memory(p, first)) return
          near = first
          distant = vanishing_separation
          do while (distant - near > epsilon(h)*max(1.0_wp, abs(near)))
             h = 0.5_wp*(near + distant)
-            if (is_flattened_too_far(p, h)) then
+            if (passes_memory(p, h)) then
                near = h
             else
                distant = h
@@ -161,16 +161,15 @@ contains
       law%memory_limit = distant
    end subroutine find_memory_limit
 
-   !> Whether the mean deformation is above what unloading is known for.
-   pure logical function is_flattened_too_far(properties, h)
+   !> Whether summits are flattened too far at a closest separation over sigma.
+   pure logical function passes_memory(properties, h)
       type(normal_properties), intent(in) :: properties
       real(wp), intent(in) :: h
       real(wp) :: moments(0:2)
 
       call find_tail_moments(h, moments)
-      is_flattened_too_far = properties%sigma*moments(1) &
-         > largest_mean_ratio*properties%w1*moments(0)
-   end function is_flattened_too_far
+      passes_memory = is_flattened_too_far(properties, moments)
+   end function passes_memory
 
    !> Bracket the retractions at which the real area is the nominal one, from the largest closest
    !> separation at which it is ever above: they rise as the closest separation falls.

@@ -25,10 +25,10 @@ module asperity_law_unloading_law
    implicit none
    private
    public :: evaluate_unloading_law, evaluate_unloading_branch, evaluate_virgin_pressure, &
-      unloading_stiffness, plastic_dissipation
+      unloading_stiffness, plastic_dissipation, is_flattened_too_far
 
    !> Mean deformation over w1 of the summits in contact up to which unloading was computed
-   real(wp), parameter, public :: largest_mean_ratio = 170.0_wp
+   real(wp), parameter :: largest_mean_ratio = 170.0_wp
    !> Larger retractions over w1 are taken for this one: all is zero long before, and its powers are
    !> finite
    real(wp), parameter :: largest_retraction = 1.0e60_wp
@@ -214,9 +214,19 @@ contains
             largest_mean_ratio*p%w1)) return
          call find_tail_moments(closest_separation/p%sigma, moments)
          if (is_closed_too_far(p, closest_separation, moments)) flags = closure_above_half_radius
-         if (p%sigma*moments(1) > largest_mean_ratio*p%w1*moments(0)) &
-            flags = ior(flags, memory_beyond_data)
+         if (is_flattened_too_far(p, moments)) flags = ior(flags, memory_beyond_data)
       end associate
    end function memory_flags
+
+   !> Whether the summits in contact are deformed further in the mean than unloading is known for.
+   pure logical function is_flattened_too_far(properties, moments)
+      !> Checked properties
+      type(normal_properties), intent(in) :: properties
+      !> `find_tail_moments` of the closest separation over sigma
+      real(wp), intent(in) :: moments(0:2)
+
+      is_flattened_too_far = properties%sigma*moments(1) &
+         > largest_mean_ratio*properties%w1*moments(0)
+   end function is_flattened_too_far
 
 end module asperity_law_unloading_law
