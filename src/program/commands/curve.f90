@@ -9,8 +9,8 @@ module asperity_program_commands_curve
    use asperity_law_normal_law, only: evaluate_normal_law, normal_response
    use asperity_law_unloading_law, only: evaluate_unloading_law
    use asperity_program_commands_command, only: command_type
-   use asperity_program_commands_face_properties, only: sigma
-   use asperity_program_commands_faces, only: faces_type
+   use asperity_program_commands_faces_properties, only: sigma
+   use asperity_program_commands_faces_type, only: faces_type
    use asperity_program_commands_plots, only: draw_curve
    use asperity_program_input_key_list, only: key_list
    use asperity_program_input_ranges, only: linear_range

@@ -8,7 +8,7 @@ module asperity_program_commands_press
    use asperity_base_number_text, only: to_text
    use asperity_contact_properties, only: contact_properties
    use asperity_program_commands_command, only: command_type
-   use asperity_program_commands_faces, only: faces_type
+   use asperity_program_commands_faces_type, only: faces_type
    use asperity_program_commands_plots, only: draw_press
    use asperity_program_input_key_list, only: key_list
    use asperity_program_report_report, only: report_type, turning_points

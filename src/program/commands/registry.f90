@@ -10,7 +10,7 @@ module asperity_program_commands_registry
    use asperity_program_commands_shear, only: shear_command
    use asperity_program_commands_solid_command, only: solid_command
    use asperity_program_commands_surface_command, only: surface_command
-   use asperity_program_commands_table, only: table_command
+   use asperity_program_commands_table_command, only: table_command
    use asperity_program_commands_tenon_command, only: tenon_command
    use asperity_program_input_key_list, only: key_list
    use asperity_program_input_options, only: find_option

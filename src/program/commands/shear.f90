@@ -9,7 +9,7 @@ module asperity_program_commands_shear
    use asperity_contact_properties, only: contact_properties
    use asperity_contact_state, only: status_slip
    use asperity_program_commands_command, only: command_type
-   use asperity_program_commands_faces, only: faces_type
+   use asperity_program_commands_faces_type, only: faces_type
    use asperity_program_commands_plots, only: draw_shear
    use asperity_program_commands_shear_keys, only: declare_shear
    use asperity_program_input_key_list, only: key_list

@@ -3,8 +3,8 @@ module asperity_program_commands_deck_parts
    use asperity_base_kinds, only: wp
    use asperity_deck_mesh_hexahedra, only: hex_mesh, mesh_volume
    use asperity_deck_options, only: deck_choice
-   use asperity_program_commands_face_properties, only: hardness
-   use asperity_program_commands_faces, only: faces_type
+   use asperity_program_commands_faces_properties, only: hardness
+   use asperity_program_commands_faces_type, only: faces_type
    use asperity_program_commands_table_keys, only: declare_table
    use asperity_program_input_key_list, only: key_list
    use asperity_program_report_report, only: report_type

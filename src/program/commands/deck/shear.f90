@@ -11,7 +11,7 @@ module asperity_program_commands_deck_shear
    use asperity_program_commands_command, only: command_type
    use asperity_program_commands_deck_parts, only: declare_deck, declare_law_table, fill_table, &
       remark, usual_criterion
-   use asperity_program_commands_faces, only: faces_type
+   use asperity_program_commands_faces_type, only: faces_type
    use asperity_program_commands_shear_keys, only: declare_shear
    use asperity_program_commands_wood_keys, only: declare_wood
    use asperity_program_input_key, only: kind_file

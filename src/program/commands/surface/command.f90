@@ -6,7 +6,7 @@ module asperity_program_commands_surface_command
    use asperity_height_map_write, only: height_map_bytes
    use asperity_law_normal_properties, only: normal_properties
    use asperity_program_commands_command, only: command_type
-   use asperity_program_commands_faces, only: faces_type
+   use asperity_program_commands_faces_type, only: faces_type
    use asperity_program_commands_surface_keys, only: surface_options
    use asperity_program_commands_surface_law, only: has_law, law_faces, set_law, surface_case
    use asperity_program_commands_surface_maps, only: check_map_options, get_map, prepare_map

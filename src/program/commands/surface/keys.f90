@@ -3,9 +3,9 @@
 module asperity_program_commands_surface_keys
    use asperity_base_kinds, only: wp
    use asperity_height_map_read, only: map_hints
-   use asperity_program_commands_face_properties, only: critical_slip, &
+   use asperity_program_commands_faces_properties, only: critical_slip, &
       friction_coefficient, hardness, modulus, n_properties, yield_factor
-   use asperity_program_commands_faces, only: faces_type
+   use asperity_program_commands_faces_type, only: faces_type
    use asperity_program_input_key, only: kind_file
    use asperity_program_input_key_list, only: key_list
    use asperity_program_input_ranges, only: linear_range

@@ -7,7 +7,7 @@ module asperity_program_commands_surface_verdict
    use asperity_law_normal_properties, only: normal_properties
    use asperity_law_plausibility, only: roughness_number_max, roughness_number_min, &
       roughness_number_min_sq
-   use asperity_program_commands_faces, only: faces_type
+   use asperity_program_commands_faces_type, only: faces_type
    use asperity_program_commands_surface_keys, only: surface_options
    use asperity_program_commands_surface_law, only: has_law, law_faces, refusal, &
       route_places

@@ -10,7 +10,7 @@ module asperity_program_commands_surface_verify
    use asperity_law_normal_properties, only: normal_properties
    use asperity_law_unloading_inverse, only: retraction_for_pressure
    use asperity_paper_wood, only: wood_strength_across
-   use asperity_program_commands_faces, only: faces_type
+   use asperity_program_commands_faces_type, only: faces_type
    use asperity_program_commands_surface_keys, only: surface_options
    use asperity_program_commands_surface_law, only: has_law, law_faces, routes
    use asperity_program_report_report, only: named_table

@@ -7,9 +7,9 @@ module asperity_program_commands_tenon_joint_keys
    use asperity_contact_properties, only: contact_properties, largest_friction
    use asperity_paper_joint, only: joint_amplitudes, joint_cycles
    use asperity_paper_pairs, only: find_pair, pair_preset
-   use asperity_program_commands_face_properties, only: critical_slip, &
+   use asperity_program_commands_faces_properties, only: critical_slip, &
       friction_coefficient, pair_values
-   use asperity_program_commands_faces, only: faces_type
+   use asperity_program_commands_faces_type, only: faces_type
    use asperity_program_commands_tenon_bearing_keys, only: declare_bearing, &
       declare_points
    use asperity_program_input_key_list, only: key_list

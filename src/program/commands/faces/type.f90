@@ -1,6 +1,6 @@
 !> The properties of the faces, as commands take them: those of a pair and of a surface of the
 !> paper, unless they are given.
-module asperity_program_commands_faces
+module asperity_program_commands_faces_type
    use asperity_base_error, only: error_type
    use asperity_base_kinds, only: wp
    use asperity_base_no_value, only: is_none, none
@@ -9,7 +9,7 @@ module asperity_program_commands_faces
    use asperity_law_normal_properties, only: new_normal_properties, normal_properties, &
       unloading_elastic, unloading_reversible
    use asperity_paper_pairs, only: find_pair, find_surface, pair_preset, surface_preset
-   use asperity_program_commands_face_properties, only: critical_slip, eta, face_properties, &
+   use asperity_program_commands_faces_properties, only: critical_slip, eta, face_properties, &
       face_property, friction_coefficient, hardness, modulus, n_properties, of_surface, &
       pair_values, radius, sigma, yield_factor
    use asperity_program_input_key, only: given_as_option, option_name
@@ -282,4 +282,4 @@ contains
       if (any(abs(self%values(:sigma) - self%usual(:sigma)) > 0.0_wp)) text = text//', changed'
    end function words
 
-end module asperity_program_commands_faces
+end module asperity_program_commands_faces_type

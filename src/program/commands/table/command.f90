@@ -1,5 +1,5 @@
 !> `asperity table`: the law as rows of pressure and overclosure, for programs that interpolate.
-module asperity_program_commands_table
+module asperity_program_commands_table_command
    use asperity_base_checks, only: check_positive
    use asperity_base_error, only: error_type
    use asperity_base_kinds, only: wp
@@ -12,7 +12,7 @@ module asperity_program_commands_table
    use asperity_law_normal_law, only: evaluate_normal_law, normal_response
    use asperity_paper_wood, only: wood_strength_across
    use asperity_program_commands_command, only: command_type
-   use asperity_program_commands_faces, only: faces_type
+   use asperity_program_commands_faces_type, only: faces_type
    use asperity_program_commands_table_keys, only: declare_table
    use asperity_program_commands_table_plot, only: law_table_picture
    use asperity_program_input_key, only: kind_file
@@ -189,4 +189,4 @@ contains
          'The deck says more.'
    end subroutine add_remark
 
-end module asperity_program_commands_table
+end module asperity_program_commands_table_command

@@ -1,5 +1,5 @@
 !> What the properties of two faces are: their places, names, units and meanings.
-module asperity_program_commands_face_properties
+module asperity_program_commands_faces_properties
    use asperity_base_kinds, only: wp
    use asperity_paper_pairs, only: pair_preset
    use asperity_program_input_key, only: name_length
@@ -45,4 +45,4 @@ contains
          pair%sigma, pair%friction_coefficient, pair%critical_slip]
    end function pair_values
 
-end module asperity_program_commands_face_properties
+end module asperity_program_commands_faces_properties
