@@ -3,6 +3,8 @@ module asperity
    use asperity_base_error, only: computation_error, error_type, file_error, input_error
    use asperity_base_kinds, only: wp
    use asperity_base_version, only: version
+   use asperity_contact_friction_settings, only: friction_settings, slip_direction_associated, &
+      slip_direction_of_stress, stick_critical_slip, stick_summits
    use asperity_contact_point, only: contact_tangent, update_contact_point
    use asperity_contact_points, only: contact_states, get_contact_state, new_contact_states, &
       set_contact_state, update_contact_points
@@ -15,7 +17,8 @@ module asperity
    use asperity_law_compiled_law, only: compiled_law, evaluate_compiled_law
    use asperity_law_normal_inverse, only: separation_for_pressure
    use asperity_law_normal_law, only: evaluate_normal_law, normal_response
-   use asperity_law_normal_properties, only: equivalent_modulus, new_normal_properties, &
+   use asperity_law_normal_properties, only: equivalent_modulus, heights_gaussian, &
+      heights_johnson, new_normal_properties, &
       normal_properties, unloading_elastic, unloading_reversible
    use asperity_law_single_asperity, only: asperity_response, evaluate_asperity, stage_elastic, &
       stage_elastoplastic, stage_open, stage_plastic
@@ -37,14 +40,16 @@ module asperity
       contact_response, contact_state, contact_states, contact_tangent, elastic_recovery, &
       equivalent_modulus, error_type, evaluate_asperity, evaluate_compiled_law, &
       evaluate_compiled_unloading_law, evaluate_normal_law, evaluate_unloading_asperity, &
-      evaluate_unloading_law, file_error, find_pair, find_surface, get_contact_state, &
+      evaluate_unloading_law, file_error, find_pair, find_surface, friction_settings, &
+      get_contact_state, heights_gaussian, heights_johnson, &
       implausible_property, input_error, memory_beyond_data, new_compiled_law, &
       new_compiled_unloading_law, new_contact_properties, new_contact_states, &
       new_normal_properties, no_opposite_surface, no_rotation, no_surface_limit, &
       normal_properties, normal_response, pair_preset, pairs, pressure_above_hardness, &
       retraction_for_pressure, roughness_number_high, roughness_number_low, rule_abaqus, &
       rule_dissipative, separation_for_pressure, set_contact_state, slip_backward_euler, &
-      slip_exact, stage_elastic, stage_elastoplastic, stage_open, stage_plastic, status_open, &
+      slip_direction_associated, slip_direction_of_stress, slip_exact, stage_elastic, &
+      stage_elastoplastic, stage_open, stage_plastic, status_open, stick_critical_slip, stick_summits, &
       status_slip, status_stick, status_text, status_unset, stiffer_than_hertz, surface_preset, &
       surfaces, unloading_elastic, unloading_reversible, unloading_stiffness, &
       update_contact_point, update_contact_points, valid, validity_remark, validity_text, version, &

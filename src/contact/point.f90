@@ -44,7 +44,7 @@ contains
 
    !> Advance one contact point over one increment. Any finite input gives a finite result.
    pure subroutine update_contact_point(properties, start, overclosure, slip_increment, rotation, &
-         response)
+         response, time_increment)
       !> Checked properties
       type(contact_properties), intent(in) :: properties
       !> State at the start of the increment; no part of `response`
@@ -57,6 +57,9 @@ contains
       real(wp), intent(in) :: rotation(2, 2)
       !> Result; all of it is set
       type(contact_response), intent(inout) :: response
+      !> Time of the increment, s, for friction that depends on the slip rate; without it, or where
+      !> it is zero, friction is that of no rate
+      real(wp), intent(in), optional :: time_increment
       type(normal_values) :: normal
       real(wp) :: elastic_slip(2), closing
       logical :: opens

@@ -7,6 +7,7 @@ module asperity_contact_properties
    use asperity_base_finite, only: all_finite
    use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
+   use asperity_contact_friction_settings, only: friction_settings
    use asperity_law_compile_law, only: new_compiled_law
    use asperity_law_compiled_law, only: compiled_law
    use asperity_law_normal_law, only: vanishing_separation
@@ -64,6 +65,10 @@ module asperity_contact_properties
       integer :: friction_rule = rule_abaqus
       !> `slip_exact` or `slip_backward_euler`
       integer :: slip_integration = slip_exact
+      !> What friction is beyond these
+      type(friction_settings) :: friction = friction_settings()
+      !> Whether it is nothing beyond them
+      logical :: friction_is_plain = .true.
       !> A closed point opens below this pressure, MPa; an open one closes above twice it
       real(wp) :: p_open = 0.0_wp
       !> The compiled normal law, where it was asked for; the law is evaluated directly otherwise
@@ -84,7 +89,7 @@ contains
    !> `error` is set when mu is not between 0 and 1000, gcrit not above zero, |d0| above 1e20, an
    !> option unknown, or gcrit or |d0| a length that no face has.
    pure subroutine from_normal(properties, normal, friction_coefficient, critical_slip, error, &
-         initial_separation, friction_rule, slip_integration, compiled, accept_unphysical)
+         initial_separation, friction_rule, slip_integration, compiled, accept_unphysical, friction)
       !> Result
       type(contact_properties), intent(out) :: properties
       !> Checked properties of the normal law
@@ -105,6 +110,8 @@ contains
       logical, intent(in), optional :: compiled
       !> Let lengths that no face has pass; results are then flagged
       logical, intent(in), optional :: accept_unphysical
+      !> Friction beyond one coefficient and one critical slip
+      type(friction_settings), intent(in), optional :: friction
       real(wp) :: separation
 
       separation = 0.0_wp
@@ -116,12 +123,13 @@ contains
       end if
       properties%normal = normal
       call complete_contact_properties(properties, friction_coefficient, critical_slip, error, &
-         initial_separation, friction_rule, slip_integration, compiled, accept_unphysical)
+         initial_separation, friction_rule, slip_integration, compiled, accept_unphysical, friction)
    end subroutine from_normal
 
    !> The same where `properties%normal` is in its place already, for many calls: without a copy.
    pure subroutine complete_contact_properties(properties, friction_coefficient, critical_slip, &
-         error, initial_separation, friction_rule, slip_integration, compiled, accept_unphysical)
+         error, initial_separation, friction_rule, slip_integration, compiled, &
+         accept_unphysical, friction)
       !> With checked properties of the normal law; all the rest is set
       type(contact_properties), intent(inout) :: properties
       !> As above, and finite
@@ -130,6 +138,7 @@ contains
       real(wp), intent(in), optional :: initial_separation
       integer, intent(in), optional :: friction_rule, slip_integration
       logical, intent(in), optional :: compiled, accept_unphysical
+      type(friction_settings), intent(in), optional :: friction
       logical :: allowed, accepted
 
       if (allocated(properties%compiled)) deallocate (properties%compiled)
@@ -141,6 +150,9 @@ contains
       properties%friction_rule = rule_abaqus
       if (present(friction_rule)) properties%friction_rule = friction_rule
       properties%slip_integration = slip_exact
+      properties%friction = friction_settings()
+      if (present(friction)) properties%friction = friction
+      properties%friction_is_plain = .true.
       if (present(slip_integration)) properties%slip_integration = slip_integration
       associate (p => properties%normal)
          properties%p_open = open_pressure_factor*2.0_wp*pi*p%eta*p%radius*p%hardness*p%sigma
@@ -206,7 +218,7 @@ contains
 
    !> The same of a pair of the paper, with its friction.
    pure subroutine from_pair(properties, pair, error, initial_separation, friction_rule, &
-         slip_integration, compiled, accept_unphysical, unloading)
+         slip_integration, compiled, accept_unphysical, unloading, friction)
       !> Result
       type(contact_properties), intent(out) :: properties
       !> The pair, such as `find_pair` finds
@@ -219,12 +231,14 @@ contains
       logical, intent(in), optional :: compiled, accept_unphysical
       !> `unloading_reversible` (default) or `unloading_elastic`
       integer, intent(in), optional :: unloading
+      !> Friction beyond one coefficient and one critical slip
+      type(friction_settings), intent(in), optional :: friction
       type(normal_properties) :: normal
 
       call new_normal_properties(normal, pair, error, accept_unphysical, unloading)
       if (.not. allocated(error)) call from_normal(properties, normal, &
          pair%friction_coefficient, pair%critical_slip, error, initial_separation, &
-         friction_rule, slip_integration, compiled, accept_unphysical)
+         friction_rule, slip_integration, compiled, accept_unphysical, friction)
    end subroutine from_pair
 
 end module asperity_contact_properties

@@ -1,6 +1,7 @@
 !> What a contact point remembers between increments, and what an update of it returns.
 module asperity_contact_state
    use asperity_base_kinds, only: wp
+   use asperity_contact_friction_settings, only: most_stick_elements
    use asperity_law_validity, only: valid
    implicit none
    private
@@ -50,6 +51,12 @@ module asperity_contact_state
       real(wp) :: pressure_coupling = 0.0_wp
       !> All validity flags reached so far
       integer :: validity = valid
+      !> How far the friction has gone from rest, 0, to motion, 1; by slip alone
+      real(wp) :: motion_share = 0.0_wp
+      !> Angle by which slip directions have turned over the grain since the start, radians
+      real(wp) :: grain_turn = 0.0_wp
+      !> Elastic slips of the elements of `stick_summits`, mm; set where those are asked for
+      real(wp) :: summit_slip(2, most_stick_elements) = 0.0_wp
    end type contact_state
 
    !> Result of one update. Energies obey, on any path,

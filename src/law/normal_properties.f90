@@ -25,6 +25,15 @@ module asperity_law_normal_properties
    end enum
    public :: unloading_reversible, unloading_elastic
 
+   !> How summit heights are distributed
+   enum, bind(c)
+      !> Normally (Eq. 23)
+      enumerator :: heights_gaussian = 0
+      !> By Johnson's distribution of a skewness and a kurtosis
+      enumerator :: heights_johnson
+   end enum
+   public :: heights_gaussian, heights_johnson
+
    !> w2/w1, Eq. 11
    real(wp), parameter, public :: plastic_ratio = 110.0_wp
    !> b2, Eq. 15: 1 + ln 2/ln 110
@@ -67,6 +76,10 @@ module asperity_law_normal_properties
       real(wp) :: energy_2 = 0.0_wp
       !> `unloading_reversible` or `unloading_elastic`
       integer :: unloading = unloading_reversible
+      !> `heights_gaussian` or `heights_johnson`
+      integer :: height_distribution = heights_gaussian
+      !> Skewness and kurtosis of the heights, 0 and 3 of Gaussian ones
+      real(wp) :: skewness = 0.0_wp, kurtosis = 3.0_wp
       !> Flags that hold for every result of these properties (see `asperity_law_validity`)
       integer :: validity = valid
    end type normal_properties
