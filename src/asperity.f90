@@ -49,7 +49,8 @@ module asperity
       retraction_for_pressure, roughness_number_high, roughness_number_low, rule_abaqus, &
       rule_dissipative, separation_for_pressure, set_contact_state, slip_backward_euler, &
       slip_direction_associated, slip_direction_of_stress, slip_exact, stage_elastic, &
-      stage_elastoplastic, stage_open, stage_plastic, status_open, stick_critical_slip, stick_summits, &
+      stage_elastoplastic, stage_open, stage_plastic, status_open, stick_critical_slip, &
+      stick_summits, &
       status_slip, status_stick, status_text, status_unset, stiffer_than_hertz, surface_preset, &
       surfaces, unloading_elastic, unloading_reversible, unloading_stiffness, &
       update_contact_point, update_contact_points, valid, validity_remark, validity_text, version, &
