@@ -1,9 +1,10 @@
 !> Coulomb friction with elastic slip: tau = mu p gamma/gcrit, |gamma| <= gcrit (Eq. 27 with the
 !> regularisation of Table 3), in two tangential directions; a second component of zero makes it
 !> one-dimensional. Whatever finds the pressure, `slide` is the only path from there to shear
-!> stresses, their derivatives and ledgers.
+!> stresses, their derivatives and ledgers; friction that is not plain it hands on.
 module asperity_contact_friction
    use asperity_base_kinds, only: wp
+   use asperity_contact_general_friction, only: slide_in_general
    use asperity_contact_properties, only: contact_properties, rule_dissipative
    use asperity_contact_slip_path, only: integrate_slip, slip_path
    use asperity_contact_state, only: contact_response, contact_state, is_closed, may_close, &
@@ -17,7 +18,7 @@ contains
    !> Friction over one increment at a known pressure: first the pressure changes, at the elastic
    !> slip of the start and as its rule says, then the point slips at the pressure of the end.
    pure subroutine slide(response, properties, start, elastic_slip, overclosure, slip_increment, &
-         is_open, closing)
+         is_open, closing, rotation, time_increment)
       !> Pressure, its derivative, normal energy, plastic dissipation and validity at the end; all
       !> the rest is set
       type(contact_response), intent(inout) :: response
@@ -33,11 +34,24 @@ contains
       logical, intent(in) :: is_open
       !> Overclosure from which on a point is closed, mm; used where `may_close(start)`
       real(wp), intent(in) :: closing
+      !> Rotation of the slip directions in the increment, none when absent, and its time, s: for
+      !> friction that is not plain
+      real(wp), intent(in), optional :: rotation(2, 2), time_increment
       type(slip_path) :: path
       real(wp) :: gamma(2), gamma_by_pressure(2), motion(2)
       real(wp) :: energy, kept_energy, share, share_by_overclosure
       integer :: i
 
+      if (.not. properties%friction_is_plain) then
+         share = 1.0_wp
+         share_by_overclosure = 0.0_wp
+         if (.not. is_open) &
+            call share_after_closing(start, overclosure, closing, share, share_by_overclosure)
+         call slide_in_general(response, properties, start, elastic_slip, slip_increment, &
+            is_open, share, share_by_overclosure, rotation, time_increment)
+         call end_increment(response, start, overclosure)
+         return
+      end if
       gamma = 0.0_wp
       if (is_closed(start)) gamma = elastic_slip
       energy = elastic_energy(properties, start%pressure, gamma)

@@ -25,6 +25,8 @@ module asperity_contact_friction_settings
    end enum
    public :: stick_critical_slip, stick_summits
 
+   !> Largest coefficient and factor on it that are let pass: far beyond any use
+   real(wp), parameter, public :: largest_friction = 1.0e3_wp
    !> Most points of mu over pressure, and elements of `stick_summits`
    integer, parameter, public :: most_friction_points = 8, most_stick_elements = 16
    !> Elements unless given, and fewest

@@ -8,6 +8,7 @@ module asperity_contact_point
    use asperity_base_error, only: error_type
    use asperity_base_kinds, only: wp
    use asperity_contact_friction, only: slide
+   use asperity_contact_general_friction, only: add_friction_tangent
    use asperity_contact_properties, only: close_pressure_ratio, contact_properties
    use asperity_contact_slip_path, only: is_longer
    use asperity_contact_state, only: contact_response, contact_state, is_closed, may_close, &
@@ -83,7 +84,7 @@ contains
       closing = 0.0_wp
       if (may_close(start) .and. .not. opens) closing = closing_overclosure(properties, start)
       call slide(response, properties, start, elastic_slip, overclosure, slip_increment, opens, &
-         closing)
+         closing, rotation, time_increment)
    end subroutine update_contact_point
 
    !> Tangent about a state, for perturbations: sticking points stick, slipping points slip on, so
@@ -107,6 +108,10 @@ contains
          unloading_stiffness(properties%normal, properties%initial_separation - state%overclosure)
       tangent(1, 1) = normal%stiffness
       if (state%status == status_open) return
+      if (.not. properties%friction_is_plain) then
+         call add_friction_tangent(properties, state, normal%pressure, normal%stiffness, tangent)
+         return
+      end if
       scale = properties%friction_coefficient/properties%critical_slip
       tangent(2:3, 1) = scale*normal%stiffness*state%elastic_slip
       if (state%status == status_slip) then

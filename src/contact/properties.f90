@@ -7,7 +7,8 @@ module asperity_contact_properties
    use asperity_base_finite, only: all_finite
    use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
-   use asperity_contact_friction_settings, only: friction_settings
+   use asperity_contact_check_friction, only: check_friction, is_plain
+   use asperity_contact_friction_settings, only: friction_settings, largest_friction
    use asperity_law_compile_law, only: new_compiled_law
    use asperity_law_compiled_law, only: compiled_law
    use asperity_law_normal_law, only: vanishing_separation
@@ -40,8 +41,7 @@ module asperity_contact_properties
    end enum
    public :: slip_exact, slip_backward_euler
 
-   !> Largest friction coefficient and |d0|, mm, that are let pass: far beyond any use
-   real(wp), parameter, public :: largest_friction = 1.0e3_wp
+   !> Largest |d0|, mm, that is let pass: far beyond any use
    real(wp), parameter :: largest_separation = 1.0e20_wp
 
    !> A point opens below p_open = this times 2 pi eta R H sigma
@@ -150,10 +150,10 @@ contains
       properties%friction_rule = rule_abaqus
       if (present(friction_rule)) properties%friction_rule = friction_rule
       properties%slip_integration = slip_exact
-      properties%friction = friction_settings()
-      if (present(friction)) properties%friction = friction
-      properties%friction_is_plain = .true.
       if (present(slip_integration)) properties%slip_integration = slip_integration
+      ! nothing is set for plain friction, which is asked for most often
+      if (.not. properties%friction_is_plain) properties%friction = friction_settings()
+      properties%friction_is_plain = .true.
       associate (p => properties%normal)
          properties%p_open = open_pressure_factor*2.0_wp*pi*p%eta*p%radius*p%hardness*p%sigma
       end associate
@@ -181,6 +181,12 @@ contains
             .and. properties%slip_integration /= slip_backward_euler) then
          call fatal_error(error, 'slip_integration = '//to_text(properties%slip_integration)// &
             ' is unknown: 1 is exact, 2 is backward_euler', subject='slip_integration')
+      end if
+      if (.not. allocated(error) .and. present(friction)) then
+         call check_friction(friction, friction_coefficient, properties%normal, error)
+         if (allocated(error)) return
+         properties%friction = friction
+         properties%friction_is_plain = is_plain(friction)
       end if
       if (allocated(error) .or. .not. present(compiled)) return
       if (compiled) call compile_normal_law(properties, error)

@@ -4,7 +4,8 @@ module asperity_program_commands_tenon_joint_keys
    use asperity_base_error, only: error_type, fatal_error
    use asperity_base_kinds, only: wp
    use asperity_base_no_value, only: none
-   use asperity_contact_properties, only: contact_properties, largest_friction
+   use asperity_contact_friction_settings, only: largest_friction
+   use asperity_contact_properties, only: contact_properties
    use asperity_paper_joint, only: joint_amplitudes, joint_cycles
    use asperity_paper_pairs, only: find_pair, pair_preset
    use asperity_program_commands_faces_properties, only: critical_slip, &

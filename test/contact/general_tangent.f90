@@ -1,0 +1,92 @@
+!> Friction beyond one coefficient: every derivative of a spring that slides against differences.
+module test_contact_general_tangent
+   use, intrinsic :: iso_fortran_env, only: int64
+   use asperity, only: contact_properties, contact_response, contact_state, contact_tangent, &
+      friction_settings, no_rotation, rule_abaqus, rule_dissipative, slip_backward_euler, &
+      slip_exact, status_open, status_slip, status_stick, update_contact_point, wp
+   use extremes, only: worsen
+   use friction_cases, only: friction_properties, kinds, random_friction, spring, spring_slides
+   use funit, only: anyExceptions, assertEqual, assertGreaterThan, assertGreaterThanOrEqual, &
+      assertLessThan, TestMethod, TestSuite
+   use measurements, only: record
+   use random_inputs, only: random_stream
+   implicit none
+   private
+   public :: suite_general_tangent
+
+   integer, parameter :: rules(2) = [rule_abaqus, rule_dissipative], &
+      integrations(2) = [slip_exact, slip_backward_euler]
+
+contains
+
+   function suite_general_tangent() result(suite)
+      type(TestSuite) :: suite
+
+      suite = TestSuite('general tangent')
+      call suite%addTest(TestMethod('derivatives of every kind of friction', test_derivatives))
+   end function suite_general_tangent
+
+   !> Random paths that open and close, rise and fall: central differences, left out at corners,
+   !> where the two one-sided ones differ; these are few.
+   subroutine test_derivatives()
+      real(wp), parameter :: h = 1.0e-7_wp, time = 0.7_wp
+      integer(int64), parameter :: seed = 26457513_int64
+      type(random_stream) :: stream
+      type(friction_settings) :: settings
+      type(contact_properties) :: p
+      type(contact_state) :: start
+      type(contact_response) :: r, ahead, behind
+      real(wp) :: overclosure, slip(2), step(3), worst, scale, forward(2), backward(2)
+      integer :: i, j, k, kind, corners, counts(3), compared
+
+      stream = random_stream(seed)
+      do kind = 1, size(kinds)
+         worst = 0.0_wp
+         counts = 0
+         corners = 0
+         compared = 0
+         do i = 1, 400
+            p = friction_properties(friction_settings(), rules(1 + mod(i, 2)), &
+               integrations(merge(1, 2, mod(i, 4) < 2)))
+            call random_friction(stream, kind, p%friction_coefficient, p%critical_slip, settings)
+            p = friction_properties(settings, p%friction_rule, p%slip_integration)
+            start = contact_state()
+            do k = 1, 20
+               overclosure = stream%uniform(-0.01_wp, 0.06_wp)
+               slip = p%critical_slip*stream%log_uniform(0.1_wp, 2.0_wp) &
+                  *[stream%uniform(-1.0_wp, 1.0_wp), stream%uniform(-1.0_wp, 1.0_wp)]
+               r = spring_slides(p, start, overclosure, slip, time)
+               call assertGreaterThanOrEqual(r%dissipation, 0.0_wp, 'dissipation '//kinds(kind))
+               if (overclosure > 2.0_wp*h) then
+                  scale = spring*2.0_wp + 2.0_wp*r%traction(1)/p%critical_slip
+                  do j = 1, 3
+                     step = 0.0_wp
+                     step(j) = h
+                     ahead = spring_slides(p, start, overclosure + step(1), slip + step(2:), time)
+                     behind = spring_slides(p, start, overclosure - step(1), slip - step(2:), time)
+                     forward = (ahead%traction(2:) - r%traction(2:))/h
+                     backward = (r%traction(2:) - behind%traction(2:))/h
+                     compared = compared + 1
+                     if (maxval(abs(forward - backward)) > 1.0e-4_wp*scale) then
+                        corners = corners + 1
+                        cycle
+                     end if
+                     call worsen(worst, &
+                        maxval(abs(0.5_wp*(forward + backward) - r%tangent(2:, j)))/scale)
+                  end do
+                  if (r%status == status_stick) counts(1) = counts(1) + 1
+                  if (r%status == status_slip) counts(2) = counts(2) + 1
+                  if (start%status == status_open) counts(3) = counts(3) + 1
+               end if
+               start = r%state
+            end do
+            if (anyExceptions()) return
+         end do
+         call record('friction.general_tangent.'//trim(kinds(kind)), worst)
+         call assertLessThan(worst, 1.0e-6_wp, 'derivatives: '//kinds(kind))
+         call assertLessThan(real(corners, wp), 0.002_wp*compared, 'corners: '//kinds(kind))
+         call assertGreaterThan(minval(counts), 200, message='stick, slip, closing')
+      end do
+   end subroutine test_derivatives
+
+end module test_contact_general_tangent
