@@ -1,0 +1,261 @@
+!> Summits that stick each for itself. Mindlin (1949): a summit under the force N, of contact radius
+!> a, leans over by delta under T = mu N (1 - (1 - delta/delta_i)^(3/2)) and slides from
+!> delta_i = 3 mu N/(16 G* a) on; N and a = sqrt(A/pi) are those of the normal law. The sum over the
+!> heights is the backbone. It is concave, so its chords are a sum of elements, each with a critical
+!> slip of its own, that repeat it up to the chords' distance and all its loops by Masing's rule.
+!>
+!> All slips are over the coefficient mu, as it only scales them.
+module asperity_contact_stick_elements
+   use asperity_base_constants, only: pi
+   use asperity_base_kinds, only: wp
+   use asperity_contact_friction_settings, only: most_stick_elements
+   use asperity_law_gaussian_tail, only: phi_0
+   use asperity_law_normal_properties, only: normal_properties
+   use asperity_law_quadrature_gauss_legendre, only: m => n_points, nodes, weights
+   implicit none
+   private
+   public :: stick_elements, find_stick_elements, summit_backbone
+
+   !> Elements at one separation. Without default values, which flang sets by library calls.
+   type :: stick_elements
+      !> Number of elements; the first n of the arrays count
+      integer :: n
+      !> Share of the largest shear stress that an element carries when all slide: positive, sum 1;
+      !> and its derivative by closure, 1/mm
+      real(wp) :: share(most_stick_elements), share_by_closure(most_stick_elements)
+      !> Critical slip over mu, mm, rising; and its derivative by closure
+      real(wp) :: unit_slip(most_stick_elements), unit_slip_by_closure(most_stick_elements)
+      !> Shear stiffness at first touch, MPa/mm: 8 G* a of all summits in contact
+      real(wp) :: stiffness
+   end type stick_elements
+
+   !> Summits at the points of a quadrature over heights, at one separation.
+   type :: summits
+      !> Force times density and weight, and its derivative by d/sigma
+      real(wp) :: force(m), force_slope(m)
+      !> Critical slip over mu, relative to that of a summit at w1, and its derivative by d/sigma
+      real(wp) :: slip(m), slip_slope(m)
+   end type summits
+
+   !> Heights count as long as their density is above exp(-cut) of the largest
+   real(wp), parameter :: cut = 18.0_wp
+   !> Knots suit a backbone of 1 - (1 - x/kappa)^kappa, x the slip over that at which the first
+   !> slope meets the plateau: kappa = 3/2 for equal summits, infinite for exponential heights. It
+   !> follows from the area over the backbone; taken larger for the tail of the heights. The last
+   !> chord ends on the plateau, part of a step beyond what would be the end for kappa.
+   real(wp), parameter :: tail_factor = 0.75_wp, tail_step = 0.5_wp
+
+contains
+
+   !> Elements at a separation. Shares and slips are differentiable in it but where a point of the
+   !> quadrature passes w1 or w2.
+   pure subroutine find_stick_elements(normal, shear_modulus, n, separation, elements)
+      !> Checked properties of the normal law: Gaussian heights, no memory
+      type(normal_properties), intent(in) :: normal
+      !> Equivalent shear modulus G*, MPa
+      real(wp), intent(in) :: shear_modulus
+      !> Number of elements, up to `most_stick_elements`
+      integer, intent(in) :: n
+      !> Separation d, mm; any finite value up to 1e100 sigma in size
+      real(wp), intent(in) :: separation
+      !> Result
+      type(stick_elements), intent(out) :: elements
+      type(summits) :: s
+      real(wp) :: sums(3), slopes(3), moment, scale, scale_slope, rate, rate_slope
+      real(wp) :: x, x_by_rate, knot(0:n), knot_slope(0:n), height(0:n), height_slope(0:n)
+      real(wp) :: chord(n + 1), chord_slope(n + 1), width, unit, density
+      integer :: j
+
+      call find_summits(normal, separation, s, density)
+      ! force, stiffness at first touch, and force times critical slip
+      sums = [sum(s%force), 1.5_wp*sum(s%force/s%slip), sum(s%force*s%slip)]
+      slopes = [sum(s%force_slope), &
+         1.5_wp*sum((s%force_slope - s%force*s%slip_slope/s%slip)/s%slip), &
+         sum(s%force_slope*s%slip + s%force*s%slip_slope)]
+      scale = sums(1)/sums(2)
+      scale_slope = scale*(slopes(1)/sums(1) - slopes(2)/sums(2))
+      ! the area over the backbone, kappa/(kappa + 1)
+      moment = 0.4_wp*sums(3)/sums(1)/scale
+      rate = tail_factor*(1.0_wp/moment - 1.0_wp)
+      rate_slope = -tail_factor/moment &
+         *(slopes(3)/sums(3) + slopes(2)/sums(2) - 2.0_wp*slopes(1)/sums(1))
+
+      knot(0) = 0.0_wp
+      knot_slope(0) = 0.0_wp
+      height(0) = 0.0_wp
+      height_slope(0) = 0.0_wp
+      do j = 1, n
+         call place_knot(j, n, rate, x, x_by_rate)
+         knot(j) = scale*x
+         knot_slope(j) = scale_slope*x + scale*x_by_rate*rate_slope
+         call sum_backbone(s, knot(j), knot_slope(j), height(j), height_slope(j))
+         height_slope(j) = (height_slope(j) - height(j)/sums(1)*slopes(1))/sums(1)
+         height(j) = height(j)/sums(1)
+      end do
+      height(n) = 1.0_wp
+      height_slope(n) = 0.0_wp
+      do j = 1, n
+         width = knot(j) - knot(j - 1)
+         chord(j) = (height(j) - height(j - 1))/width
+         chord_slope(j) = (height_slope(j) - height_slope(j - 1) &
+            - chord(j)*(knot_slope(j) - knot_slope(j - 1)))/width
+      end do
+      chord(n + 1) = 0.0_wp
+      chord_slope(n + 1) = 0.0_wp
+
+      unit = unit_of_slip(normal, shear_modulus)
+      elements%n = n
+      elements%share = 0.0_wp
+      elements%share_by_closure = 0.0_wp
+      elements%unit_slip = 0.0_wp
+      elements%unit_slip_by_closure = 0.0_wp
+      do j = 1, n
+         elements%share(j) = knot(j)*(chord(j) - chord(j + 1))
+         elements%share_by_closure(j) = -(knot_slope(j)*(chord(j) - chord(j + 1)) &
+            + knot(j)*(chord_slope(j) - chord_slope(j + 1)))/normal%sigma
+         elements%unit_slip(j) = unit*knot(j)
+         elements%unit_slip_by_closure(j) = -unit*knot_slope(j)/normal%sigma
+      end do
+      elements%stiffness = normal%eta*normal%n1/unit*density*sums(2)
+   end subroutine find_stick_elements
+
+   !> Mindlin's curve of all summits: shear stress over mu p at a slip, to be compared with its
+   !> elements.
+   pure real(wp) function summit_backbone(normal, shear_modulus, separation, unit_slip) &
+         result(share)
+      !> As above
+      type(normal_properties), intent(in) :: normal
+      real(wp), intent(in) :: shear_modulus, separation
+      !> Slip over mu, mm; zero or more
+      real(wp), intent(in) :: unit_slip
+      type(summits) :: s
+      real(wp) :: slope, density
+
+      call find_summits(normal, separation, s, density)
+      call sum_backbone(s, unit_slip/unit_of_slip(normal, shear_modulus), 0.0_wp, share, slope)
+      share = share/sum(s%force)
+   end function summit_backbone
+
+   !> Critical slip over mu of a summit at w1, 3 N1/(16 G* a1), mm.
+   pure real(wp) function unit_of_slip(normal, shear_modulus)
+      type(normal_properties), intent(in) :: normal
+      real(wp), intent(in) :: shear_modulus
+
+      unit_of_slip = 3.0_wp*normal%n1/(16.0_wp*shear_modulus*sqrt(normal%radius*normal%w1))
+   end function unit_of_slip
+
+   !> Summits at Gauss points in sqrt(w), in which their forces are smooth. Force and contact radius
+   !> are powers of w in each stage.
+   pure subroutine find_summits(normal, separation, s, density)
+      type(normal_properties), intent(in) :: normal
+      real(wp), intent(in) :: separation
+      type(summits), intent(out) :: s
+      !> What turns sums of forces into forces per summit, over N1
+      real(wp), intent(out) :: density
+      real(wp) :: h, root, first, width, first_slope, width_slope, x, t, t_slope, height
+      real(wp) :: log_ratio, by_force, by_slip, exponent(m), force_exponent(m), slip_exponent(m)
+      integer :: i
+
+      h = separation/normal%sigma
+      root = sqrt(max(h, 0.0_wp)**2 + 2.0_wp*cut)
+      first = max(-h - root, 0.0_wp)
+      first_slope = merge(-1.0_wp, 0.0_wp, first > 0.0_wp)
+      if (h > 0.0_wp) then
+         width = 2.0_wp*cut/(root + h)
+         width_slope = -width/root
+      else
+         width = min(root - h, 2.0_wp*root)
+         width_slope = -1.0_wp - first_slope
+      end if
+      do i = 1, m
+         x = (0.5_wp*(1.0_wp + nodes(i)))**2
+         t = first + width*x
+         t_slope = first_slope + width_slope*x
+         height = max(h, -root) + width*x
+         log_ratio = log(t*normal%sigma/normal%w1)
+         if (t*normal%sigma < normal%w1) then
+            by_force = 1.5_wp
+            by_slip = 1.0_wp
+            force_exponent(i) = 1.5_wp*log_ratio
+            slip_exponent(i) = log_ratio
+         else if (t*normal%sigma < normal%w2) then
+            by_force = normal%b3
+            by_slip = normal%b3 - 0.5_wp*normal%b2
+            force_exponent(i) = by_force*log_ratio
+            slip_exponent(i) = by_slip*log_ratio
+         else
+            by_force = 1.0_wp
+            by_slip = 0.5_wp
+            force_exponent(i) = log_ratio + log(2.0_wp/normal%yield_factor)
+            slip_exponent(i) = force_exponent(i) - 0.5_wp*(log_ratio + log(2.0_wp))
+         end if
+         if (h > 0.0_wp) then
+            exponent(i) = -t*(h + 0.5_wp*t)
+            s%force_slope(i) = -t - height*t_slope
+         else
+            exponent(i) = -0.5_wp*height**2
+            s%force_slope(i) = -height*(1.0_wp + t_slope)
+         end if
+         ! of ln(force) and ln(slip), until both are known
+         s%force_slope(i) = s%force_slope(i) + by_force*t_slope/t
+         s%slip_slope(i) = by_slip*t_slope/t
+      end do
+      do i = 1, m
+         exponent(i) = exponent(i) + force_exponent(i)
+      end do
+      s%force = exp(exponent)*weights*0.5_wp*(1.0_wp + nodes)
+      s%force_slope = s%force_slope*s%force
+      s%slip = exp(slip_exponent)
+      s%slip_slope = s%slip_slope*s%slip
+      density = phi_0*width*exp(-0.5_wp*max(separation/normal%sigma, 0.0_wp)**2)
+   end subroutine find_summits
+
+   !> Sum of the summits' shear forces over mu at a slip, and its derivative by d/sigma where that
+   !> of the slip is given. Critical slips rise from point to point.
+   pure subroutine sum_backbone(s, slip, slip_slope, total, total_slope)
+      type(summits), intent(in) :: s
+      real(wp), intent(in) :: slip, slip_slope
+      real(wp), intent(out) :: total, total_slope
+      real(wp) :: ratio, sticking, root
+      integer :: i
+
+      total = 0.0_wp
+      total_slope = 0.0_wp
+      do i = 1, m
+         if (s%slip(i) > slip) then
+            ratio = slip/s%slip(i)
+            sticking = 1.0_wp - ratio
+            root = sqrt(sticking)
+            total = total + s%force(i)*(1.0_wp - sticking*root)
+            total_slope = total_slope + s%force_slope(i)*(1.0_wp - sticking*root) &
+               + 1.5_wp*s%force(i)*root*(slip_slope - ratio*s%slip_slope(i))/s%slip(i)
+         else
+            total = total + s%force(i)
+            total_slope = total_slope + s%force_slope(i)
+         end if
+      end do
+   end subroutine sum_backbone
+
+   !> Knot j of n for a rate 1/kappa, kappa (1 - r^(2/kappa)) with r = 1 - j/(n + tail_step), at
+   !> which chords are equally far from 1 - (1 - x/kappa)^kappa; and its derivative by the rate.
+   pure subroutine place_knot(j, n, rate, x, x_by_rate)
+      integer, intent(in) :: j, n
+      real(wp), intent(in) :: rate
+      real(wp), intent(out) :: x, x_by_rate
+      real(wp), parameter :: small = 1.0e-2_wp
+      real(wp) :: l, z
+
+      l = 2.0_wp*log(1.0_wp - real(j, wp)/(real(n, wp) + tail_step))
+      z = rate*l
+      if (abs(z) < small) then
+         x = -l*(1.0_wp + z/2.0_wp*(1.0_wp + z/3.0_wp*(1.0_wp + z/4.0_wp*(1.0_wp + z/5.0_wp &
+            *(1.0_wp + z/6.0_wp)))))
+         x_by_rate = -l*l*(0.5_wp + z/3.0_wp*(1.0_wp + z*3.0_wp/8.0_wp*(1.0_wp + z*4.0_wp/15.0_wp &
+            *(1.0_wp + z*5.0_wp/24.0_wp*(1.0_wp + z*6.0_wp/35.0_wp)))))
+      else
+         x = (1.0_wp - exp(z))/rate
+         x_by_rate = -(x + l*exp(z))/rate
+      end if
+   end subroutine place_knot
+
+end module asperity_contact_stick_elements
