@@ -226,7 +226,7 @@ contains
          call find_stick_elements(p, shear_modulus, n, h*p%sigma, e)
          call assertEqual(1.0_wp, sum(e%share(:n)), 1.0e-12_wp, 'sum of shares')
          call assertGreaterThanOrEqual(minval(e%share(:n)), 0.0_wp, 'least share')
-         call assertTrue(all(e%unit_slip(2:n) > e%unit_slip(:n - 1)) .and. e%unit_slip(1) > 0.0_wp, &
+         call assertTrue(all([e%unit_slip(1) > 0.0_wp, e%unit_slip(2:n) > e%unit_slip(:n - 1)]), &
             'slips rise')
          call assertIsFinite(sum(abs(e%share_by_closure)) + sum(abs(e%unit_slip_by_closure)) &
             + e%stiffness, 'finite')
