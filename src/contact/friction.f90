@@ -47,8 +47,8 @@ contains
          share_by_overclosure = 0.0_wp
          if (.not. is_open) &
             call share_after_closing(start, overclosure, closing, share, share_by_overclosure)
-         call slide_in_general(response, properties, start, elastic_slip, slip_increment, &
-            is_open, share, share_by_overclosure, rotation, time_increment)
+         call slide_in_general(response, properties, start, elastic_slip, overclosure, &
+            slip_increment, is_open, share, share_by_overclosure, rotation, time_increment)
          call end_increment(response, start, overclosure)
          return
       end if

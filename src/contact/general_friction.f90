@@ -24,13 +24,13 @@ contains
 
    !> As `slide` does, once it is known what share of the increment lies after closing; what every
    !> point remembers is left to it.
-   pure subroutine slide_in_general(response, properties, start, elastic_slip, slip_increment, &
-         is_open, share, share_by_overclosure, rotation, time_increment)
+   pure subroutine slide_in_general(response, properties, start, elastic_slip, overclosure, &
+         slip_increment, is_open, share, share_by_overclosure, rotation, time_increment)
       !> As of `slide`
       type(contact_response), intent(inout) :: response
       type(contact_properties), intent(in) :: properties
       type(contact_state), intent(in) :: start
-      real(wp), intent(in) :: elastic_slip(2), slip_increment(2)
+      real(wp), intent(in) :: elastic_slip(2), overclosure, slip_increment(2)
       logical, intent(in) :: is_open
       !> Share of the increment after closing, and its derivative by the overclosure
       real(wp), intent(in) :: share, share_by_overclosure
@@ -62,10 +62,11 @@ contains
          domain%stiffness = stiffness_ratios(properties)
          domain%direction = slip_weights(properties)
 
-         call find_friction_elements(properties, r%traction(1), r%tangent(1, 1), elements)
-         before%n = 0
-         if (is_closed(start)) call find_friction_elements(properties, start%pressure, 0.0_wp, &
-            before)
+         elements%n = 0
+         if (is_closed(start) .or. .not. is_open) call find_friction_elements(properties, &
+            overclosure, r%traction(1), r%tangent(1, 1), elements)
+         if (is_closed(start)) call find_friction_elements(properties, start%overclosure, &
+            start%pressure, 0.0_wp, before)
          stress = 0.0_wp
          stress_by = 0.0_wp
          total = 0.0_wp
@@ -205,7 +206,7 @@ contains
 
       axes = grain_axes(properties, state%grain_turn)
       ratios = stiffness_ratios(properties)
-      call find_friction_elements(properties, pressure, stiffness, elements)
+      call find_friction_elements(properties, state%overclosure, pressure, stiffness, elements)
       by = 0.0_wp
       do j = 1, elements%n
          if (properties%friction%stick == stick_critical_slip) then
