@@ -115,6 +115,9 @@ contains
                domain%kinetic_by = [kinetic_share*elements%radius_by(j), 0.0_wp, 0.0_wp]
                domain%excess = (1.0_wp - kinetic_share)*elements%radius(j)*rest
                domain%excess_by = (1.0_wp - kinetic_share)*elements%radius(j)*rest_by
+               domain%renewal = 0.0_wp
+               if (domain%decay > 0.0_wp) domain%renewal = 1.0_wp/(f%decay_slip &
+                  + (1.0_wp - kinetic_share)*elements%radius(j))
                call shrink_to_domain(element, domain)
                if (f%static_friction_coefficient > 0.0_wp &
                   .or. f%friction_coefficient_across > 0.0_wp) then

@@ -5,6 +5,7 @@ module asperity_contact_points
    use asperity_base_error, only: error_type, fatal_error
    use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
+   use asperity_contact_friction_settings, only: most_stick_elements
    use asperity_contact_point, only: update_contact_point
    use asperity_contact_properties, only: contact_properties
    use asperity_contact_state, only: contact_response, contact_state, no_rotation, status_unset
@@ -35,6 +36,11 @@ module asperity_contact_points
       real(wp), allocatable :: pressure_coupling(:)
       !> All validity flags reached so far
       integer, allocatable :: validity(:)
+      !> Of friction that is not plain: how far it has gone from rest to motion, and the turn of the
+      !> grain, radians; unallocated while all are zero
+      real(wp), allocatable :: motion_share(:), grain_turn(:)
+      !> Elastic slips of summits, mm; (points, 2, elements), unallocated while all are zero
+      real(wp), allocatable :: summit_slip(:, :, :)
    end type contact_states
 
 contains
@@ -83,6 +89,11 @@ contains
       state%dissipation = states%dissipation(point)
       state%pressure_coupling = states%pressure_coupling(point)
       state%validity = states%validity(point)
+      if (allocated(states%motion_share)) then
+         state%motion_share = states%motion_share(point)
+         state%grain_turn = states%grain_turn(point)
+      end if
+      if (allocated(states%summit_slip)) state%summit_slip = states%summit_slip(point, :, :)
    end function get_contact_state
 
    !> Set the state of one point.
@@ -94,6 +105,16 @@ contains
       !> Its new state
       type(contact_state), intent(in) :: state
 
+      call keep_state(states, point, state)
+      call keep_friction(states, point, state)
+   end subroutine set_contact_state
+
+   !> What every point remembers.
+   pure subroutine keep_state(states, point, state)
+      type(contact_states), intent(inout) :: states
+      integer, intent(in) :: point
+      type(contact_state), intent(in) :: state
+
       states%status(point) = state%status
       states%overclosure(point) = state%overclosure
       states%pressure(point) = state%pressure
@@ -103,14 +124,34 @@ contains
       states%dissipation(point) = state%dissipation
       states%pressure_coupling(point) = state%pressure_coupling
       states%validity(point) = state%validity
-   end subroutine set_contact_state
+   end subroutine keep_state
+
+   !> What friction that is not plain remembers; its arrays are made when there is something.
+   pure subroutine keep_friction(states, point, state)
+      type(contact_states), intent(inout) :: states
+      integer, intent(in) :: point
+      type(contact_state), intent(in) :: state
+
+      associate (n => size(states%status))
+         if (.not. allocated(states%motion_share) .and. max(abs(state%motion_share), &
+            abs(state%grain_turn)) > 0.0_wp) allocate (states%motion_share(n), &
+            states%grain_turn(n), source=0.0_wp)
+         if (.not. allocated(states%summit_slip) .and. any(abs(state%summit_slip) > 0.0_wp)) &
+            allocate (states%summit_slip(n, 2, most_stick_elements), source=0.0_wp)
+      end associate
+      if (allocated(states%motion_share)) then
+         states%motion_share(point) = state%motion_share
+         states%grain_turn(point) = state%grain_turn
+      end if
+      if (allocated(states%summit_slip)) states%summit_slip(point, :, :) = state%summit_slip
+   end subroutine keep_friction
 
    !> Advance all points over one increment, in place. A host that iterates keeps a copy of the
    !> states of the start. `error` is set, and nothing changed, when an array has not one entry
    !> (row) a point.
    pure subroutine update_contact_points(properties, states, overclosure, slip_increment, &
          traction, error, rotation, tangent, tangential_energy, dissipation, plastic_dissipation, &
-         pressure_coupling, validity)
+         pressure_coupling, validity, time_increment)
       !> Checked properties
       type(contact_properties), intent(in) :: properties
       !> States at the start; at the end on return
@@ -133,6 +174,8 @@ contains
          plastic_dissipation(:), pressure_coupling(:)
       !> Validity of these results
       integer, intent(out), contiguous, optional :: validity(:)
+      !> Time of the increment, s, for friction that depends on the slip rate
+      real(wp), intent(in), optional :: time_increment
       type(contact_response) :: response
       real(wp) :: turn(2, 2)
       integer :: points, i
@@ -160,8 +203,10 @@ contains
       do i = 1, points
          if (present(rotation)) turn = rotation(i, :, :)
          call update_contact_point(properties, get_contact_state(states, i), overclosure(i), &
-            [slip_increment(i, 1), slip_increment(i, 2)], turn, response)
-         call set_contact_state(states, i, response%state)
+            [slip_increment(i, 1), slip_increment(i, 2)], turn, response, time_increment)
+         call keep_state(states, i, response%state)
+         if (allocated(states%motion_share) .or. .not. properties%friction_is_plain) &
+            call keep_friction(states, i, response%state)
          traction(i, :) = response%traction
          if (present(tangent)) tangent(i, :, :) = response%tangent
          if (present(tangential_energy)) tangential_energy(i) = response%tangential_energy

@@ -3,8 +3,10 @@
 !> the axes of the grain.
 !>
 !> Radius g = kinetic + excess (1 - moved): `excess` is that of rest over motion, which the slip
-!> rate has reduced already. Slipping over l, 1 - moved falls by exp(-l/decay); elastic travel over
-!> the same length renews it.
+!> rate has reduced already. Slipping over l, 1 - moved falls to exp(-l/decay_slip) of it; elastic
+!> travel over s brings moved to exp(-s/(decay_slip + g_s - g_k)) of it. So g never grows as fast as
+!> an elastic slip that is driven outwards: what slips on does not stick in between, and no noise
+!> makes it.
 !>
 !> Slip goes along w_i gamma_i. Its increment ends by backward Euler: gamma_i = trial_i -
 !> lambda w_i gamma_i on the circle of the end. In one dimension that is exact.
@@ -35,8 +37,8 @@ module asperity_contact_sliding_element
       !> Radius in motion, and what rest adds to it, mm
       real(wp) :: kinetic, excess
       real(wp) :: kinetic_by(n_by), excess_by(n_by)
-      !> 1/decay_slip, 1/mm; zero without decay by slip
-      real(wp) :: decay
+      !> 1/decay_slip, 1/mm; zero without decay by slip; and the same of the travel that renews
+      real(wp) :: decay, renewal
       !> Stiffness along and across the grain over that along it
       real(wp) :: stiffness(2)
       !> Direction of slip: w_i gamma_i
@@ -82,7 +84,7 @@ contains
       trial%gamma_by = element%gamma_by + motion_by
       length = hypot(motion(1), motion(2))
       if (domain%decay > 0.0_wp .and. length > 0.0_wp) &
-         call renew(trial, domain%decay, length, motion, motion_by)
+         call renew(trial, domain%renewal, length, motion, motion_by)
       ! a start outside by round-off must not count as slip when the motion turns back
       if (.not. hypot(trial%gamma(1), trial%gamma(2)) > domain%kinetic &
          + domain%excess*(1.0_wp - trial%moved) &
@@ -109,16 +111,16 @@ contains
    end subroutine slide_element
 
    !> Elastic travel renews rest.
-   pure subroutine renew(element, decay, length, motion, motion_by)
+   pure subroutine renew(element, renewal, length, motion, motion_by)
       type(sliding_element), intent(inout) :: element
-      real(wp), intent(in) :: decay, length, motion(2), motion_by(2, n_by)
+      real(wp), intent(in) :: renewal, length, motion(2), motion_by(2, n_by)
       real(wp) :: left
       integer :: k
 
-      left = exp(-decay*length)
+      left = exp(-renewal*length)
       do k = 1, n_by
          element%moved_by(k) = left*(element%moved_by(k) &
-            - element%moved*decay*dot_product(motion, motion_by(:, k))/length)
+            - element%moved*renewal*dot_product(motion, motion_by(:, k))/length)
       end do
       element%moved = left*element%moved
    end subroutine renew
@@ -140,9 +142,9 @@ contains
       do i = 1, most_iterations
          at = element%gamma + f*motion
          size = hypot(at(1), at(2))
-         moved = element%moved*exp(-domain%decay*f*travel)
+         moved = element%moved*exp(-domain%renewal*f*travel)
          outside = size - domain%kinetic - domain%excess*(1.0_wp - moved)
-         slope = dot_product(at, motion)/size - domain%excess*moved*domain%decay*travel
+         slope = dot_product(at, motion)/size - domain%excess*moved*domain%renewal*travel
          ! never inside
          if (.not. slope > 0.0_wp) return
          step = outside/slope
@@ -154,10 +156,10 @@ contains
       do k = 1, n_by
          f_by(k) = -(dot_product(at, element%gamma_by(:, k) + f*motion_by(:, k))/size &
             - domain%kinetic_by(k) - domain%excess_by(k)*(1.0_wp - moved) &
-            + domain%excess*(exp(-domain%decay*length)*element%moved_by(k) &
-            - moved*domain%decay*f*dot_product(motion, motion_by(:, k))/travel))/slope
-         element%moved_by(k) = exp(-domain%decay*length)*element%moved_by(k) - moved*domain%decay &
-            *(f*dot_product(motion, motion_by(:, k))/travel + f_by(k)*travel)
+            + domain%excess*(exp(-domain%renewal*length)*element%moved_by(k) &
+            - moved*domain%renewal*f*dot_product(motion, motion_by(:, k))/travel))/slope
+         element%moved_by(k) = exp(-domain%renewal*length)*element%moved_by(k) &
+            - moved*domain%renewal*(f*dot_product(motion, motion_by(:, k))/travel + f_by(k)*travel)
          element%gamma_by(:, k) = element%gamma_by(:, k) + f*motion_by(:, k) + f_by(k)*motion
          rest_by(:, k) = (1.0_wp - f)*motion_by(:, k) - f_by(k)*motion
       end do

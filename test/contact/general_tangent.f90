@@ -24,6 +24,7 @@ contains
 
       suite = TestSuite('general tangent')
       call suite%addTest(TestMethod('derivatives of every kind of friction', test_derivatives))
+      call suite%addTest(TestMethod('tangent about a state, for perturbations', test_base_tangent))
    end function suite_general_tangent
 
    !> Random paths that open and close, rise and fall: central differences, left out at corners,
@@ -82,11 +83,64 @@ contains
             end do
             if (anyExceptions()) return
          end do
-         call record('friction.general_tangent.'//trim(kinds(kind)), worst)
+         call record('friction.general_tangent.'//key(kinds(kind)), worst)
          call assertLessThan(worst, 1.0e-6_wp, 'derivatives: '//kinds(kind))
          call assertLessThan(real(corners, wp), 0.002_wp*compared, 'corners: '//kinds(kind))
          call assertGreaterThan(minval(counts), 200, message='stick, slip, closing')
       end do
    end subroutine test_derivatives
+
+   !> About a state that sticks, the tangent of a small motion with its pressure; about one that
+   !> slips, its own motion on changes nothing, by either rule of slip.
+   subroutine test_base_tangent()
+      integer(int64), parameter :: seed = 31622776_int64
+      real(wp), parameter :: h = 1.0e-7_wp
+      type(random_stream) :: stream
+      type(friction_settings) :: settings
+      type(contact_properties) :: p
+      type(contact_response) :: r, s
+      real(wp) :: slip(2), tangent(3, 3), worst, along(2), across(2)
+      integer :: i, kind
+
+      stream = random_stream(seed)
+      worst = 0.0_wp
+      do kind = 1, size(kinds)
+         do i = 1, 50
+            call random_friction(stream, kind, 0.5_wp, 0.31_wp, settings)
+            p = friction_properties(settings)
+            slip = [stream%uniform(-0.1_wp, 0.1_wp), stream%uniform(-0.1_wp, 0.1_wp)]
+            call update_contact_point(p, contact_state(), 0.1_wp, slip, no_rotation, r)
+            tangent = contact_tangent(p, r%state)
+            call update_contact_point(p, (r%state), 0.1_wp, [0.0_wp, 0.0_wp], no_rotation, s)
+            call worsen(worst, maxval(abs(tangent - s%tangent))/maxval(abs(tangent)))
+            ! steady slip: on in its direction the stress stays, without decay
+            call update_contact_point(p, contact_state(), 0.1_wp, 1.0e9_wp*slip, no_rotation, r)
+            call update_contact_point(p, (r%state), 0.1_wp, 1.0e9_wp*slip, no_rotation, r)
+            call assertEqual(status_slip, r%status, 'slips')
+            tangent = contact_tangent(p, r%state)
+            along = slip/norm2(slip)
+            across = [-along(2), along(1)]
+            call worsen(worst, norm2(matmul(tangent(2:, 2:), along))/maxval(abs(tangent)))
+            ! and a bit aside it turns; far aside a point with a fast decay sticks
+            call update_contact_point(p, (r%state), 0.1_wp, h*(0.1_wp*across + along), &
+               no_rotation, s)
+            call worsen(worst, 1.0e-2_wp*norm2(0.1_wp*matmul(tangent(2:, 2:), across) &
+               - (s%traction(2:) - r%traction(2:))/h)/maxval(abs(tangent)))
+         end do
+         if (anyExceptions()) return
+      end do
+      call assertLessThan(worst, 1.0e-8_wp, 'tangents')
+   end subroutine test_base_tangent
+
+   !> A name with underscores for blanks.
+   pure function key(name)
+      character(len=*), intent(in) :: name
+      character(len=len_trim(name)) :: key
+      integer :: i
+
+      do i = 1, len(key)
+         key(i:i) = merge('_', name(i:i), name(i:i) == ' ')
+      end do
+   end function key
 
 end module test_contact_general_tangent

@@ -6,6 +6,9 @@ program test_contact
    use test_contact_compiled_points, only: suite_compiled_points
    use test_contact_energy, only: suite_contact_energy
    use test_contact_friction, only: suite_friction
+   use test_contact_friction_settings, only: suite_friction_settings
+   use test_contact_general_friction, only: suite_general_friction
+   use test_contact_general_path, only: suite_general_path
    use test_contact_general_tangent, only: suite_general_tangent
    use test_contact_memory, only: suite_contact_memory
    use test_contact_point, only: suite_contact_point
@@ -22,6 +25,9 @@ program test_contact
    suite = TestSuite('contact')
    call suite%addTest(suite_slip_path())
    call suite%addTest(suite_friction())
+   call suite%addTest(suite_friction_settings())
+   call suite%addTest(suite_general_friction())
+   call suite%addTest(suite_general_path())
    call suite%addTest(suite_general_tangent())
    call suite%addTest(suite_contact_properties())
    call suite%addTest(suite_contact_point())

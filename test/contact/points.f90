@@ -2,10 +2,12 @@
 module test_contact_points
    use, intrinsic :: iso_fortran_env, only: int64
    use asperity, only: contact_properties, contact_response, contact_state, contact_states, &
-      error_type, get_contact_state, new_contact_states, no_rotation, rule_abaqus, &
+      error_type, friction_settings, get_contact_state, new_contact_states, no_rotation, rule_abaqus, &
       rule_dissipative, slip_backward_euler, slip_exact, status_open, status_slip, status_stick, &
-      status_unset, unloading_elastic, unloading_reversible, update_contact_point, wp
+      status_unset, unloading_elastic, unloading_reversible, update_contact_point, &
+      update_contact_points, wp
    use contact_cases, only: pair_properties, random_contact
+   use friction_cases, only: friction_properties, kinds, random_friction
    use funit, only: anyExceptions, assertEqual, assertFalse, assertGreaterThan, TestMethod, &
       TestSuite
    use points_cases, only: call_arguments, compile, numbers_of, random_arguments, update
@@ -25,6 +27,7 @@ contains
       call suite%addTest(TestMethod('as the update of one point, bit by bit', test_same))
       call suite%addTest(TestMethod('every choice of optional arguments', test_optional))
       call suite%addTest(TestMethod('no points and one point', test_few))
+      call suite%addTest(TestMethod('friction that is not plain', test_friction))
    end function suite_contact_points
 
    !> Random paths of 30 points: both rules, both integrations, direct and compiled law, with memory
@@ -157,5 +160,53 @@ contains
          if (allocated(a%validity)) call assertEqual(r%validity, a%validity(i), 'validity')
       end do
    end subroutine compare
+
+   !> Every kind of friction: tractions and states as one point has them, bit by bit; plain friction
+   !> keeps no arrays for it.
+   subroutine test_friction()
+      integer, parameter :: points = 7, increments = 15
+      real(wp), parameter :: time = 0.3_wp
+      type(random_stream) :: stream
+      type(friction_settings) :: settings
+      type(contact_properties) :: p
+      type(contact_states) :: states
+      type(contact_state) :: alone(points), found
+      type(contact_response) :: r
+      type(error_type), allocatable :: error
+      real(wp) :: overclosure(points), slip(points, 2), traction(points, 3), turn(points, 2, 2), angle
+      integer :: kind, i, j
+
+      stream = random_stream(seed + 7)
+      do kind = 0, size(kinds)
+         settings = friction_settings()
+         if (kind > 0) call random_friction(stream, kind, 0.5_wp, 0.31_wp, settings)
+         p = friction_properties(settings)
+         call new_contact_states(states, points, error)
+         alone = contact_state()
+         do i = 1, increments
+            do j = 1, points
+               overclosure(j) = stream%uniform(-0.05_wp, 0.15_wp)
+               slip(j, :) = [stream%uniform(-0.4_wp, 0.4_wp), stream%uniform(-0.4_wp, 0.4_wp)]
+               angle = stream%uniform(-0.3_wp, 0.3_wp)
+               turn(j, :, :) = reshape([cos(angle), sin(angle), -sin(angle), cos(angle)], [2, 2])
+            end do
+            call update_contact_points(p, states, overclosure, slip, traction, error, &
+               rotation=turn, time_increment=time)
+            call assertFalse(allocated(error), 'updated')
+            do j = 1, points
+               call update_contact_point(p, alone(j), overclosure(j), slip(j, :), turn(j, :, :), &
+                  r, time)
+               alone(j) = r%state
+               found = get_contact_state(states, j)
+               call assertEqual(0.0_wp, maxval(abs(r%traction - traction(j, :))), 0.0_wp, 'traction')
+               call assertEqual(alone(j)%motion_share, found%motion_share, 0.0_wp, 'share')
+               call assertEqual(alone(j)%grain_turn, found%grain_turn, 0.0_wp, 'turn')
+            end do
+            if (anyExceptions()) return
+         end do
+         call assertEqual(merge(1, 0, kind > 0), merge(1, 0, allocated(states%grain_turn)), 'arrays')
+         call assertFalse(allocated(states%summit_slip), 'summits')
+      end do
+   end subroutine test_friction
 
 end module test_contact_points
