@@ -5,7 +5,7 @@ module asperity_contact_friction_strength
    use asperity_contact_properties, only: contact_properties
    implicit none
    private
-   public :: find_friction_strength, static_coefficient, find_friction_factor
+   public :: find_friction_strength, largest_shear_stress, static_coefficient, motion_ratio
 
    !> Powers of e are kept finite for any pressure
    real(wp), parameter :: largest_power = 200.0_wp
@@ -36,6 +36,32 @@ contains
          by_pressure = 0.0_wp
       end if
    end subroutine find_friction_strength
+
+   !> Largest shear stress in any direction at a pressure, at rest or in motion, MPa.
+   pure real(wp) function largest_shear_stress(properties, pressure, moves) result(stress)
+      !> Checked properties
+      type(contact_properties), intent(in) :: properties
+      !> Pressure, MPa
+      real(wp), intent(in) :: pressure
+      !> Whether the point has slipped far
+      logical, intent(in) :: moves
+      real(wp) :: by_pressure
+
+      call find_friction_strength(properties, pressure, stress, by_pressure)
+      if (moves) stress = stress*motion_ratio(properties)
+      stress = stress*max(1.0_wp, properties%friction%friction_coefficient_across &
+         /max(properties%friction_coefficient, tiny(1.0_wp)))
+   end function largest_shear_stress
+
+   !> Coefficient in motion over that at rest.
+   pure real(wp) function motion_ratio(properties)
+      !> Checked properties
+      type(contact_properties), intent(in) :: properties
+
+      motion_ratio = 1.0_wp
+      if (properties%friction%static_friction_coefficient > properties%friction_coefficient) &
+         motion_ratio = properties%friction_coefficient/static_coefficient(properties)
+   end function motion_ratio
 
    !> Coefficient at rest, along the grain.
    pure real(wp) function static_coefficient(properties)

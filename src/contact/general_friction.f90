@@ -6,7 +6,7 @@ module asperity_contact_general_friction
    use asperity_base_kinds, only: wp
    use asperity_contact_friction_elements, only: find_friction_elements, friction_elements
    use asperity_contact_friction_settings, only: slip_direction_associated, stick_critical_slip
-   use asperity_contact_friction_strength, only: static_coefficient
+   use asperity_contact_friction_strength, only: motion_ratio
    use asperity_contact_properties, only: contact_properties, rule_dissipative
    use asperity_contact_sliding_element, only: n_by, shrink_to_domain, slide_element, &
       sliding_element, slip_domain
@@ -56,7 +56,7 @@ contains
          motion_by(:, 2) = [share, 0.0_wp]
          motion_by(:, 3) = [0.0_wp, share]
          call find_rest_by_rate(properties, increment, time_increment, rest, rest_by)
-         kinetic_share = properties%friction_coefficient/static_coefficient(properties)
+         kinetic_share = motion_ratio(properties)
          domain%decay = 0.0_wp
          if (f%decay_slip > 0.0_wp) domain%decay = 1.0_wp/f%decay_slip
          domain%stiffness = stiffness_ratios(properties)

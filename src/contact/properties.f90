@@ -8,7 +8,8 @@ module asperity_contact_properties
    use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
    use asperity_contact_check_friction, only: check_friction, is_plain
-   use asperity_contact_friction_settings, only: friction_settings, largest_friction
+   use asperity_contact_friction_settings, only: friction_settings, largest_friction, &
+      stick_critical_slip
    use asperity_law_compile_law, only: new_compiled_law
    use asperity_law_compiled_law, only: compiled_law
    use asperity_law_normal_law, only: vanishing_separation
@@ -21,7 +22,7 @@ module asperity_contact_properties
    implicit none
    private
    public :: contact_properties, new_contact_properties, complete_contact_properties, &
-      compile_normal_law
+      compile_normal_law, without_summits
 
    !> What happens to the elastic slip when the pressure changes
    enum, bind(c)
@@ -203,6 +204,17 @@ contains
       if (.not. allocated(error)) call check_range(error, 'initial_separation', &
          initial_separation, -largest_separation, largest_separation, ' mm')
    end subroutine refuse
+
+   !> The same for hard contact, which has no summits: gcrit in their place.
+   pure function without_summits(properties) result(hard)
+      !> Checked properties
+      type(contact_properties), intent(in) :: properties
+      type(contact_properties) :: hard
+
+      hard = properties
+      hard%friction%stick = stick_critical_slip
+      hard%friction_is_plain = is_plain(hard%friction)
+   end function without_summits
 
    !> Compile the normal law, unless it is. `error` is set when the properties were never built.
    pure subroutine compile_normal_law(properties, error)

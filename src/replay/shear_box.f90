@@ -10,6 +10,7 @@ module asperity_replay_shear_box
    use asperity_base_kinds, only: wp
    use asperity_base_memory, only: check_work
    use asperity_base_number_text, only: to_text
+   use asperity_contact_friction_strength, only: largest_shear_stress
    use asperity_contact_point, only: overclosure_for
    use asperity_contact_properties, only: close_pressure_ratio, contact_properties
    use asperity_contact_state, only: contact_state
@@ -117,7 +118,7 @@ contains
       real(wp), intent(in) :: displacement, dtime
       type(error_type), allocatable, intent(out) :: error
       type(contact_state) :: start
-      real(wp) :: pressure, area, compliance, overclosure, slip, low, high
+      real(wp) :: pressure, area, compliance, overclosure, slip, low, high, strength
       real(wp) :: r(2), j(2, 2), allowed(2), determinant
       integer :: iteration
 
@@ -127,8 +128,9 @@ contains
       call state_from_statev(point%start%statev, start)
       call overclosure_for(properties, start, pressure, overclosure, error)
       if (allocated(error)) return
-      low = displacement - 1.01_wp*compliance*properties%friction_coefficient*pressure
-      high = displacement + 1.01_wp*compliance*properties%friction_coefficient*pressure
+      strength = largest_shear_stress(properties, pressure, moves=.false.)
+      low = displacement - 1.01_wp*compliance*strength
+      high = displacement + 1.01_wp*compliance*strength
       slip = min(max(displacement - compliance*point%start%stress(2), low), high)
       do iteration = 1, max_iterations
          call try_increment(point, overclosure, [slip - point%start%rdisp(2)], dtime, error)
@@ -184,6 +186,8 @@ contains
          step%normal_energy = step%overlap_area*trial%statev(state_normal_energy)
          step%tangential_energy = step%overlap_area*0.5_wp*trial%stress(2) &
             *trial%statev(state_elastic_slip_1)
+         if (.not. properties%friction_is_plain) step%tangential_energy = step%overlap_area &
+            *(trial%sed - trial%statev(state_normal_energy))
          step%plastic_dissipation = step%overlap_area*trial%spd
          step%status = trial%lstate
       end associate

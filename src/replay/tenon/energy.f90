@@ -7,6 +7,7 @@
 !> dissipative rule has one order only, the pressure first, and closes to first order.
 module asperity_replay_tenon_energy
    use asperity_base_kinds, only: wp
+   use asperity_contact_friction_strength, only: find_friction_strength
    use asperity_contact_properties, only: rule_abaqus
    use asperity_contact_state, only: status_open
    use asperity_replay_tenon_contact_record, only: contact_record
@@ -86,7 +87,7 @@ contains
       type(contact_record), intent(in) :: start, trial
       !> Result
       real(wp), intent(out) :: friction, plastic, coupling
-      real(wp) :: change, scale
+      real(wp) :: change, scale, before, after
 
       friction = trial%dissipation
       coupling = trial%pressure_coupling
@@ -94,6 +95,13 @@ contains
       if (model%law%faces%friction_rule /= rule_abaqus .or. face == side) return
       if (trial%state%status == status_open) return
       ! the update changes the pressure first: add the mean with the other order
+      if (.not. model%law%faces%friction_is_plain) then
+         call find_friction_strength(model%law%faces, start%state%pressure, before, change)
+         call find_friction_strength(model%law%faces, trial%state%pressure, after, change)
+         friction = friction*(0.5_wp*(after + before)/after)
+         coupling = 0.5_wp*(coupling + trial%tangential_energy*(after - before)/after)
+         return
+      end if
       scale = model%law%faces%friction_coefficient/model%law%faces%critical_slip
       change = trial%state%pressure - start%state%pressure
       friction = friction*(0.5_wp*(trial%state%pressure + start%state%pressure) &

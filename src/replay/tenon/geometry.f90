@@ -34,7 +34,10 @@ module asperity_replay_tenon_geometry
    use asperity_base_error, only: error_type, fatal_error
    use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
-   use asperity_contact_properties, only: contact_properties
+   use asperity_contact_friction_settings, only: stick_summits
+   use asperity_contact_friction_strength, only: largest_shear_stress
+   use asperity_contact_properties, only: contact_properties, without_summits
+   use asperity_law_normal_inverse, only: separation_for_pressure
    use asperity_replay_steps, only: fewest_steps
    use asperity_replay_tenon_contact_hard, only: hard_law
    use asperity_replay_tenon_contact_interface_law, only: interface_law
@@ -115,6 +118,7 @@ contains
       type(tenon_model), intent(inout) :: model
       type(contact_properties), intent(in) :: faces, sides
       type(error_type), allocatable, intent(out) :: error
+      real(wp) :: separation
 
       if (model%settings%contact == 'hard') then
          allocate (hard_law :: model%law)
@@ -127,9 +131,15 @@ contains
          if (model%settings%gap == 'mean_plane') model%first_touch = faces%initial_separation
       end if
       model%law%faces = faces
+      if (model%settings%contact == 'hard') model%law%faces = without_summits(faces)
       model%law%sides = sides
       model%law%wood = new_wood_bearing(model%settings)
       model%law%side_pressure = model%settings%side_pressure
+      if (sides%friction%stick == stick_summits .and. model%law%side_pressure > 0.0_wp) then
+         call separation_for_pressure(sides%normal, model%law%side_pressure, separation, error)
+         if (allocated(error)) return
+         model%law%side_overclosure = sides%initial_separation - separation
+      end if
       call model%law%prepare(model%face == side, error)
    end subroutine choose_law
 
@@ -142,7 +152,7 @@ contains
 
       if (settings%axial_rule /= 'force') return
       grip = 2.0_wp*settings%length*settings%height &
-         *sides%friction_coefficient*settings%side_pressure
+         *largest_shear_stress(sides, settings%side_pressure, moves=.true.)
       if (abs(settings%axial_force) > 0.0_wp .and. .not. abs(settings%axial_force) < grip) &
          call fatal_error(error, 'axial_force = '//to_text(settings%axial_force)// &
          ' N has no equilibrium while the joint is open: friction of the sides holds '// &

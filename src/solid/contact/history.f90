@@ -13,7 +13,7 @@ module asperity_solid_contact_history
    public :: history_size, pack_history, unpack_history, pack_facets, unpack_facets
 
    !> Numbers of a cell, and of a pair
-   integer, parameter :: of_cell = 17, of_pair = 6
+   integer, parameter :: of_cell = 51, of_pair = 6
 
 contains
 
@@ -107,7 +107,8 @@ contains
          numbers = [real(s%status, wp), s%overclosure, s%pressure, s%normal_energy, &
             s%elastic_slip, s%largest_closure, s%dissipation, s%pressure_coupling, &
             real(s%validity, wp), cell%start_tangential_energy, cell%last_coverage, cell%slip, &
-            real(middle%start_facet, wp), middle%start_natural]
+            real(middle%start_facet, wp), middle%start_natural, s%motion_share, s%grain_turn, &
+            s%summit_slip]
       end associate
    end function cell_numbers
 
@@ -117,7 +118,7 @@ contains
 
       associate (n => numbers)
          cell%start = contact_state(nint(n(1)), n(2), n(3), n(4), n(5:6), n(7), n(8), n(9), &
-            nint(n(10)))
+            nint(n(10)), n(18), n(19), reshape(n(20:), shape(cell%start%summit_slip)))
          cell%start_tangential_energy = n(11)
          cell%last_coverage = n(12)
          cell%slip = n(13:14)

@@ -1,6 +1,6 @@
 !> The law of faces of the solid joint: hard contact, the rough law, or that through UINTER.
 module asperity_solid_model_interface
-   use asperity_contact_properties, only: contact_properties
+   use asperity_contact_properties, only: contact_properties, without_summits
    use asperity_solid_contact_hard, only: hard_law
    use asperity_solid_contact_law, only: solid_law
    use asperity_solid_contact_rough, only: rough_law
@@ -25,7 +25,8 @@ contains
       type(uinter_law), allocatable :: through
 
       if (is_hard) then
-         allocate (law, source=hard_law(properties, settings%penalty, settings%soft_overclosure))
+         allocate (law, source=hard_law(without_summits(properties), settings%penalty, &
+            settings%soft_overclosure))
       else if (settings%through_uinter) then
          allocate (through)
          call new_uinter_law(through, properties)

@@ -21,6 +21,8 @@ module asperity_replay_tenon_contact_interface_law
       type(wood_bearing) :: wood
       !> Pressure of the sides, MPa
       real(wp) :: side_pressure = 0.0_wp
+      !> Overclosure at which they carry it, mm, where the law needs it; else zero
+      real(wp) :: side_overclosure = 0.0_wp
    contains
       !> Made ready, once its components are set, for the points of a joint
       procedure :: prepare
@@ -82,8 +84,8 @@ contains
       type(contact_response) :: response
 
       response%traction(1) = law%side_pressure
-      call slide(response, law%sides, start%state, start%state%elastic_slip, 0.0_wp, slip, &
-         is_open=.false., closing=start%state%overclosure)
+      call slide(response, law%sides, start%state, start%state%elastic_slip, &
+         law%side_overclosure, slip, is_open=.false., closing=start%state%overclosure)
       call keep_response(trial, response, 0.0_wp, 1.0_wp)
    end subroutine slide_at_side_pressure
 

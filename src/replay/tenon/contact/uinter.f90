@@ -16,8 +16,6 @@ module asperity_replay_tenon_contact_uinter
 
    !> The rough law, and the host of each point.
    type, extends(rough_law) :: uinter_law
-      !> Overclosure at which the sides carry their pressure, mm
-      real(wp) :: side_overclosure = 0.0_wp
       !> Of each point
       type(host_point), allocatable :: hosts(:)
    contains
