@@ -9,6 +9,7 @@ module asperity_program_commands_shear
    use asperity_contact_properties, only: contact_properties
    use asperity_contact_state, only: status_slip
    use asperity_program_commands_command, only: command_type
+   use asperity_program_commands_faces_friction_keys, only: declare_friction
    use asperity_program_commands_faces_type, only: faces_type
    use asperity_program_commands_plots, only: draw_shear
    use asperity_program_commands_shear_keys, only: declare_shear
@@ -68,6 +69,7 @@ contains
       call self%faces%declare_separation(keys)
       call self%faces%declare_unloading(keys)
       call self%faces%declare_rules(keys)
+      call declare_friction(self%faces%friction, keys, has_time=.true.)
       call self%faces%declare_accept(keys)
       call declare_shear(self%box, self%normal_stress, keys)
       call keys%switch('shrinking_overlap', self%box%shrinking_overlap, &

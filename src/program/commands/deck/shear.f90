@@ -11,6 +11,7 @@ module asperity_program_commands_deck_shear
    use asperity_program_commands_command, only: command_type
    use asperity_program_commands_deck_parts, only: declare_deck, declare_law_table, fill_table, &
       remark, usual_criterion
+   use asperity_program_commands_faces_friction_keys, only: declare_friction
    use asperity_program_commands_faces_type, only: faces_type
    use asperity_program_commands_shear_keys, only: declare_shear
    use asperity_program_commands_wood_keys, only: declare_wood
@@ -74,6 +75,7 @@ contains
       call self%faces%declare_separation(keys)
       call self%faces%declare_unloading(keys)
       call self%faces%declare_rules(keys)
+      call declare_friction(self%faces%friction, keys, has_time=.true.)
       call self%faces%declare_accept(keys)
       call declare_shear(self%box, self%normal_stress, keys, self%has_stress)
       self%wood%criterion = usual_criterion

@@ -4,6 +4,7 @@ module asperity_program_commands_faces_type
    use asperity_base_error, only: error_type
    use asperity_base_kinds, only: wp
    use asperity_base_no_value, only: is_none, none
+   use asperity_contact_friction_settings, only: friction_settings
    use asperity_contact_properties, only: contact_properties, default_initial_separation, &
       new_contact_properties
    use asperity_law_normal_properties, only: new_normal_properties, normal_properties, &
@@ -32,6 +33,8 @@ module asperity_program_commands_faces_type
       logical :: has_memory = .false.
       !> Options of friction
       type(contact_properties) :: options
+      !> And what friction is beyond one coefficient and one critical slip
+      type(friction_settings) :: friction
       !> Let properties pass that no face has
       logical :: accept_unphysical = .false.
       !> Places of the keys of the properties, zero for none, and of the presets
@@ -264,7 +267,7 @@ contains
          critical_slip])
       call new_contact_properties(checked, law, friction(1), friction(2), error, &
          self%initial_separation, self%options%friction_rule, self%options%slip_integration, &
-         compiled, self%accept_unphysical)
+         compiled, self%accept_unphysical, self%friction)
    end subroutine contact
 
    !> What the faces are, for a title: pair, surface, and whether a value differs from theirs.

@@ -8,6 +8,8 @@ module asperity_program_commands_tenon_joint_keys
    use asperity_contact_properties, only: contact_properties
    use asperity_paper_joint, only: joint_amplitudes, joint_cycles
    use asperity_paper_pairs, only: find_pair, pair_preset
+   use asperity_program_commands_faces_friction_keys, only: declare_friction, &
+      friction_of_sides
    use asperity_program_commands_faces_properties, only: critical_slip, &
       friction_coefficient, pair_values
    use asperity_program_commands_faces_type, only: faces_type
@@ -67,6 +69,7 @@ contains
       call self%faces%declare_separation(keys)
       call self%faces%declare_unloading(keys)
       call self%faces%declare_rules(keys)
+      call declare_friction(self%faces%friction, keys, has_time=.false.)
       if (.not. allocated(self%side_pair)) self%side_pair = 'tangential-tangential'
       call keys%text('side_pair', self%side_pair, 'pair of faces of the two sides of the tenon')
       self%side_keys(1) = keys%last
@@ -287,6 +290,9 @@ contains
          sides%values = pair_values(pair)
          sides%values([friction_coefficient, critical_slip]) = [self%side_friction, &
             self%side_critical_slip]
+         if (self%faces%values(friction_coefficient) > 0.0_wp) sides%friction = &
+            friction_of_sides(sides%friction, &
+            self%side_friction/self%faces%values(friction_coefficient))
          sides%initial_separation = sides%usual_separation()
          call sides%contact(self%sides, error, compiled=.true.)
       end if
