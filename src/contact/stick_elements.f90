@@ -31,10 +31,16 @@ module asperity_contact_stick_elements
 
    !> Summits at the points of a quadrature over heights, at one separation.
    type :: summits
+      !> What forces per area, MPa, and critical slips over mu, mm, are told in
+      real(wp) :: unit_force, unit_slip
       !> Force times density and weight, and its derivative by d/sigma
       real(wp) :: force(m), force_slope(m)
-      !> Critical slip over mu, relative to that of a summit at w1, and its derivative by d/sigma
+      !> Critical slip over mu, and its derivative by d/sigma
       real(wp) :: slip(m), slip_slope(m)
+      !> 1/slip, force/slip, and the latter times slip_slope/slip
+      real(wp) :: inverse(m), stiffness(m), stiffness_drop(m)
+      !> Sums of forces and their derivatives
+      real(wp) :: total, total_slope
    end type summits
 
    !> Heights count as long as their density is above exp(-cut) of the largest
@@ -63,14 +69,13 @@ contains
       type(summits) :: s
       real(wp) :: sums(3), slopes(3), moment, scale, scale_slope, rate, rate_slope
       real(wp) :: x, x_by_rate, knot(0:n), knot_slope(0:n), height(0:n), height_slope(0:n)
-      real(wp) :: chord(n + 1), chord_slope(n + 1), width, unit, density
+      real(wp) :: chord(n + 1), chord_slope(n + 1), width
       integer :: j
 
-      call find_summits(normal, separation, s, density)
+      call find_summits(normal, shear_modulus, separation, s)
       ! force, stiffness at first touch, and force times critical slip
-      sums = [sum(s%force), 1.5_wp*sum(s%force/s%slip), sum(s%force*s%slip)]
-      slopes = [sum(s%force_slope), &
-         1.5_wp*sum((s%force_slope - s%force*s%slip_slope/s%slip)/s%slip), &
+      sums = [s%total, 1.5_wp*sum(s%stiffness), sum(s%force*s%slip)]
+      slopes = [s%total_slope, 1.5_wp*sum(s%force_slope*s%inverse - s%stiffness_drop), &
          sum(s%force_slope*s%slip + s%force*s%slip_slope)]
       scale = sums(1)/sums(2)
       scale_slope = scale*(slopes(1)/sums(1) - slopes(2)/sums(2))
@@ -103,7 +108,6 @@ contains
       chord(n + 1) = 0.0_wp
       chord_slope(n + 1) = 0.0_wp
 
-      unit = unit_of_slip(normal, shear_modulus)
       elements%n = n
       elements%share = 0.0_wp
       elements%share_by_closure = 0.0_wp
@@ -113,10 +117,10 @@ contains
          elements%share(j) = knot(j)*(chord(j) - chord(j + 1))
          elements%share_by_closure(j) = -(knot_slope(j)*(chord(j) - chord(j + 1)) &
             + knot(j)*(chord_slope(j) - chord_slope(j + 1)))/normal%sigma
-         elements%unit_slip(j) = unit*knot(j)
-         elements%unit_slip_by_closure(j) = -unit*knot_slope(j)/normal%sigma
+         elements%unit_slip(j) = s%unit_slip*knot(j)
+         elements%unit_slip_by_closure(j) = -s%unit_slip*knot_slope(j)/normal%sigma
       end do
-      elements%stiffness = normal%eta*normal%n1/unit*density*sums(2)
+      elements%stiffness = s%unit_force/s%unit_slip*sums(2)
    end subroutine find_stick_elements
 
    !> Mindlin's curve of all summits: shear stress over mu p at a slip, to be compared with its
@@ -129,31 +133,21 @@ contains
       !> Slip over mu, mm; zero or more
       real(wp), intent(in) :: unit_slip
       type(summits) :: s
-      real(wp) :: slope, density
+      real(wp) :: slope
 
-      call find_summits(normal, separation, s, density)
-      call sum_backbone(s, unit_slip/unit_of_slip(normal, shear_modulus), 0.0_wp, share, slope)
-      share = share/sum(s%force)
+      call find_summits(normal, shear_modulus, separation, s)
+      call sum_backbone(s, unit_slip/s%unit_slip, 0.0_wp, share, slope)
+      share = share/s%total
    end function summit_backbone
-
-   !> Critical slip over mu of a summit at w1, 3 N1/(16 G* a1), mm.
-   pure real(wp) function unit_of_slip(normal, shear_modulus)
-      type(normal_properties), intent(in) :: normal
-      real(wp), intent(in) :: shear_modulus
-
-      unit_of_slip = 3.0_wp*normal%n1/(16.0_wp*shear_modulus*sqrt(normal%radius*normal%w1))
-   end function unit_of_slip
 
    !> Summits at Gauss points in sqrt(w), in which their forces are smooth. Force and contact radius
    !> are powers of w in each stage.
-   pure subroutine find_summits(normal, separation, s, density)
+   pure subroutine find_summits(normal, shear_modulus, separation, s)
       type(normal_properties), intent(in) :: normal
-      real(wp), intent(in) :: separation
+      real(wp), intent(in) :: shear_modulus, separation
       type(summits), intent(out) :: s
-      !> What turns sums of forces into forces per summit, over N1
-      real(wp), intent(out) :: density
       real(wp) :: h, root, first, width, first_slope, width_slope, x, t, t_slope, height
-      real(wp) :: log_ratio, by_force, by_slip, exponent(m), force_exponent(m), slip_exponent(m)
+      real(wp) :: by_force, by_slip, log_force(m), log_slip(m)
       integer :: i
 
       h = separation/normal%sigma
@@ -172,43 +166,56 @@ contains
          t = first + width*x
          t_slope = first_slope + width_slope*x
          height = max(h, -root) + width*x
-         log_ratio = log(t*normal%sigma/normal%w1)
-         if (t*normal%sigma < normal%w1) then
-            by_force = 1.5_wp
-            by_slip = 1.0_wp
-            force_exponent(i) = 1.5_wp*log_ratio
-            slip_exponent(i) = log_ratio
-         else if (t*normal%sigma < normal%w2) then
-            by_force = normal%b3
-            by_slip = normal%b3 - 0.5_wp*normal%b2
-            force_exponent(i) = by_force*log_ratio
-            slip_exponent(i) = by_slip*log_ratio
-         else
-            by_force = 1.0_wp
-            by_slip = 0.5_wp
-            force_exponent(i) = log_ratio + log(2.0_wp/normal%yield_factor)
-            slip_exponent(i) = force_exponent(i) - 0.5_wp*(log_ratio + log(2.0_wp))
-         end if
+         call find_powers(normal, t*normal%sigma, by_force, by_slip, log_force(i), log_slip(i))
          if (h > 0.0_wp) then
-            exponent(i) = -t*(h + 0.5_wp*t)
+            log_force(i) = log_force(i) - t*(h + 0.5_wp*t)
             s%force_slope(i) = -t - height*t_slope
          else
-            exponent(i) = -0.5_wp*height**2
+            log_force(i) = log_force(i) - 0.5_wp*height**2
             s%force_slope(i) = -height*(1.0_wp + t_slope)
          end if
          ! of ln(force) and ln(slip), until both are known
          s%force_slope(i) = s%force_slope(i) + by_force*t_slope/t
          s%slip_slope(i) = by_slip*t_slope/t
       end do
-      do i = 1, m
-         exponent(i) = exponent(i) + force_exponent(i)
-      end do
-      s%force = exp(exponent)*weights*0.5_wp*(1.0_wp + nodes)
+      s%unit_force = normal%eta*normal%n1*phi_0*width*exp(-0.5_wp*max(h, 0.0_wp)**2)
+      s%unit_slip = 3.0_wp*normal%n1/(16.0_wp*shear_modulus*sqrt(normal%radius*normal%w1))
+      s%force = exp(log_force)*weights*0.5_wp*(1.0_wp + nodes)
+      s%slip = exp(log_slip)
       s%force_slope = s%force_slope*s%force
-      s%slip = exp(slip_exponent)
+      s%inverse = 1.0_wp/s%slip
+      s%stiffness = s%force*s%inverse
+      s%stiffness_drop = s%stiffness*s%slip_slope
       s%slip_slope = s%slip_slope*s%slip
-      density = phi_0*width*exp(-0.5_wp*max(separation/normal%sigma, 0.0_wp)**2)
+      s%total = sum(s%force)
+      s%total_slope = sum(s%force_slope)
    end subroutine find_summits
+
+   !> Exponents of force and critical slip of a summit, and their logarithms over those at w1.
+   pure subroutine find_powers(normal, deformation, by_force, by_slip, log_force, log_slip)
+      type(normal_properties), intent(in) :: normal
+      real(wp), intent(in) :: deformation
+      real(wp), intent(out) :: by_force, by_slip, log_force, log_slip
+      real(wp) :: log_ratio
+
+      log_ratio = log(deformation/normal%w1)
+      if (deformation < normal%w1) then
+         by_force = 1.5_wp
+         by_slip = 1.0_wp
+         log_force = by_force*log_ratio
+         log_slip = log_ratio
+      else if (deformation < normal%w2) then
+         by_force = normal%b3
+         by_slip = normal%b3 - 0.5_wp*normal%b2
+         log_force = by_force*log_ratio
+         log_slip = by_slip*log_ratio
+      else
+         by_force = 1.0_wp
+         by_slip = 0.5_wp
+         log_force = log_ratio + log(2.0_wp/normal%yield_factor)
+         log_slip = log_force - 0.5_wp*(log_ratio + log(2.0_wp))
+      end if
+   end subroutine find_powers
 
    !> Sum of the summits' shear forces over mu at a slip, and its derivative by d/sigma where that
    !> of the slip is given. Critical slips rise from point to point.
@@ -216,24 +223,25 @@ contains
       type(summits), intent(in) :: s
       real(wp), intent(in) :: slip, slip_slope
       real(wp), intent(out) :: total, total_slope
-      real(wp) :: ratio, sticking, root
+      real(wp) :: sticking, root, spared, spared_slope, by_slip, by_critical_slip
       integer :: i
 
-      total = 0.0_wp
-      total_slope = 0.0_wp
-      do i = 1, m
-         if (s%slip(i) > slip) then
-            ratio = slip/s%slip(i)
-            sticking = 1.0_wp - ratio
-            root = sqrt(sticking)
-            total = total + s%force(i)*(1.0_wp - sticking*root)
-            total_slope = total_slope + s%force_slope(i)*(1.0_wp - sticking*root) &
-               + 1.5_wp*s%force(i)*root*(slip_slope - ratio*s%slip_slope(i))/s%slip(i)
-         else
-            total = total + s%force(i)
-            total_slope = total_slope + s%force_slope(i)
-         end if
+      spared = 0.0_wp
+      spared_slope = 0.0_wp
+      by_slip = 0.0_wp
+      by_critical_slip = 0.0_wp
+      do i = m, 1, -1
+         if (.not. s%slip(i) > slip) exit
+         sticking = 1.0_wp - slip*s%inverse(i)
+         root = sqrt(sticking)
+         spared = spared + s%force(i)*(sticking*root)
+         spared_slope = spared_slope + s%force_slope(i)*(sticking*root)
+         by_slip = by_slip + s%stiffness(i)*root
+         by_critical_slip = by_critical_slip + s%stiffness_drop(i)*root
       end do
+      total = s%total - spared
+      total_slope = s%total_slope - spared_slope &
+         + 1.5_wp*(slip_slope*by_slip - slip*by_critical_slip)
    end subroutine sum_backbone
 
    !> Knot j of n for a rate 1/kappa, kappa (1 - r^(2/kappa)) with r = 1 - j/(n + tail_step), at
