@@ -14,7 +14,7 @@ module asperity_contact_stick_elements
    use asperity_law_quadrature_gauss_legendre, only: m => n_points, nodes, weights
    implicit none
    private
-   public :: stick_elements, find_stick_elements, summit_backbone
+   public :: stick_elements, find_stick_elements, summit_backbone, equivalent_shear_modulus
 
    !> Elements at one separation. Without default values, which flang sets by library calls.
    type :: stick_elements
@@ -122,6 +122,19 @@ contains
       end do
       elements%stiffness = s%unit_force/s%unit_slip*sums(2)
    end subroutine find_stick_elements
+
+   !> Equivalent shear modulus G* of two elastic bodies, MPa: 1/G* = (2 - nu1)/G1 + (2 - nu2)/G2.
+   pure elemental function equivalent_shear_modulus(shear_modulus_1, poisson_1, shear_modulus_2, &
+         poisson_2) result(modulus)
+      !> Shear moduli, MPa
+      real(wp), intent(in) :: shear_modulus_1, shear_modulus_2
+      !> Poisson's ratios
+      real(wp), intent(in) :: poisson_1, poisson_2
+      real(wp) :: modulus
+
+      modulus = 1.0_wp/((2.0_wp - poisson_1)/shear_modulus_1 &
+         + (2.0_wp - poisson_2)/shear_modulus_2)
+   end function equivalent_shear_modulus
 
    !> Mindlin's curve of all summits: shear stress over mu p at a slip, to be compared with its
    !> elements.

@@ -3,7 +3,8 @@ module asperity_program_commands_plots
    use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
    use asperity_contact_properties, only: contact_properties
-   use asperity_program_plot_figure, only: as_band, as_points, dashed, figure_type, panel_type, ring
+   use asperity_program_plot_figure, only: as_band, as_points, dashed, dotted, figure_type, &
+      panel_type, ring
    use asperity_program_plot_palette, only: black, blue, green, red, sky
    use asperity_program_report_report, only: report_type
    implicit none
@@ -82,11 +83,14 @@ contains
    end subroutine draw_press
 
    !> Shear stress, and closure, against displacement for all normal stresses (Fig. 18).
-   pure subroutine draw_shear(report, properties)
+   pure subroutine draw_shear(report, properties, by_critical_slip)
       !> Its picture is set
       type(report_type), intent(inout) :: report
       !> Properties of the faces
       type(contact_properties), intent(in) :: properties
+      !> Where summits stick each for itself, the shear stress of one critical slip for all, of
+      !> every row, MPa
+      real(wp), intent(in), optional :: by_critical_slip(:)
       type(panel_type) :: stress, closure
       character(len=:), allocatable :: name
       integer, allocatable :: rows(:)
@@ -105,6 +109,8 @@ contains
                name//', full disc', run)
             call stress%add(displacement, column(report, 'shear_stress', rows), &
                name//', overlap', run, stroke=dashed)
+            if (present(by_critical_slip)) call stress%add(displacement, by_critical_slip(rows), &
+               name//', one critical slip', run, stroke=dotted)
             call closure%add(displacement, column(report, 'overclosure', rows), name, run)
          end associate
       end do

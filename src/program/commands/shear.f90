@@ -6,8 +6,11 @@ module asperity_program_commands_shear
    use asperity_base_memory, only: check_work
    use asperity_base_no_value, only: none
    use asperity_base_number_text, only: to_text
-   use asperity_contact_properties, only: contact_properties
+   use asperity_contact_friction_settings, only: fewest_stick_elements, stick_summits
+   use asperity_contact_friction_strength, only: find_friction_strength
+   use asperity_contact_properties, only: contact_properties, without_summits
    use asperity_contact_state, only: status_slip
+   use asperity_contact_stick_elements, only: find_stick_elements, stick_elements
    use asperity_program_commands_command, only: command_type
    use asperity_program_commands_faces_friction_keys, only: declare_friction
    use asperity_program_commands_faces_type, only: faces_type
@@ -35,6 +38,7 @@ module asperity_program_commands_shear
       type(contact_properties) :: properties
    contains
       procedure :: describe, declare, check, run
+      procedure, private :: has_summits
    end type shear_command
 
    !> History of one run.
@@ -69,7 +73,8 @@ contains
       call self%faces%declare_separation(keys)
       call self%faces%declare_unloading(keys)
       call self%faces%declare_rules(keys)
-      call declare_friction(self%faces%friction, keys, has_time=.true.)
+      call declare_friction(self%faces%friction, keys, has_time=.true., &
+         pair_key=self%faces%pair_key)
       call self%faces%declare_accept(keys)
       call declare_shear(self%box, self%normal_stress, keys)
       call keys%switch('shrinking_overlap', self%box%shrinking_overlap, &
@@ -98,7 +103,7 @@ contains
       type(report_type), intent(inout) :: report
       !> Set on failure
       type(error_type), allocatable, intent(out) :: error
-      type(history_type) :: runs(size(self%normal_stress))
+      type(history_type) :: runs(size(self%normal_stress)), beside(size(self%normal_stress))
       type(shear_settings) :: settings
       type(progress_type) :: progress
       integer :: i, rows
@@ -109,6 +114,9 @@ contains
          call progress%show(i - 1, size(runs), 'normal stresses')
          settings%normal_stress = self%normal_stress(i)
          call run_shear_box(settings, self%properties, runs(i)%steps, error)
+         if (allocated(error)) exit
+         if (.not. (self%has_summits() .and. report%is_drawn())) cycle
+         call run_shear_box(settings, without_summits(self%properties), beside(i)%steps, error)
          if (allocated(error)) exit
       end do
       call progress%finish()
@@ -128,8 +136,22 @@ contains
          'validity']
       if (self%faces%has_memory) report%shown_columns = [report%shown_columns, &
          [character(len=24) :: 'plastic_dissipation']]
-      if (report%is_drawn()) call draw_shear(report, self%properties)
+      if (.not. report%is_drawn()) return
+      if (self%has_summits()) then
+         call draw_shear(report, self%properties, [(beside(i)%steps%shear_stress_nominal, &
+            i=1, size(beside))])
+      else
+         call draw_shear(report, self%properties)
+      end if
    end subroutine run
+
+   !> Whether summits stick each for itself.
+   pure logical function has_summits(self)
+      !> The command
+      class(shear_command), intent(in) :: self
+
+      has_summits = self%properties%friction%stick == stick_summits
+   end function has_summits
 
    !> One table of all runs, each row led by the normal stress of its run.
    pure subroutine join_runs(self, runs, report)
@@ -192,7 +214,9 @@ contains
       type(history_type), intent(in) :: runs(:)
       type(table_type) :: table
       type(shear_step) :: seated(size(runs)), turned(size(runs)), last(size(runs))
-      real(wp), dimension(size(runs)) :: slope, plateau_nominal, plateau
+      real(wp), dimension(size(runs)) :: slope, plateau_nominal, plateau, stiffness, strength
+      type(stick_elements) :: elements
+      real(wp) :: by_pressure
       integer :: i
 
       slope = none
@@ -209,10 +233,24 @@ contains
          turned%status == status_slip)
       plateau = merge(abs(turned%shear_stress), none, turned%status == status_slip)
 
-      table = new_table(columns=8 + merge(1, 0, self%faces%has_memory), rows=size(runs))
+      table = new_table(columns=8 + merge(1, 0, self%faces%has_memory) &
+         + merge(2, 0, self%has_summits()), rows=size(runs))
       call table%add_numbers('normal_stress_nominal', 'MPa', self%normal_stress)
       call table%add_numbers('overclosure', 'mm', (seated%overclosure))
       call table%add_numbers('separation_over_sigma', '-', (seated%separation_over_sigma))
+      if (self%has_summits()) then
+         do i = 1, size(runs)
+            call find_stick_elements(self%properties%normal, &
+               self%properties%friction%shear_modulus, fewest_stick_elements, &
+               seated(i)%separation, elements)
+            stiffness(i) = elements%stiffness
+            call find_friction_strength(self%properties, seated(i)%normal_stress, strength(i), &
+               by_pressure)
+         end do
+         call table%add_numbers('shear_stiffness', 'MPa/mm', stiffness)
+         call table%add_numbers('stiffness_by_gcrit', 'MPa/mm', &
+            strength/self%properties%critical_slip)
+      end if
       call table%add_numbers('initial_slope', 'MPa/mm', slope)
       call table%add_numbers('plateau_nominal', 'MPa', plateau_nominal)
       call table%add_numbers('mu_p_nominal', 'MPa', &

@@ -75,7 +75,8 @@ contains
       call self%faces%declare_separation(keys)
       call self%faces%declare_unloading(keys)
       call self%faces%declare_rules(keys)
-      call declare_friction(self%faces%friction, keys, has_time=.true.)
+      call declare_friction(self%faces%friction, keys, has_time=.true., &
+         pair_key=self%faces%pair_key)
       call self%faces%declare_accept(keys)
       call declare_shear(self%box, self%normal_stress, keys, self%has_stress)
       self%wood%criterion = usual_criterion

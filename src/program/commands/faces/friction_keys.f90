@@ -6,21 +6,24 @@ module asperity_program_commands_faces_friction_keys
    use asperity_base_number_text, only: to_text
    use asperity_contact_friction_settings, only: default_stick_elements, friction_settings, &
       most_friction_points, stick_summits
+   use asperity_program_commands_faces_shear_modulus, only: shear_modulus_of_pair
    use asperity_program_input_key_list, only: key_list
    implicit none
    private
-   public :: declare_friction, friction_of_sides
+   public :: declare_friction, declare_shear_modulus, friction_of_sides
 
 contains
 
    !> Declare the keys.
-   pure subroutine declare_friction(settings, keys, has_time)
+   pure subroutine declare_friction(settings, keys, has_time, pair_key)
       !> The settings
       type(friction_settings), intent(out) :: settings
       !> The keys
       type(key_list), intent(inout) :: keys
       !> Whether the command knows slip rates
       logical, intent(in) :: has_time
+      !> Place of the key of the pair
+      integer, intent(in) :: pair_key
       integer :: place
       logical :: has_rest, has_grain, has_power, has_summits
 
@@ -69,19 +72,40 @@ contains
       call keys%whole('stick_elements', settings%stick_elements, &
          'elements that stand for the summits, 4 to 16')
       call keys%needs(has_summits, 'needs stick = summits')
-      call positive(keys, 'shear_modulus', settings%shear_modulus, 'MPa', &
-         'equivalent shear modulus G* of the two faces, for stick = summits')
-      call keys%needs(has_summits, 'needs stick = summits')
+      call declare_shear_modulus('shear_modulus', settings%shear_modulus, keys, has_summits, &
+         pair_key)
    end subroutine declare_friction
 
-   !> A number that is above zero where it is given, and zero where not.
-   pure subroutine positive(keys, name, value, unit, help, may_be_negative)
+   !> Declare an equivalent shear modulus, which is that of a pair of the paper unless given.
+   pure subroutine declare_shear_modulus(name, modulus, keys, has_summits, pair_key)
+      !> Name of the key
+      character(len=*), intent(in) :: name
+      !> The modulus, MPa; zero where there is none
+      real(wp), intent(out) :: modulus
+      !> The keys
+      type(key_list), intent(inout) :: keys
+      !> Whether summits stick
+      logical, intent(in) :: has_summits
+      !> Place of the key of the pair
+      integer, intent(in) :: pair_key
+
+      call positive(keys, name, modulus, 'MPa', &
+         'equivalent shear modulus G* of the two faces, for stick = summits', &
+         usual=shear_modulus_of_pair(keys%rows(pair_key)%text))
+      call keys%given_by(pair_key)
+      call keys%needs(has_summits, 'needs stick = summits')
+   end subroutine declare_shear_modulus
+
+   !> A number that is above zero where it is given, and zero or the usual one where not.
+   pure subroutine positive(keys, name, value, unit, help, may_be_negative, usual)
       type(key_list), intent(inout) :: keys
       character(len=*), intent(in) :: name, unit, help
       real(wp), intent(out) :: value
       logical, intent(in), optional :: may_be_negative
+      real(wp), intent(in), optional :: usual
 
       value = none
+      if (present(usual)) value = usual
       call keys%real(name, value, unit, help)
       if (is_none(value)) then
          value = 0.0_wp
@@ -117,16 +141,17 @@ contains
 
    !> The same for faces of another coefficient in motion: those at rest and across are in the same
    !> ratio to it.
-   pure function friction_of_sides(settings, ratio) result(sides)
+   pure function friction_of_sides(settings, ratio, shear_modulus) result(sides)
       !> Settings of the faces
       type(friction_settings), intent(in) :: settings
-      !> Coefficient of the sides over that of the faces
-      real(wp), intent(in) :: ratio
+      !> Coefficient of the sides over that of the faces, and their own G*, MPa
+      real(wp), intent(in) :: ratio, shear_modulus
       type(friction_settings) :: sides
 
       sides = settings
       sides%static_friction_coefficient = ratio*settings%static_friction_coefficient
       sides%friction_coefficient_across = ratio*settings%friction_coefficient_across
+      sides%shear_modulus = shear_modulus
    end function friction_of_sides
 
 end module asperity_program_commands_faces_friction_keys

@@ -4,12 +4,12 @@ module asperity_program_commands_tenon_joint_keys
    use asperity_base_error, only: error_type, fatal_error
    use asperity_base_kinds, only: wp
    use asperity_base_no_value, only: none
-   use asperity_contact_friction_settings, only: largest_friction
+   use asperity_contact_friction_settings, only: largest_friction, stick_summits
    use asperity_contact_properties, only: contact_properties
    use asperity_paper_joint, only: joint_amplitudes, joint_cycles
    use asperity_paper_pairs, only: find_pair, pair_preset
    use asperity_program_commands_faces_friction_keys, only: declare_friction, &
-      friction_of_sides
+      declare_shear_modulus, friction_of_sides
    use asperity_program_commands_faces_properties, only: critical_slip, &
       friction_coefficient, pair_values
    use asperity_program_commands_faces_type, only: faces_type
@@ -31,7 +31,7 @@ module asperity_program_commands_tenon_joint_keys
       type(faces_type) :: faces
       !> The pair and the friction of the sides
       character(len=:), allocatable :: side_pair
-      real(wp) :: side_friction = none, side_critical_slip = none
+      real(wp) :: side_friction = none, side_critical_slip = none, side_shear_modulus = 0.0_wp
       !> The joint and its programme
       type(tenon_settings) :: joint
       !> Steps at which every point is kept, not allocated unless given
@@ -69,7 +69,8 @@ contains
       call self%faces%declare_separation(keys)
       call self%faces%declare_unloading(keys)
       call self%faces%declare_rules(keys)
-      call declare_friction(self%faces%friction, keys, has_time=.false.)
+      call declare_friction(self%faces%friction, keys, has_time=.false., &
+         pair_key=self%faces%pair_key)
       if (.not. allocated(self%side_pair)) self%side_pair = 'tangential-tangential'
       call keys%text('side_pair', self%side_pair, 'pair of faces of the two sides of the tenon')
       self%side_keys(1) = keys%last
@@ -83,6 +84,8 @@ contains
          'largest elastic slip of the sides; critical_slip unless given')
       call keys%follows(self%faces%keys(critical_slip))
       self%side_keys(3) = keys%last
+      call declare_shear_modulus('side_shear_modulus', self%side_shear_modulus, keys, &
+         self%faces%friction%stick == stick_summits, self%side_keys(1))
       call self%faces%declare_accept(keys)
       call keys%switch('accept_sizes', self%joint%accept_sizes, &
          'let sizes and pressures pass that look like another unit, and large rotations')
@@ -292,7 +295,7 @@ contains
             self%side_critical_slip]
          if (self%faces%values(friction_coefficient) > 0.0_wp) sides%friction = &
             friction_of_sides(sides%friction, &
-            self%side_friction/self%faces%values(friction_coefficient))
+            self%side_friction/self%faces%values(friction_coefficient), self%side_shear_modulus)
          sides%initial_separation = sides%usual_separation()
          call sides%contact(self%sides, error, compiled=.true.)
       end if
