@@ -9,7 +9,7 @@ module asperity_contact_friction_elements
    use asperity_contact_stick_elements, only: find_stick_elements, stick_elements
    implicit none
    private
-   public :: friction_elements, find_friction_elements
+   public :: friction_elements, find_friction_elements, stick_number
 
    !> The elements at a pressure. The first `n` count.
    type :: friction_elements
@@ -84,6 +84,7 @@ contains
 
    !> How many elements the summits have.
    pure integer function stick_number(properties)
+      !> Checked properties
       type(contact_properties), intent(in) :: properties
 
       stick_number = properties%friction%stick_elements
