@@ -4,7 +4,7 @@ module asperity_surface_generate_height_distribution
    use asperity_base_error, only: error_type, fatal_error
    use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
-   use asperity_surface_generate_johnson, only: find_johnson, johnson_height, johnson_moments, &
+   use asperity_law_johnson, only: find_johnson, johnson_height, johnson_moments, &
       johnson_type, n_half, normal_point, normal_weight
    implicit none
    private

@@ -3,7 +3,7 @@
 !> one, z = exp(y) - q exp(-y), below it the bounded one, z = exp(y)/(1 + q exp(y)), 0 <= q <= 1.
 !> They reach any skewness and kurtosis that distributions have, save for those next to the bound
 !> kurtosis = skewness^2 + 1.
-module asperity_surface_generate_johnson
+module asperity_law_johnson
    use asperity_base_constants, only: pi
    use asperity_base_kinds, only: wp
    implicit none
@@ -215,4 +215,4 @@ contains
       sigma = sqrt(moments(2))
    end subroutine johnson_moments
 
-end module asperity_surface_generate_johnson
+end module asperity_law_johnson
