@@ -168,7 +168,7 @@ contains
       real(wp) :: h
 
       h = separation/properties%sigma
-      if (fixed_pieces_serve(properties%w1/properties%sigma, h)) then
+      if (fixed_pieces_serve(properties, h)) then
          call evaluate_fixed_pieces(properties, h, with_area_slope, with_memory, pieces(1), &
             pieces(2))
       else

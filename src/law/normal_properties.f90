@@ -2,7 +2,7 @@
 !> that follow from them. N-mm-MPa, or N-m-Pa for a face like timber's; in any other consistent
 !> units with `accept_unphysical`, as values are then taken for slips of units.
 module asperity_law_normal_properties
-   use asperity_base_checks, only: all_positive, check_positive
+   use asperity_base_checks, only: all_positive, check_positive, check_range
    use asperity_base_constants, only: pi
    use asperity_base_double_double, only: assignment(=), double_double, operator(*), quotient
    use asperity_base_error, only: error_type, fatal_error
@@ -34,17 +34,15 @@ module asperity_law_normal_properties
    end enum
    public :: heights_gaussian, heights_johnson
 
-   !> w2/w1, Eq. 11
-   real(wp), parameter, public :: plastic_ratio = 110.0_wp
-   !> b2, Eq. 15: 1 + ln 2/ln 110
-   real(wp), parameter :: plastic_area_exponent_less_1 = log(2.0_wp)/log(plastic_ratio)
-   real(wp), parameter, public :: plastic_area_exponent = 1.0_wp + plastic_area_exponent_less_1
+   !> w2/w1 of metals and of the paper, Eq. 11, and the range over which the law is verified
+   real(wp), parameter, public :: default_plastic_ratio = 110.0_wp
+   real(wp), parameter :: plastic_ratio_min = 10.0_wp, plastic_ratio_max = 1000.0_wp
    !> 3 pi/4 to 32 digits
    type(double_double), parameter :: three_quarters_pi = &
       double_double(2.356194490192345_wp, 9.184850993605148436e-17_wp)
    !> Range of the yield factor over which the law is verified
    real(wp), parameter :: yield_factor_min = 0.05_wp, yield_factor_max = 1.0_wp
-   !> Largest b3 with which elastic unloading lies below loading; k = 2/sqrt(110)
+   !> Largest b3 with which elastic unloading lies below loading; k = 2/sqrt(w2/w1)
    real(wp), parameter :: largest_force_exponent = 1.5_wp
 
    !> Properties of the normal law. Build it with `new_normal_properties`; read only afterwards.
@@ -61,6 +59,8 @@ module asperity_law_normal_properties
       real(wp) :: yield_factor = 0.0_wp
       !> Standard deviation of summit heights, mm (Eq. 23)
       real(wp) :: sigma = 0.0_wp
+      !> Plastic ratio w2/w1 (Eq. 11)
+      real(wp) :: plastic_ratio = default_plastic_ratio
       !> Deformation at first yield w1, mm (Eq. 6)
       real(wp) :: w1 = 0.0_wp
       !> Deformation at full plasticity w2, mm (Eq. 11)
@@ -94,11 +94,11 @@ contains
 
    !> Check the properties of the normal law and derive its constants.
    !> `error` is set, and `properties` unusable, when a value is not above zero (1e-20 to 1e20),
-   !> the yield factor is outside 0.05 to 1 (0.1907 to 1 with elastic unloading), or a value is one
-   !> that no face or solid has, such as an eta R sigma below 0.0158 (see
-   !> `asperity_law_plausibility`).
+   !> the yield factor is outside 0.05 to 1 (2/sqrt(plastic_ratio) to 1 with elastic unloading), the
+   !> plastic ratio outside 10 to 1000, or a value is one that no face or solid has, such as an
+   !> eta R sigma below 0.0158 (see `asperity_law_plausibility`).
    pure subroutine from_values(properties, eta, modulus, radius, hardness, yield_factor, sigma, &
-         error, accept_unphysical, unloading)
+         error, accept_unphysical, unloading, plastic_ratio)
       !> Result; all of it is set
       type(normal_properties), intent(inout) :: properties
       !> Asperity density, 1/mm^2
@@ -119,8 +119,10 @@ contains
       logical, intent(in), optional :: accept_unphysical
       !> `unloading_reversible` (default) or `unloading_elastic`
       integer, intent(in), optional :: unloading
+      !> w2/w1, 10 to 1000; 110 when absent
+      real(wp), intent(in), optional :: plastic_ratio
       type(double_double) :: strain, yield
-      real(wp) :: values(6)
+      real(wp) :: values(7), ratio, log_ratio, b2_less_1
       logical :: allowed, accepted
 
       ! one by one, as flang allocates memory for an array constructor
@@ -130,11 +132,15 @@ contains
       values(4) = hardness
       values(5) = yield_factor
       values(6) = sigma
+      ratio = default_plastic_ratio
+      if (present(plastic_ratio)) ratio = plastic_ratio
+      values(7) = ratio
       allowed = all_positive(values)
       if (allowed) &
-         allowed = yield_factor >= yield_factor_min .and. yield_factor <= yield_factor_max
+         allowed = yield_factor >= yield_factor_min .and. yield_factor <= yield_factor_max &
+         .and. ratio >= plastic_ratio_min .and. ratio <= plastic_ratio_max
       if (.not. allowed) then
-         call refuse(error, eta, modulus, radius, hardness, yield_factor, sigma)
+         call refuse(error, eta, modulus, radius, hardness, yield_factor, sigma, ratio)
          return
       end if
       accepted = .false.
@@ -149,13 +155,16 @@ contains
       properties%hardness = hardness
       properties%yield_factor = yield_factor
       properties%sigma = sigma
+      properties%plastic_ratio = ratio
+      log_ratio = log(ratio)
+      b2_less_1 = log(2.0_wp)/log_ratio
       strain = quotient(hardness, modulus)*yield_factor*three_quarters_pi
       yield = strain*strain*radius
       properties%w1 = yield
-      properties%w2 = yield*plastic_ratio
-      properties%b1 = log(1.0_wp/yield_factor)/log(plastic_ratio)
-      properties%b2 = plastic_area_exponent
-      properties%b3_less_1 = properties%b1 + plastic_area_exponent_less_1
+      properties%w2 = yield*ratio
+      properties%b1 = log(1.0_wp/yield_factor)/log_ratio
+      properties%b2 = 1.0_wp + b2_less_1
+      properties%b3_less_1 = properties%b1 + b2_less_1
       properties%b3 = 1.0_wp + properties%b3_less_1
       properties%n1 = 4.0_wp/3.0_wp*strain%high*properties%w1*radius*modulus
       properties%energy_2 = properties%n1*properties%w1*(0.4_wp - 1.0_wp/(properties%b3 + 1.0_wp)) &
@@ -168,7 +177,7 @@ contains
    end subroutine from_values
 
    !> The same of a pair of the paper.
-   pure subroutine from_pair(properties, pair, error, accept_unphysical, unloading)
+   pure subroutine from_pair(properties, pair, error, accept_unphysical, unloading, plastic_ratio)
       !> Result
       type(normal_properties), intent(out) :: properties
       !> The pair, such as `find_pair` finds
@@ -179,9 +188,11 @@ contains
       logical, intent(in), optional :: accept_unphysical
       !> `unloading_reversible` (default) or `unloading_elastic`
       integer, intent(in), optional :: unloading
+      !> w2/w1, 10 to 1000; 110 when absent
+      real(wp), intent(in), optional :: plastic_ratio
 
       call from_values(properties, pair%eta, pair%modulus, pair%radius, pair%hardness, &
-         pair%yield_factor, pair%sigma, error, accept_unphysical, unloading)
+         pair%yield_factor, pair%sigma, error, accept_unphysical, unloading, plastic_ratio)
    end subroutine from_pair
 
    !> Equivalent modulus E* of two elastic bodies, MPa (Eq. 4).
@@ -202,29 +213,34 @@ contains
       type(normal_properties), intent(inout) :: properties
       integer, intent(in) :: unloading
       type(error_type), allocatable, intent(out) :: error
+      real(wp) :: least
 
       properties%unloading = unloading
       if (unloading /= unloading_reversible .and. unloading /= unloading_elastic) then
          call fatal_error(error, 'unloading = '//to_text(unloading)// &
             ' is unknown: 0 is reversible, 1 is elastic', subject='unloading')
       else if (unloading == unloading_elastic .and. properties%b3 > largest_force_exponent) then
+         ! rounded upwards, so that the value told is one that passes
+         least = 1.0e-4_wp*ceiling(1.0e4_wp*2.0_wp/sqrt(properties%plastic_ratio))
          call fatal_error(error, 'yield_factor = '//to_text(properties%yield_factor)// &
-            ' is not allowed with elastic unloading: it must be 0.1907 (2/sqrt(110)) or more, '// &
-            'as summits would unload stiffer than they load and cycles create energy; the '// &
-            'paper uses 0.4', subject='yield_factor')
+            ' is not allowed with elastic unloading: it must be '//to_text(least, 4)// &
+            ' (2/sqrt(plastic_ratio)) or more, as summits would unload stiffer than they load '// &
+            'and cycles create energy; the paper uses 0.4', subject='yield_factor')
       end if
    end subroutine set_unloading
 
    !> Name the first that is not allowed.
-   pure subroutine refuse(error, eta, modulus, radius, hardness, yield_factor, sigma)
+   pure subroutine refuse(error, eta, modulus, radius, hardness, yield_factor, sigma, plastic_ratio)
       type(error_type), allocatable, intent(inout) :: error
-      real(wp), intent(in) :: eta, modulus, radius, hardness, yield_factor, sigma
+      real(wp), intent(in) :: eta, modulus, radius, hardness, yield_factor, sigma, plastic_ratio
 
       call check_positive(error, 'eta', eta, '1/mm^2')
       if (.not. allocated(error)) call check_positive(error, 'modulus', modulus, 'MPa')
       if (.not. allocated(error)) call check_positive(error, 'radius', radius, 'mm')
       if (.not. allocated(error)) call check_positive(error, 'hardness', hardness, 'MPa')
       if (.not. allocated(error)) call check_positive(error, 'sigma', sigma, 'mm')
+      if (.not. allocated(error)) call check_range(error, 'plastic_ratio', plastic_ratio, &
+         plastic_ratio_min, plastic_ratio_max, '')
       if (.not. allocated(error)) call fatal_error(error, 'yield_factor = '// &
          to_text(yield_factor)//' is not allowed: it must lie between '// &
          to_text(yield_factor_min)//' and '//to_text(nint(yield_factor_max))// &

@@ -13,7 +13,7 @@ module asperity_law_validity
    integer, parameter, public :: pressure_above_hardness = 2
    !> Mean closure of the summits in contact above half their radius: past the sphere's equator
    integer, parameter, public :: closure_above_half_radius = 4
-   !> Yield factor below 2/sqrt(110): the elasto-plastic stage is stiffer than Hertz (b3 > 1.5)
+   !> Yield factor below 2/sqrt(w2/w1): the elasto-plastic stage is stiffer than Hertz (b3 > 1.5)
    integer, parameter, public :: stiffer_than_hertz = 8
    !> eta R sigma above 4: rougher than any surface measured so far
    integer, parameter, public :: roughness_number_high = 16
@@ -37,7 +37,7 @@ module asperity_law_validity
       'real area above nominal area: asperities overlap, pressure is too high', &
       'pressure above the hardness: outside the model', &
       'mean closure of touching summits above radius/2: spheres do not apply', &
-      'yield_factor below 0.1907: elasto-plastic stage stiffer than Hertz', &
+      'yield_factor below 2/sqrt(plastic_ratio): yielding stiffer than Hertz', &
       'eta*radius*sigma above 4: rougher than any measured surface', &
       'eta*radius*sigma below 0.0158: no isotropic Gaussian surface has it', &
       'a property as no face or solid has, let pass: a slip of units?', &

@@ -351,7 +351,7 @@ static void texts(void)
    flags = ASPERITY_PRESSURE_ABOVE_HARDNESS | ASPERITY_STIFFER_THAN_HERTZ;
    CHECK_CODE(asperity_validity_remark(flags, text, sizeof text, &error), ASPERITY_OK);
    CHECK(strstr(text, "pressure above the hardness") == text);
-   CHECK(strstr(text, "; yield_factor below 0.1907") != NULL);
+   CHECK(strstr(text, "; yield_factor below 2/sqrt(plastic_ratio)") != NULL);
    for (flags = 0; flags < 256; flags++)
       CHECK_CODE(asperity_validity_remark(flags, text, sizeof text, &error), ASPERITY_OK);
    CHECK_CODE(asperity_validity_remark(256, text, sizeof text, &error), ASPERITY_BAD_INPUT);

@@ -67,7 +67,7 @@ contains
             highest = largest_product/a
             h = stream%uniform(0.9_wp*highest, highest)
          end if
-         if (.not. fixed_pieces_serve(a, h)) cycle
+         if (.not. fixed_pieces_serve(p, h)) cycle
          served = served + 1
          call compare(p, h, worst)
       end do
@@ -95,7 +95,7 @@ contains
          do j = 1, size(factors)
             p = properties_with(ratios(i), factors(j))
             highest = min(37.0_wp, largest_product*(1.0_wp - 4.0_wp*eps)*p%sigma/p%w1)
-            call assertTrue(fixed_pieces_serve(p%w1/p%sigma, highest), 'serves')
+            call assertTrue(fixed_pieces_serve(p, highest), 'serves')
             call compare(p, lowest, worst)
             call compare(p, 0.0_wp, worst)
             call compare(p, -tiny(1.0_wp), worst)
@@ -187,10 +187,10 @@ contains
       real(wp) :: d
 
       d = h_inside*p_inside%sigma
-      call assertTrue(fixed_pieces_serve(p_inside%w1/p_inside%sigma, d/p_inside%sigma), 'inside')
+      call assertTrue(fixed_pieces_serve(p_inside, d/p_inside%sigma), 'inside')
       call evaluate_scaled_law(p_inside, d, inside)
       d = h_outside*p_outside%sigma
-      call assertFalse(fixed_pieces_serve(p_outside%w1/p_outside%sigma, d/p_outside%sigma), &
+      call assertFalse(fixed_pieces_serve(p_outside, d/p_outside%sigma), &
          'outside')
       call evaluate_scaled_law(p_outside, d, outside)
       call worsen(worst, abs(inside%pressure/outside%pressure - 1.0_wp))
@@ -227,7 +227,7 @@ contains
          call random_properties(stream, p, 1.0e-8_wp, largest_ratio, 0.1908_wp)
          a = p%w1/p%sigma
          h = stream%uniform(lowest, min(37.0_wp, largest_product/a))
-         if (.not. fixed_pieces_serve(a, h)) cycle
+         if (.not. fixed_pieces_serve(p, h)) cycle
          call evaluate_fixed_pieces(p, h, .false., .true., fixed(1), fixed(2))
          wanted = elastoplastic_piece(p, h*p%sigma, .true.)
          call worsen(worst, abs([fixed(2)%recoverable/wanted%recoverable, &
@@ -241,15 +241,31 @@ contains
       call assertLessThan(worst(2), 1.0e-11_wp, 'dissipation')
    end subroutine test_memory
 
-   !> The limits themselves; nothing bounds the separation of small w1/sigma.
+   !> The limits themselves; nothing bounds the separation of small w1/sigma. The points are those
+   !> of one plastic ratio.
    subroutine test_range()
-      call assertTrue(fixed_pieces_serve(0.025_wp, -7.0_wp), 'both limits')
-      call assertFalse(fixed_pieces_serve(0.0251_wp, -7.0_wp), 'w1/sigma')
-      call assertFalse(fixed_pieces_serve(0.025_wp, -7.01_wp), 'd/sigma')
-      call assertTrue(fixed_pieces_serve(0.02_wp, 13.9_wp), 'product')
-      call assertFalse(fixed_pieces_serve(0.02_wp, 14.1_wp), 'product')
-      call assertTrue(fixed_pieces_serve(1.0e-8_wp, 1.0e7_wp), 'far')
+      real(wp), parameter :: other = 110.0_wp*(1.0_wp + eps)
+
+      call assertTrue(serves(0.025_wp, -7.0_wp), 'both limits')
+      call assertFalse(serves(0.0251_wp, -7.0_wp), 'w1/sigma')
+      call assertFalse(serves(0.025_wp, -7.01_wp), 'd/sigma')
+      call assertTrue(serves(0.02_wp, 13.9_wp), 'product')
+      call assertFalse(serves(0.02_wp, 14.1_wp), 'product')
+      call assertTrue(serves(1.0e-8_wp, 1.0e7_wp), 'far')
+      call assertFalse(serves(0.02_wp, 1.0_wp, other), 'plastic ratio')
    end subroutine test_range
+
+   !> Whether the rule serves at a w1/sigma and d/sigma.
+   logical function serves(a, h, plastic_ratio)
+      real(wp), intent(in) :: a, h
+      real(wp), intent(in), optional :: plastic_ratio
+      type(normal_properties) :: p
+
+      p%w1 = a
+      p%sigma = 1.0_wp
+      if (present(plastic_ratio)) p%plastic_ratio = plastic_ratio
+      serves = fixed_pieces_serve(p, h)
+   end function serves
 
    !> By the intrinsic power: the polynomial errs by some eps/2, and the rounding of the ratio or of
    !> its logarithm enters times the exponent, 0.32 at most.

@@ -16,6 +16,7 @@ program test_law
    use test_law_normal_law_reference, only: suite_normal_law_reference
    use test_law_normal_properties, only: suite_properties
    use test_law_pairs, only: suite_presets
+   use test_law_plastic_ratio, only: suite_plastic_ratio
    use test_law_plausibility, only: suite_plausibility
    use test_law_single_asperity, only: suite_single_asperity
    use test_law_unloading_energy, only: suite_unloading_energy
@@ -41,6 +42,7 @@ program test_law
    call suite%addTest(suite_normal_inverse())
    call suite%addTest(suite_compiled_law())
    call suite%addTest(suite_compile_range())
+   call suite%addTest(suite_plastic_ratio())
    call suite%addTest(suite_compiled_energy())
    call suite%addTest(suite_compiled_unloading())
    call suite%addTest(suite_compiled_unloading_limits())

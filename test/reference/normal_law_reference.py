@@ -72,14 +72,14 @@ def density(y):
     return mp.exp(-y*y/2)/mp.sqrt(2*mp.pi)
 
 
-def normal_law(sigma, eta, modulus, radius, hardness, yield_factor, d, panels):
+def normal_law(sigma, eta, modulus, radius, hardness, yield_factor, d, panels, plastic_ratio=110):
     """All outputs at the working precision."""
     k = yield_factor
     w1 = (3*mp.pi*k*hardness/(4*modulus))**2*radius
-    w2 = 110*w1
+    w2 = plastic_ratio*w1
     n1 = mp.pi*k*hardness*radius*w1
-    b2 = 1 + mp.log(2)/mp.log(110)
-    b3 = 1 + mp.log(2/k)/mp.log(110)
+    b2 = 1 + mp.log(2)/mp.log(plastic_ratio)
+    b3 = 1 + mp.log(2/k)/mp.log(plastic_ratio)
     half = mp.mpf(1)/2
     # force, its slope, area and energy of one summit
     elastic = [lambda w: n1*(w/w1)**(3*half), lambda w: 3*half*n1/w1*mp.sqrt(w/w1),
@@ -104,12 +104,12 @@ def normal_law(sigma, eta, modulus, radius, hardness, yield_factor, d, panels):
             *shares, w1, w2]
 
 
-def verified(values):
+def verified(values, plastic_ratio=110):
     """Outputs, with the panels doubled until nothing changes."""
     previous = None
     for digits, panels in (45, 6), (60, 12), (60, 24), (60, 48):
         with mp.workdps(digits):
-            result = normal_law(*map(mp.mpf, values), panels)
+            result = normal_law(*map(mp.mpf, values), panels, mp.mpf(plastic_ratio))
         with mp.workdps(60):
             if previous and all(abs(a - b) <= AGREEMENT*b for a, b in zip(previous, result)):
                 return result

@@ -66,15 +66,16 @@ def over_range(f, sigma, d, lower, upper, level):
     return [v/(sigma*mp.sqrt(2*mp.pi)) for v in total]
 
 
-def law(sigma, eta, modulus, radius, hardness, k, d, u, level, only_pressure=False):
+def law(sigma, eta, modulus, radius, hardness, k, d, u, level, only_pressure=False,
+        plastic_ratio=110):
     """All outputs at the working precision."""
     w1 = (3*mp.pi*k*hardness/(4*modulus))**2*radius
-    w2 = 110*w1
-    b2 = 1 + mp.log(2)/mp.log(110)
-    b3 = 1 + mp.log(2/k)/mp.log(110)
+    w2 = plastic_ratio*w1
+    b2 = 1 + mp.log(2)/mp.log(plastic_ratio)
+    b3 = 1 + mp.log(2/k)/mp.log(plastic_ratio)
     c = b3 - b2/2
     n1 = mp.pi*k*hardness*radius*w1
-    work_2 = n1*w1*(mp.mpf(2)/5 + (mp.mpf(110)**(b3 + 1) - 1)/(b3 + 1))
+    work_2 = n1*w1*(mp.mpf(2)/5 + (mp.mpf(plastic_ratio)**(b3 + 1) - 1)/(b3 + 1))
     # force, area, recovery and virgin work of one summit
     stages = [
         (mp.mpf(0), w1, u, lambda w: (n1*mp.sqrt(w/w1)*w/w1, mp.pi*radius*w, w,
@@ -118,32 +119,32 @@ def law(sigma, eta, modulus, radius, hardness, k, d, u, level, only_pressure=Fal
             eta*mp.erfc((d + edge)/sigma/mp.sqrt(2))/2, eta*energy, eta*lost, *shares]
 
 
-def verified(values):
+def verified(values, plastic_ratio=110):
     """Outputs, with the step halved until nothing changes."""
     previous = None
     for digits, level in (50, 4), (60, 5), (60, 6), (60, 7):
         with mp.workdps(digits):
-            result = law(*map(mp.mpf, values), level)
+            result = law(*map(mp.mpf, values), level, plastic_ratio=mp.mpf(plastic_ratio))
         if previous and all(abs(a - b) <= AGREEMENT*abs(b) for a, b in zip(previous, result)):
             return result
         previous = result
     sys.exit(f"not settled: {values}")
 
 
-def pressure(values):
+def pressure(values, plastic_ratio=110):
     with mp.workdps(30):
-        return law(*map(mp.mpf, values), 3, only_pressure=True)
+        return law(*map(mp.mpf, values), 3, True, mp.mpf(plastic_ratio))
 
 
-def farthest(values, d):
+def farthest(values, d, plastic_ratio=110):
     """Retraction at which the pressure is 1e-12 of that at the closest separation."""
-    wanted = pressure([*values, d, 0.0])*mp.mpf(10)**-12
+    wanted = pressure([*values, d, 0.0], plastic_ratio)*mp.mpf(10)**-12
     near, far = 0.0, values[0]
-    while pressure([*values, d, far]) > wanted:
+    while pressure([*values, d, far], plastic_ratio) > wanted:
         near, far = far, 2*far
     for _ in range(12):
         middle = 0.5*(near + far)
-        if pressure([*values, d, middle]) > wanted:
+        if pressure([*values, d, middle], plastic_ratio) > wanted:
             near = middle
         else:
             far = middle

@@ -1,9 +1,10 @@
 !> Points for integrals over the deformations of elasto-plastic summits where w1 is small against
-!> sigma. As w2/w1 is always 110, they are constants in w/w1: a generalised Gauss rule for the
+!> sigma and w2/w1 is 110, its default: then they are constants in w/w1: a generalised Gauss rule for the
 !> powers of w/w1 that force, slope, work and area are, times the density of heights, over
 !> ln(w/w1). Numbers from test/reference/fixed_rule_constants.py.
 module asperity_law_quadrature_fixed_points
    use asperity_base_kinds, only: wp
+   use asperity_law_normal_properties, only: default_plastic_ratio
    implicit none
    private
    public :: find_force_powers
@@ -38,10 +39,10 @@ module asperity_law_quadrature_fixed_points
       0.052907604696516217_wp, 0.022741690081271134_wp]
 
    !> ln(w/w1) in the middle of the range, where w/w1 is sqrt(110)
-   real(wp), parameter, public :: middle = 0.5_wp*log(110.0_wp)
+   real(wp), parameter, public :: middle = 0.5_wp*log(default_plastic_ratio)
    real(wp), parameter :: from_middle(n_points) = log_ratio - middle
    !> The exponent b3 - 1 in the middle of its range, for yield factors of 0.05 to 1
-   real(wp), parameter, public :: middle_exponent = 0.5_wp*log(80.0_wp)/log(110.0_wp)
+   real(wp), parameter, public :: middle_exponent = 0.5_wp*log(80.0_wp)/log(default_plastic_ratio)
    !> exp(x) by powers of x to 3e-17 for |x| <= 0.75
    real(wp), parameter :: c(0:13) = [ &
       1.0000000000000000252_wp, 1.0000000000000000017_wp, 0.49999999999999561758_wp, &

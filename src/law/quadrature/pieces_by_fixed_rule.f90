@@ -1,12 +1,12 @@
 !> The elastic and the elasto-plastic piece of the normal law where w1 is small against sigma: the
 !> one by the power series of the density, the other on the points of a fixed rule, few and
-!> constant; neither takes a power function. Ten times faster than the general quadrature, and as
+!> constant where w2/w1 is the default; neither takes a power function. Ten times faster than the general quadrature, and as
 !> accurate where it serves.
 module asperity_law_quadrature_pieces_by_fixed_rule
    use asperity_base_kinds, only: wp
    use asperity_law_exponential, only: exponentials
    use asperity_law_gaussian_tail, only: phi_0
-   use asperity_law_normal_properties, only: normal_properties, plastic_area_exponent
+   use asperity_law_normal_properties, only: default_plastic_ratio, normal_properties
    use asperity_law_quadrature_fixed_points, only: find_force_powers, log_ratio, &
       middle, middle_exponent, n => n_points, ratio, weight
    use asperity_law_quadrature_pieces_by_quadrature, only: no_summits, piece_type
@@ -32,6 +32,8 @@ module asperity_law_quadrature_pieces_by_fixed_rule
    real(wp), parameter :: elastic_area_slope(0:last) = 1.0_wp/(power + 1.0_wp)
    real(wp), parameter :: elastic_energy(0:last) = 0.4_wp/(power + 3.5_wp)
 
+   !> b2, Eq. 15
+   real(wp), parameter :: plastic_area_exponent = 1.0_wp + log(2.0_wp)/log(default_plastic_ratio)
    ! weights of the elasto-plastic sums; those with the force lack what `find_force_powers` gives,
    ! that of the recoverable energy, force times recovery, its square
    real(wp), parameter :: by_log(n) = weight*ratio
@@ -47,11 +49,16 @@ module asperity_law_quadrature_pieces_by_fixed_rule
 contains
 
    !> Whether the fixed rule is accurate at a separation.
-   pure logical function fixed_pieces_serve(a, h)
-      !> w1/sigma and d/sigma
-      real(wp), intent(in) :: a, h
+   pure logical function fixed_pieces_serve(properties, h)
+      !> Checked properties
+      type(normal_properties), intent(in) :: properties
+      !> d/sigma
+      real(wp), intent(in) :: h
+      real(wp) :: a
 
-      fixed_pieces_serve = a <= largest_ratio .and. h >= lowest .and. a*h <= largest_product
+      a = properties%w1/properties%sigma
+      fixed_pieces_serve = a <= largest_ratio .and. h >= lowest .and. a*h <= largest_product &
+         .and. .not. abs(properties%plastic_ratio - default_plastic_ratio) > 0.0_wp
    end function fixed_pieces_serve
 
    !> Both pieces, where the fixed rule serves.

@@ -182,7 +182,7 @@ contains
 
       h = closest_separation/properties%sigma
       pieces(1) = no_summits
-      if (fixed_pieces_serve(properties%w1/properties%sigma, h)) then
+      if (fixed_pieces_serve(properties, h)) then
          pieces(2) = fixed_elastoplastic_piece(properties, h)
       else
          pieces(2) = elastoplastic_piece(properties, closest_separation, .true.)

@@ -4,7 +4,7 @@ module asperity_law_unloading_pieces
    use asperity_base_kinds, only: wp
    use asperity_law_exponential, only: exponentials
    use asperity_law_gaussian_tail, only: phi_0
-   use asperity_law_normal_properties, only: normal_properties, plastic_ratio
+   use asperity_law_normal_properties, only: normal_properties
    use asperity_law_quadrature_heights, only: find_dense_range, relative_exponent
    use asperity_law_quadrature_pieces_by_fixed_rule, only: fixed_elastic_piece, fixed_pieces_serve
    use asperity_law_quadrature_pieces_by_quadrature, only: elastic_piece, no_summits, &
@@ -16,15 +16,14 @@ module asperity_law_unloading_pieces
    private
    public :: elastic_unloading_piece, elastoplastic_unloading_piece
 
-   real(wp), parameter :: log_plastic_ratio = log(plastic_ratio)
-   !> The root of the area of an elasto-plastic summit, in pi R w1, is sqrt(x) exp(area_slope ln x):
-   !> the second factor grows from 1 to sqrt(2), by powers from the middle
+   !> The root of the area of an elasto-plastic summit, in pi R w1, is sqrt(x) exp(area_slope ln x)
+   !> with area_slope = (b2 - 1)/2: the second factor grows from 1 to sqrt(2), by powers from the
+   !> middle
    real(wp), parameter :: log_2 = log(2.0_wp), root_of_root_2 = sqrt(sqrt(2.0_wp))
-   real(wp), parameter :: area_slope = 0.5_wp*log_2/log_plastic_ratio
    real(wp), parameter :: series(0:9) = 1.0_wp/[1.0_wp, 1.0_wp, 2.0_wp, 6.0_wp, 24.0_wp, &
       120.0_wp, 720.0_wp, 5040.0_wp, 40320.0_wp, 362880.0_wp]
-   !> Largest w1/sigma, and product of it and d/sigma, with one panel of elasto-plastic summits
-   real(wp), parameter :: largest_ratio = 0.02_wp, largest_product = 0.09_wp
+   !> Largest w2/sigma, and product of it and d/sigma, with one panel of elasto-plastic summits
+   real(wp), parameter :: largest_w2 = 2.2_wp, largest_product = 9.9_wp
 
 contains
 
@@ -47,7 +46,7 @@ contains
          h = closest_separation/p%sigma
          now = (closest_separation + retraction)/p%sigma
          largest = p%w1 - retraction
-         if (fixed_pieces_serve(p%w1/p%sigma, now)) then
+         if (fixed_pieces_serve(p, now)) then
             piece = fixed_elastic_piece(p, now, largest/p%w1)
          else
             piece = elastic_piece(p, closest_separation + retraction, largest)
@@ -72,7 +71,8 @@ contains
       real(wp), intent(in) :: edge, log_edge
       !> Integrals, by the density at the closest separation
       type(piece_type) :: piece
-      real(wp) :: u, c, from, anchor, y, lower, upper, first, last, width, start, a, v, log_x, t, z
+      real(wp) :: u, c, from, anchor, y, lower, upper, first, last, width, start, a, b, v, log_x, &
+         t, z, log_ratio, area_slope
       real(wp) :: exponents(2*n), powers(2*n)
       real(wp), dimension(n) :: density, weight, left, radius
       integer :: panel, panels, i
@@ -82,21 +82,24 @@ contains
       associate (p => properties)
          u = retraction/p%w1
          c = recovery_exponent(p)
+         log_ratio = log(p%plastic_ratio)
+         area_slope = 0.5_wp*log_2/log_ratio
          from = max(p%w1, edge)
          call find_dense_range(p, closest_separation, from, p%w2, anchor, y, lower, upper, &
             piece%exponent)
          first = max(log_edge, 0.0_wp)
          if (lower > (from - anchor)/p%sigma) first = log((anchor + lower*p%sigma)/p%w1)
-         last = log_plastic_ratio
+         last = log_ratio
          if (upper < (p%w2 - anchor)/p%sigma) last = log((anchor + upper*p%sigma)/p%w1)
          first = sqrt(max(first - log_edge, 0.0_wp))
          last = sqrt(max(last - log_edge, 0.0_wp))
          anchor = anchor/p%sigma
          a = p%w1/p%sigma
+         b = p%w2/p%sigma
          panels = 3
          if (closest_separation < lowest*p%sigma) then
             panels = 10
-         else if (a <= largest_ratio .and. a*closest_separation <= largest_product*p%sigma) then
+         else if (b <= largest_w2 .and. b*closest_separation <= largest_product*p%sigma) then
             panels = 1
          end if
          width = (last - first)/panels

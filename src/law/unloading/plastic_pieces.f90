@@ -12,9 +12,9 @@ module asperity_law_unloading_plastic_pieces
    private
    public :: plastic_unloading_piece, recoverable_plastic_energy
 
-   !> Smallest w1/sigma with one panel of plastic summits; otherwise the ends of the panels that
+   !> Smallest w2/sigma with one panel of plastic summits; otherwise the ends of the panels that
    !> their range is split into
-   real(wp), parameter :: smallest_ratio = 1.0e-3_wp
+   real(wp), parameter :: smallest_w2 = 0.11_wp
    real(wp), parameter :: one(0:1) = [0.0_wp, 1.0_wp]
    real(wp), parameter :: four(0:4) = [0.0_wp, 0.05_wp, 0.3_wp, 0.65_wp, 1.0_wp]
 
@@ -60,7 +60,7 @@ contains
       real(wp), intent(in) :: closest_separation
 
       has_one_panel = closest_separation >= lowest*properties%sigma &
-         .and. properties%w1 >= smallest_ratio*properties%sigma
+         .and. properties%w2 >= smallest_w2*properties%sigma
    end function has_one_panel
 
    !> Range of the root of the deformation beyond the edge, and the density in it: from the anchor,

@@ -144,7 +144,7 @@ check 'tenon: through UINTER it is the same joint' sh -c '
 
 # A limit that UINTER warns of is told of the joint, not of an interaction and a node
 run tenon "${small[@]}" --through uinter --yield-factor 0.1
-check 'tenon: a limit is told by rows' grep -q 'yield_factor below 0.1907: .*, the first is row' out
+check 'tenon: a limit is told by rows' grep -q 'yield_factor below 2/sqrt(plastic_ratio): .*, the first is row' out
 check 'tenon: and by no node of a host' lacks out 'INTERACTION|NODE [0-9]'
 check 'tenon: nor on standard error' lacks err 'INTERACTION|NODE [0-9]'
 
