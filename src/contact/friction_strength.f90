@@ -5,7 +5,8 @@ module asperity_contact_friction_strength
    use asperity_contact_properties, only: contact_properties
    implicit none
    private
-   public :: find_friction_strength, largest_shear_stress, static_coefficient, motion_ratio
+   public :: find_friction_strength, find_friction_factor, largest_shear_stress, &
+      static_coefficient, motion_ratio
 
    !> Powers of e are kept finite for any pressure
    real(wp), parameter :: largest_power = 200.0_wp

@@ -191,8 +191,8 @@ contains
       rest_by(2:) = -rest/scale*(increment/length)
    end subroutine find_rest_by_rate
 
-   !> Tangent of the shear stresses about a state: elements that stick stick, those that slip slip on
-   !> and resist only across their direction, at the coefficient that they have.
+   !> Tangent of the shear stresses about a state: elements that stick stick, those that slip slip
+   !> on and resist only across their direction, at the coefficient that they have.
    pure subroutine add_friction_tangent(properties, state, pressure, stiffness, tangent)
       !> Checked properties
       type(contact_properties), intent(in) :: properties

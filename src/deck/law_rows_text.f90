@@ -7,6 +7,8 @@ module asperity_deck_law_rows_text
    use asperity_base_version, only: version
    use asperity_contact_properties, only: contact_properties
    use asperity_deck_law_rows, only: law_table, reach, stick_slope
+   use asperity_deck_solver_friction, only: check_solver_friction, friction_parameters, &
+      friction_rows
    use asperity_law_normal_law, only: evaluate_normal_law, normal_response
    use asperity_law_validity, only: validity_remark
    implicit none
@@ -45,9 +47,12 @@ contains
       real(wp), intent(in) :: stick_pressure
       !> Set when the program cannot take the table
       type(error_type), allocatable, intent(out) :: error
-      integer :: i
+      character(len=:), allocatable :: line
+      integer :: i, j
 
       text = ''
+      call check_solver_friction(properties, host == host_calculix, error)
+      if (allocated(error)) return
       if (host == host_calculix .and. size(table%pressure) > calculix_rows) then
          call fatal_error(error, 'rows = '//to_text(size(table%pressure))//' is too many '// &
             'for CalculiX, which puts '//to_text(calculix_rows)//' equally spaced ones in '// &
@@ -72,8 +77,17 @@ contains
          call add(text, to_text(properties%friction_coefficient, figures)//', '// &
             to_text(stick_slope(properties, stick_pressure), figures))
       else
-         call add(text, '*FRICTION, ELASTIC SLIP='//to_text(properties%critical_slip, figures))
-         call add(text, to_text(properties%friction_coefficient, figures))
+         call add(text, '*FRICTION, ELASTIC SLIP='//to_text(properties%critical_slip, figures)// &
+            friction_parameters(properties))
+         associate (rows => friction_rows(properties))
+            do i = 1, size(rows, 1)
+               line = to_text(rows(i, 1), figures)
+               do j = 2, size(rows, 2)
+                  line = line//', '//to_text(rows(i, j), figures)
+               end do
+               call add(text, line)
+            end do
+         end associate
       end if
    end subroutine table_interaction
 

@@ -119,7 +119,8 @@ contains
    end subroutine test_pressure
 
    subroutine test_summits()
-      call check(friction_settings(stick=2), 'stick', 'is unknown: 0 is critical_slip, 1 is summits')
+      call check(friction_settings(stick=2), 'stick', &
+         'is unknown: 0 is critical_slip, 1 is summits')
       call check(friction_settings(stick=stick_summits), 'shear_modulus', 'above zero')
       call check(friction_settings(stick=stick_summits, shear_modulus=30.0_wp, stick_elements=3), &
          'stick_elements', '3 is not allowed: it must be 4 to 16')

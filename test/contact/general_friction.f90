@@ -72,7 +72,8 @@ contains
    end subroutine test_decay_by_slip
 
    !> Back from motion, the point sticks while |gamma| is below g (mu_k + (mu_s - mu_k) (1 - m
-   !> exp(-s/(decay_slip + g - g mu_k/mu_s))))/mu_s after a travel s. Motions of round-off renew nothing.
+   !> exp(-s/(decay_slip + g - g mu_k/mu_s))))/mu_s after a travel s. Motions of round-off renew
+   !> nothing.
    subroutine test_renewal()
       real(wp), parameter :: static = 0.8_wp, decay = 0.4_wp, small = 1.0e-9_wp
       type(contact_properties) :: c

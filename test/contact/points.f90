@@ -2,14 +2,15 @@
 module test_contact_points
    use, intrinsic :: iso_fortran_env, only: int64
    use asperity, only: contact_properties, contact_response, contact_state, contact_states, &
-      error_type, friction_settings, get_contact_state, new_contact_states, no_rotation, rule_abaqus, &
+      error_type, friction_settings, get_contact_state, new_contact_states, no_rotation, &
+      rule_abaqus, &
       rule_dissipative, slip_backward_euler, slip_exact, status_open, status_slip, status_stick, &
       status_unset, unloading_elastic, unloading_reversible, update_contact_point, &
       update_contact_points, wp
    use contact_cases, only: pair_properties, random_contact
    use friction_cases, only: friction_properties, kinds, random_friction
-   use funit, only: anyExceptions, assertEqual, assertFalse, assertGreaterThan, TestMethod, &
-      TestSuite
+   use funit, only: anyExceptions, assertEqual, assertFalse, assertGreaterThan, assertTrue, &
+      TestMethod, TestSuite
    use points_cases, only: call_arguments, compile, numbers_of, random_arguments, update
    use random_inputs, only: random_stream
    implicit none
@@ -173,7 +174,8 @@ contains
       type(contact_state) :: alone(points), found
       type(contact_response) :: r
       type(error_type), allocatable :: error
-      real(wp) :: overclosure(points), slip(points, 2), traction(points, 3), turn(points, 2, 2), angle
+      real(wp) :: overclosure(points), slip(points, 2), traction(points, 3)
+      real(wp) :: turn(points, 2, 2), angle
       integer :: kind, i, j
 
       stream = random_stream(seed + 7)
@@ -198,13 +200,14 @@ contains
                   r, time)
                alone(j) = r%state
                found = get_contact_state(states, j)
-               call assertEqual(0.0_wp, maxval(abs(r%traction - traction(j, :))), 0.0_wp, 'traction')
+               call assertEqual(0.0_wp, maxval(abs(r%traction - traction(j, :))), 0.0_wp, &
+                  'traction')
                call assertEqual(alone(j)%motion_share, found%motion_share, 0.0_wp, 'share')
                call assertEqual(alone(j)%grain_turn, found%grain_turn, 0.0_wp, 'turn')
             end do
             if (anyExceptions()) return
          end do
-         call assertEqual(merge(1, 0, kind > 0), merge(1, 0, allocated(states%grain_turn)), 'arrays')
+         call assertTrue(allocated(states%grain_turn) .eqv. kind > 0, 'arrays')
          call assertFalse(allocated(states%summit_slip), 'summits')
       end do
    end subroutine test_friction

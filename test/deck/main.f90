@@ -5,6 +5,7 @@ program test_deck
    use test_deck_law_rows, only: suite_law_table
    use test_deck_meshes, only: suite_deck_meshes
    use test_deck_models, only: suite_deck_models
+   use test_deck_solver_friction, only: suite_solver_friction
    use test_deck_wood, only: suite_deck_wood
    implicit none
    type(TestSuite) :: suite
@@ -14,5 +15,6 @@ program test_deck
    call suite%addTest(suite_deck_meshes())
    call suite%addTest(suite_deck_models())
    call suite%addTest(suite_deck_wood())
+   call suite%addTest(suite_solver_friction())
    call run_suite(suite)
 end program test_deck

@@ -10,6 +10,8 @@ module asperity_deck_cards_interaction
    use asperity_deck_cards_card_writer, only: writer_type
    use asperity_deck_law_rows, only: law_table, new_law_table, stick_slope
    use asperity_deck_law_rows_text, only: calculix_rows
+   use asperity_deck_solver_friction, only: check_solver_friction, friction_parameters, &
+      friction_rows
    use asperity_deck_options, only: deck_choice, for_calculix
    use asperity_law_normal_inverse, only: separation_for_pressure
    use asperity_law_normal_properties, only: unloading_reversible
@@ -54,7 +56,9 @@ contains
       interaction%properties = properties
       interaction%stick_pressure = stick_pressure
       if (allocated(choice%stick_pressure)) interaction%stick_pressure = choice%stick_pressure
-      if (choice%contact /= 'table') return
+      if (choice%contact /= 'uinter') &
+         call check_solver_friction(properties, for_calculix(choice), error)
+      if (allocated(error) .or. choice%contact /= 'table') return
       largest = properties%normal%hardness
       if (allocated(choice%largest_pressure)) largest = choice%largest_pressure
       smallest = properties%p_open
@@ -207,6 +211,7 @@ contains
       class(writer_type), intent(inout) :: deck
       type(deck_choice), intent(in) :: choice
       type(interaction_type), intent(in) :: interaction
+      integer :: i
 
       associate (p => interaction%properties)
          if (for_calculix(choice)) then
@@ -219,8 +224,13 @@ contains
          else
             call deck%comment('Friction coefficient; the elastic slip (mm) makes the slope in '// &
                'stick mu p/gcrit, as in UINTER.')
-            call deck%line('*FRICTION, ELASTIC SLIP='//to_text(p%critical_slip))
-            call deck%reals([p%friction_coefficient])
+            call deck%line('*FRICTION, ELASTIC SLIP='//to_text(p%critical_slip)// &
+               friction_parameters(p))
+            associate (rows => friction_rows(p))
+               do i = 1, size(rows, 1)
+                  call deck%reals(rows(i, :))
+               end do
+            end associate
          end if
       end associate
    end subroutine write_friction

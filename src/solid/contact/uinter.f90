@@ -47,7 +47,7 @@ contains
          host%start%rdisp(1) = start%overclosure
          host%start%lopenclose = merge(1, 0, is_closed(start))
          host%trial = host%start
-         call try_increment(host, overclosure, slip, 1.0_wp, error)
+         call try_increment(host, overclosure, slip, 0.0_wp, error)
          if (.not. allocated(error)) call refuse_cut(host, error)
          if (.not. allocated(error)) response = host_response(host)
       end associate

@@ -12,6 +12,7 @@ module asperity_program_commands_table_command
    use asperity_law_normal_law, only: evaluate_normal_law, normal_response
    use asperity_paper_wood, only: wood_strength_across
    use asperity_program_commands_command, only: command_type
+   use asperity_program_commands_faces_friction_keys, only: declare_friction
    use asperity_program_commands_faces_type, only: faces_type
    use asperity_program_commands_table_keys, only: declare_table
    use asperity_program_commands_table_plot, only: law_table_picture
@@ -68,6 +69,7 @@ contains
       call self%faces%declare(keys, has_friction=.true.)
       call self%faces%declare_separation(keys)
       call self%faces%declare_unloading(keys)
+      call declare_friction(self%faces%friction, keys, has_time=.true.)
       call self%faces%declare_accept(keys)
       call keys%real('largest_pressure', self%largest_pressure, 'MPa', &
          'pressure up to which the tolerance holds')

@@ -77,7 +77,7 @@ contains
       type(error_type), allocatable, intent(out) :: error
 
       associate (host => law%hosts(start%point))
-         call try_increment(host, overclosure, slip(:host%ndir - 1), 1.0_wp, error)
+         call try_increment(host, overclosure, slip(:host%ndir - 1), 0.0_wp, error)
          if (.not. allocated(error)) call refuse_cut(host, error)
          if (.not. allocated(error)) response = host_response(host)
       end associate
