@@ -49,6 +49,7 @@ asperity_test_suite(base)
 # eta R sigma of real surfaces bounds what the law takes for plausible
 asperity_test_suite(law asperity_surface)
 asperity_test_suite(contact)
+asperity_test_suite(faces)
 asperity_test_suite(abaqus asperity_joint)
 asperity_test_suite(replay asperity_joint)
 asperity_test_suite(hysteresis asperity_hysteresis)

@@ -2,6 +2,7 @@
 module asperity_deck_check_wood
    use asperity_base_error, only: error_type
    use asperity_base_kinds, only: wp
+   use asperity_base_no_value, only: is_none
    use asperity_replay_sizes, only: check_size
    use asperity_wood_check, only: check_wood_properties
    use asperity_wood_properties, only: wood_properties
@@ -25,7 +26,7 @@ contains
 
       values = wood_values(wood)
       do i = 1, n_values
-         if (value_units(i) == 'MPa') &
+         if (value_units(i) == 'MPa' .and. .not. is_none(values(i))) &
             call check_size(error, trim(value_names(i)), values(i), accept_sizes)
       end do
       if (.not. allocated(error)) call check_wood_properties(wood, error)

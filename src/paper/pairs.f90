@@ -3,6 +3,7 @@
 module asperity_paper_pairs
    use asperity_base_error, only: error_type, fatal_error
    use asperity_base_kinds, only: wp
+   use asperity_paper_wood, only: hardness_tangential, hardness_transverse
    implicit none
    private
    public :: surface_preset, pair_preset, find_surface, find_pair
@@ -51,12 +52,12 @@ module asperity_paper_pairs
 
    !> The two pairs of Table 4
    type(pair_preset), parameter, public :: pairs(2) = [ &
-      pair_preset('transverse-tangential', 206.0_wp, 297.0_wp, 0.1477_wp, 24.53_wp, 0.4_wp, &
-      0.0593_wp, 0.5_wp, 0.31_wp, &
+      pair_preset('transverse-tangential', 206.0_wp, 297.0_wp, 0.1477_wp, &
+      hardness_transverse, 0.4_wp, 0.0593_wp, 0.5_wp, 0.31_wp, &
       'Table 4; eta 0.000206 read as 1/um^2; sigma 59.3 um from Table 2; H is the harder face, '// &
       'E* not from Eq. 4'), &
-      pair_preset('tangential-tangential', 134.0_wp, 263.0_wp, 0.1142_wp, 12.14_wp, 0.4_wp, &
-      0.0416_wp, 0.5_wp, 0.31_wp, &
+      pair_preset('tangential-tangential', 134.0_wp, 263.0_wp, 0.1142_wp, &
+      hardness_tangential, 0.4_wp, 0.0416_wp, 0.5_wp, 0.31_wp, &
       'Table 4; eta 0.000134 read as 1/um^2; sigma 41.6 um from Table 2; E* not from Eq. 4')]
 
    !> The nine surfaces of Table 2

@@ -16,4 +16,7 @@ module asperity_paper_wood
    real(wp), parameter, public :: wood_strength_along = 50.1_wp, wood_strength_across = 4.7_wp
    !> Strength in tension along the grain, ft0, MPa
    real(wp), parameter, public :: wood_tension_along = 75.3_wp
+   !> Hardness of the transverse section, whose normal is L, and of the tangential one, whose normal
+   !> is R, MPa (Table 4); the paper has none of the radial one
+   real(wp), parameter, public :: hardness_transverse = 24.53_wp, hardness_tangential = 12.14_wp
 end module asperity_paper_wood

@@ -56,6 +56,10 @@ module asperity_replay_sizes
       size_range('shear_strength_lr', 'MPa', 0.3_wp, 200.0_wp), &
       size_range('shear_strength_lt', 'MPa', 0.3_wp, 200.0_wp), &
       size_range('shear_strength_rt', 'MPa', 0.3_wp, 200.0_wp), &
+      ! hardness from balsa across the grain to the hardest woods along it
+      size_range('hardness_transverse', 'MPa', 0.5_wp, 490.0_wp), &
+      size_range('hardness_tangential', 'MPa', 0.5_wp, 490.0_wp), &
+      size_range('hardness_radial', 'MPa', 0.5_wp, 490.0_wp), &
       ! from the weight of a specimen to what presses soft wood flat
       size_range('side_pressure', 'MPa', 0.005_wp, 4.9_wp), &
       size_range('normal_stress', 'MPa', 0.005_wp, 4.9_wp), &

@@ -4,8 +4,10 @@ module asperity_wood_check
    use asperity_base_checks, only: check_positive, check_range
    use asperity_base_error, only: error_type, fatal_error
    use asperity_base_kinds, only: wp
+   use asperity_base_no_value, only: is_none
    use asperity_base_number_text, only: to_text
    use asperity_wood_properties, only: wood_properties
+   use asperity_wood_values, only: section_hardness, value_names
    implicit none
    private
    public :: check_wood_properties
@@ -31,12 +33,18 @@ contains
       type(wood_properties), intent(in) :: wood
       !> Set when it is refused
       type(error_type), allocatable, intent(out) :: error
+      integer :: i
 
       call check_each(error, 'young_modulus_', directions, wood%young_moduli)
       call check_each(error, 'shear_modulus_', planes, wood%shear_moduli)
       call check_each(error, 'compression_strength_', directions, wood%compression_strengths)
       call check_each(error, 'tension_strength_', directions, wood%tension_strengths)
       call check_each(error, 'shear_strength_', planes, wood%shear_strengths)
+      do i = 1, 3
+         if (allocated(error) .or. is_none(wood%hardnesses(i))) cycle
+         call check_positive(error, trim(value_names(section_hardness + i - 1)), &
+            wood%hardnesses(i), 'MPa')
+      end do
       if (.not. allocated(error)) call check_range(error, 'hardening_along', &
          wood%hardening_along, 0.0_wp, largest_hardening, '')
       if (.not. allocated(error)) call check_range(error, 'hardening_across', &

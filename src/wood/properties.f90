@@ -2,8 +2,9 @@
 !> 1 = L along the grain, 2 = R radial, 3 = T tangential.
 module asperity_wood_properties
    use asperity_base_kinds, only: wp
-   use asperity_paper_wood, only: poisson_ratios, shear_moduli, wood_strength_across, &
-      wood_strength_along, wood_tension_along, young_moduli
+   use asperity_base_no_value, only: none
+   use asperity_paper_wood, only: hardness_tangential, hardness_transverse, poisson_ratios, &
+      shear_moduli, wood_strength_across, wood_strength_along, wood_tension_along, young_moduli
    implicit none
    private
    public :: wood_properties
@@ -36,6 +37,9 @@ module asperity_wood_properties
       !> Slope of the yield stress over plastic strain, over the modulus; along and across the
       !> grain; chosen: small, wood densifies
       real(wp) :: hardening_along = 0.02_wp, hardening_across = 0.02_wp
+      !> Hardness of the sections whose normals are L, R and T, MPa: transverse, tangential, radial;
+      !> `none` where it is not known, as the paper's of the radial section
+      real(wp) :: hardnesses(3) = [hardness_transverse, hardness_tangential, none]
       !> Yield stress across the grain, MPa (second row), over plastic strain (first row), in place
       !> of the slope: rising strains from 0, where the stress is fc90; not allocated unless given
       real(wp), allocatable :: hardening_curve(:, :)

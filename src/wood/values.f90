@@ -7,10 +7,12 @@ module asperity_wood_values
    public :: wood_values, set_wood_values
 
    !> How many there are
-   integer, parameter, public :: n_values = 20
+   integer, parameter, public :: n_values = 23
    !> Place of the first, in L or LR, of three; the others follow
    integer, parameter, public :: young_modulus = 1, poisson_ratio = 4, shear_modulus = 7, &
       compression_strength = 10, tension_strength = 13, shear_strength = 16
+   !> ... of the transverse section, whose normal is L; tangential and radial follow
+   integer, parameter, public :: section_hardness = 21
    !> Place of one
    integer, parameter, public :: hardening_along = 19, hardening_across = 20
 
@@ -22,11 +24,12 @@ module asperity_wood_values
       'compression_strength_l', 'compression_strength_r', 'compression_strength_t', &
       'tension_strength_l', 'tension_strength_r', 'tension_strength_t', &
       'shear_strength_lr', 'shear_strength_lt', 'shear_strength_rt', &
-      'hardening_along', 'hardening_across']
+      'hardening_along', 'hardening_across', &
+      'hardness_transverse', 'hardness_tangential', 'hardness_radial']
    !> Their units
    character(len=3), parameter, public :: value_units(n_values) = [character(len=3) :: &
       'MPa', 'MPa', 'MPa', '', '', '', 'MPa', 'MPa', 'MPa', 'MPa', 'MPa', 'MPa', &
-      'MPa', 'MPa', 'MPa', 'MPa', 'MPa', 'MPa', '', '']
+      'MPa', 'MPa', 'MPa', 'MPa', 'MPa', 'MPa', '', '', 'MPa', 'MPa', 'MPa']
 
 contains
 
@@ -38,7 +41,7 @@ contains
 
       values = [wood%young_moduli, wood%poisson_ratios, wood%shear_moduli, &
          wood%compression_strengths, wood%tension_strengths, wood%shear_strengths, &
-         wood%hardening_along, wood%hardening_across]
+         wood%hardening_along, wood%hardening_across, wood%hardnesses]
    end function wood_values
 
    !> Give a wood its numbers.
@@ -56,6 +59,7 @@ contains
       wood%shear_strengths = values(shear_strength:shear_strength + 2)
       wood%hardening_along = values(hardening_along)
       wood%hardening_across = values(hardening_across)
+      wood%hardnesses = values(section_hardness:section_hardness + 2)
    end subroutine set_wood_values
 
 end module asperity_wood_values

@@ -1,6 +1,7 @@
 !> Wood of the decks: what is refused, and the cards of each criterion for each solver.
 module test_deck_wood
    use asperity, only: error_type, wp
+   use asperity_base_no_value, only: is_none
    use asperity_deck_cards_card_writer, only: writer_type
    use asperity_deck_cards_wood_cards, only: check_criterion, write_wood
    use asperity_deck_check_wood, only: check_wood
@@ -65,6 +66,7 @@ contains
       call named(wood%shear_strengths(1), 'shear_strength_lr')
       call named(wood%hardening_along, 'hardening_along')
       call named(wood%hardening_across, 'hardening_across')
+      call named(wood%hardnesses(2), 'hardness_tangential')
    contains
       subroutine named(place, name)
          real(wp), intent(in) :: place
@@ -90,6 +92,7 @@ contains
          call expect(trim(value_names(i))//' = -1000.0', 'is not allowed')
          if (value_units(i) /= 'MPa') cycle
          values = wood_values(larch)
+         if (is_none(values(i))) values(i) = 10.0_wp
          values(i) = 1000.0_wp*values(i)
          call set_wood_values(wood, values)
          call check_wood(wood, .false., error)

@@ -21,18 +21,19 @@ contains
 
    !> The ends as they are stated.
    subroutine test_ranges()
-      real(wp), parameter :: ends(2, 40) = reshape([ &
+      real(wp), parameter :: ends(2, 43) = reshape([ &
          5.0_wp, 4000.0_wp, 5.0_wp, 4000.0_wp, 3.0_wp, 2000.0_wp, 1.0_wp, 900.0_wp, &
          20.0_wp, 19000.0_wp, 0.01_wp, 9.0_wp, 0.01_wp, 9.0_wp, 0.8_wp, 790.0_wp, &
          0.01_wp, 9.0_wp, 2.5_wp, 2400.0_wp, 2.5_wp, 2400.0_wp, 40.0_wp, 39000.0_wp, &
          40.0_wp, 39000.0_wp, 40.0_wp, 39000.0_wp, 4.0_wp, 3900.0_wp, 4.0_wp, 3900.0_wp, &
          4.0_wp, 3900.0_wp, 0.3_wp, 200.0_wp, 0.3_wp, 200.0_wp, 0.3_wp, 200.0_wp, &
          0.3_wp, 290.0_wp, 0.3_wp, 290.0_wp, 0.3_wp, 290.0_wp, &
-         0.3_wp, 200.0_wp, 0.3_wp, 200.0_wp, 0.3_wp, 200.0_wp, 0.005_wp, 4.9_wp, &
+         0.3_wp, 200.0_wp, 0.3_wp, 200.0_wp, 0.3_wp, 200.0_wp, &
+         0.5_wp, 490.0_wp, 0.5_wp, 490.0_wp, 0.5_wp, 490.0_wp, 0.005_wp, 4.9_wp, &
          0.005_wp, 4.9_wp, 500.0_wp, 490000.0_wp, 0.005_wp, 4.9_wp, 5.0_wp, 900.0_wp, &
          1.0_wp, 900.0_wp, 0.5_wp, 490.0_wp, 0.5_wp, 490.0_wp, 16.0_wp, 15000.0_wp, &
          5.0_wp, 4000.0_wp, 5.0_wp, 4000.0_wp, 0.05_wp, 40.0_wp, 0.005_wp, 4.0_wp, 0.05_wp, &
-         40.0_wp], [2, 40])
+         40.0_wp], [2, 43])
 
       call assertEqual(ends(1, :), ranges%lowest, 0.0_wp, 'lowest')
       call assertEqual(ends(2, :), ranges%highest, 0.0_wp, 'highest')

@@ -5,9 +5,10 @@ module asperity_program_commands_wood_keys
    use asperity_base_number_text, only: to_text
    use asperity_program_input_key_list, only: key_list
    use asperity_wood_properties, only: wood_properties
+   use asperity_wood_sections, only: section_names
    use asperity_wood_values, only: compression_strength, hardening_across, hardening_along, &
-      n_values, poisson_ratio, set_wood_values, shear_modulus, shear_strength, tension_strength, &
-      value_names, value_units, wood_values, young_modulus
+      n_values, poisson_ratio, section_hardness, set_wood_values, shear_modulus, shear_strength, &
+      tension_strength, value_names, value_units, wood_values, young_modulus
    implicit none
    private
    public :: declare_wood
@@ -137,6 +138,9 @@ contains
          help = 'strength in shear '//planes(place - shear_strength + 1)
       case (hardening_along)
          help = 'slope of yield stress over plastic strain, along the grain, over young_modulus_l'
+      case (section_hardness:)
+         help = 'hardness of the '//trim(section_names(place - section_hardness + 1))// &
+            ' section, for faces of it'
       case default
          help = 'the same across the grain, over young_modulus_r'
       end select

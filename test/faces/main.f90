@@ -1,0 +1,12 @@
+!> Tests of src/faces and of the sections of wood.
+program test_faces
+   use funit, only: TestSuite
+   use run_suites, only: run_suite
+   use test_faces_sections, only: suite_faces_sections
+   implicit none
+   type(TestSuite) :: suite
+
+   suite = TestSuite('faces')
+   call suite%addTest(suite_faces_sections())
+   call run_suite(suite)
+end program test_faces
