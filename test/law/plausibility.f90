@@ -10,7 +10,7 @@ module test_law_plausibility
    use asperity_law_validity, only: implausible_property, roughness_number_high, &
       roughness_number_low, valid, validity_remark
    use asperity_paper_pairs, only: pairs, surfaces
-   use asperity_surface_parameters_nayak, only: nayak_summits, nayak_type
+   use asperity_faces_nayak, only: nayak_summits, nayak_type
    use funit, only: assertEqual, assertFalse, assertGreaterThan, assertRelativelyEqual, &
       assertTrue, TestMethod, TestSuite
    implicit none

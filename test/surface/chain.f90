@@ -9,7 +9,7 @@ module test_surface_chain
    use asperity_surface_analysis, only: analyse_surface, analysis_settings, surface_analysis_type
    use asperity_surface_generate_map, only: generate_surface, surface_settings
    use asperity_surface_parameters_from_sums, only: parameters_of
-   use asperity_surface_parameters_nayak, only: nayak_summits, nayak_type
+   use asperity_faces_nayak, only: nayak_summits, nayak_type
    use asperity_surface_parameters_parameters, only: n_parameters, p_direction, p_m0, p_m2_across, &
       p_m2_along, p_m2_x, p_m2_y, p_m4_across, p_m4_along, p_m4_x, p_m4_y, p_sku, p_spd, p_ssk, &
       p_summit_curvature, p_summit_density, p_summit_mean, p_summit_sigma, parameters

@@ -6,7 +6,7 @@ module test_surface_statistics
    use asperity_base_no_value, only: none
    use asperity_law_quadrature_gauss_legendre, only: n_points, nodes, weights
    use asperity_surface_parameters_from_sums, only: parameters_of
-   use asperity_surface_parameters_nayak, only: nayak_summits, nayak_type, summit_curvature_density
+   use asperity_faces_nayak, only: nayak_summits, nayak_type, summit_curvature_density
    use asperity_surface_parameters_parameters, only: n_parameters, p_alpha, p_direction, &
       p_eta_nayak, p_eta_paper, p_m0, p_m2, p_m2_across, p_m2_along, p_m4, p_m4_across, &
       p_m4_along, p_peak_mean, p_peak_sigma, p_radius_nayak, p_radius_paper, p_sa, p_sdq, &

@@ -3,7 +3,7 @@ module asperity_surface_parameters_from_sums
    use asperity_base_constants, only: pi
    use asperity_base_kinds, only: wp
    use asperity_base_no_value, only: is_none, none
-   use asperity_surface_parameters_nayak, only: nayak_summits, nayak_type
+   use asperity_faces_nayak, only: nayak_summits, nayak_type
    use asperity_surface_parameters_parameters, only: n_parameters, p_alpha, p_direction, &
       p_eta_nayak, p_eta_paper, p_m0, p_m2, p_m2_across, p_m2_along, p_m2_x, p_m2_y, p_m4, &
       p_m4_across, p_m4_along, p_m4_x, p_m4_y, p_peak_mean, p_peak_sigma, p_radius_nayak, &

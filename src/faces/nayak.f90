@@ -1,6 +1,6 @@
 !> Exact statistics of the summits of an isotropic Gaussian surface (Nayak 1971), from the spectral
 !> moments m0, m2, m4 of its profiles. Derived in docs/surface_theory.md.
-module asperity_surface_parameters_nayak
+module asperity_faces_nayak
    use asperity_base_constants, only: pi
    use asperity_base_kinds, only: wp
    use asperity_law_plausibility, only: summit_constant
@@ -54,4 +54,4 @@ contains
       density = 2.0_wp*sqrt(3.0_wp/(2.0_wp*pi))*exp(-0.5_wp*x2)*(x2 - 1.0_wp + exp(-x2))
    end function summit_curvature_density
 
-end module asperity_surface_parameters_nayak
+end module asperity_faces_nayak
