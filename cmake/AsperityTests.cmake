@@ -78,7 +78,10 @@ list(TRANSFORM single_sources APPEND .f90)
 add_executable(asperity_single_tests
    ${PROJECT_BINARY_DIR}/asperity_vuinter_single.f90 ${single_sources}
    # of the face of the law, what that file has no need of
-   src/base/version.f90 src/contact/points.f90 src/asperity.f90
+   src/base/version.f90 src/base/no_value.f90 src/contact/points.f90 src/wood/properties.f90
+   src/wood/values.f90
+   src/wood/check.f90 src/wood/sections.f90 src/faces/nayak.f90 src/faces/face.f90
+   src/faces/two_faces.f90 src/asperity.f90
    interface/abaqus/uinter.f90 interface/abaqus/uinter_point.f90
    interface/abaqus/uinter_signature.f90 interface/abaqus/vuinter_signature.f90
    src/replay/abaqus_record.f90 src/replay/abaqus_host.f90)

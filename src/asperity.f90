@@ -13,6 +13,9 @@ module asperity
    use asperity_contact_state, only: contact_response, contact_state, no_opposite_surface, &
       no_rotation, no_surface_limit, status_open, status_slip, status_stick, status_text, &
       status_unset
+   use asperity_faces_face, only: face, face_of_wood
+   use asperity_faces_two_faces, only: hardness_harder, hardness_softer, pair_from_faces, &
+      roughness_face_1, roughness_face_2, roughness_moments
    use asperity_law_compile_law, only: new_compiled_law
    use asperity_law_compiled_law, only: compiled_law, evaluate_compiled_law
    use asperity_law_normal_inverse, only: separation_for_pressure
@@ -33,6 +36,9 @@ module asperity
       roughness_number_low, stiffer_than_hertz, valid, validity_remark, validity_text
    use asperity_paper_pairs, only: find_pair, find_surface, pair_preset, pairs, surface_preset, &
       surfaces
+   use asperity_wood_properties, only: wood_properties
+   use asperity_wood_sections, only: section_constants, section_radial, section_tangential, &
+      section_transverse
    implicit none
    private
    public :: area_above_nominal, asperity_response, closure_above_half_radius, compiled_law, &
@@ -40,19 +46,22 @@ module asperity
       contact_response, contact_state, contact_states, contact_tangent, elastic_recovery, &
       equivalent_modulus, error_type, evaluate_asperity, evaluate_compiled_law, &
       evaluate_compiled_unloading_law, evaluate_normal_law, evaluate_unloading_asperity, &
-      evaluate_unloading_law, file_error, find_pair, find_surface, friction_settings, &
-      get_contact_state, heights_gaussian, heights_johnson, &
+      evaluate_unloading_law, face, face_of_wood, file_error, find_pair, find_surface, &
+      friction_settings, get_contact_state, hardness_harder, hardness_softer, heights_gaussian, &
+      heights_johnson, &
       implausible_property, input_error, memory_beyond_data, new_compiled_law, &
       new_compiled_unloading_law, new_contact_properties, new_contact_states, &
       new_normal_properties, no_opposite_surface, no_rotation, no_surface_limit, &
       normal_properties, normal_response, pair_preset, pairs, pressure_above_hardness, &
-      retraction_for_pressure, roughness_number_high, roughness_number_low, rule_abaqus, &
-      rule_dissipative, separation_for_pressure, set_contact_state, slip_backward_euler, &
+      pair_from_faces, retraction_for_pressure, roughness_face_1, roughness_face_2, &
+      roughness_moments, roughness_number_high, roughness_number_low, rule_abaqus, &
+      rule_dissipative, section_constants, section_radial, section_tangential, &
+      section_transverse, separation_for_pressure, set_contact_state, slip_backward_euler, &
       slip_direction_associated, slip_direction_of_stress, slip_exact, stage_elastic, &
       stage_elastoplastic, stage_open, stage_plastic, status_open, stick_critical_slip, &
       stick_summits, &
       status_slip, status_stick, status_text, status_unset, stiffer_than_hertz, surface_preset, &
       surfaces, unloading_elastic, unloading_reversible, unloading_stiffness, &
       update_contact_point, update_contact_points, valid, validity_remark, validity_text, version, &
-      wp
+      wood_properties, wp
 end module asperity

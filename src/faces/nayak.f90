@@ -6,7 +6,7 @@ module asperity_faces_nayak
    use asperity_law_plausibility, only: summit_constant
    implicit none
    private
-   public :: nayak_summits, summit_curvature_density
+   public :: nayak_summits, moments_of_summits, summit_curvature_density
 
    !> Statistics of summits; heights are above the mean plane of the surface.
    type, public :: nayak_type
@@ -41,6 +41,23 @@ contains
       summits%height = 4.0_wp*m2/sqrt(pi*m4)
       summits%variance = m0 - summit_constant*m2*(m2/m4)
    end function nayak_summits
+
+   !> The moments of the surface whose summits have a density, a mean radius and a standard
+   !> deviation of heights: what `nayak_summits` turns back.
+   pure elemental subroutine moments_of_summits(density, radius, sigma, m0, m2, m4)
+      !> Summits per area, 1/mm^2
+      real(wp), intent(in) :: density
+      !> One over their mean curvature, mm
+      real(wp), intent(in) :: radius
+      !> Standard deviation of their heights, mm
+      real(wp), intent(in) :: sigma
+      !> As above
+      real(wp), intent(out) :: m0, m2, m4
+
+      m4 = pi*(0.375_wp/radius)**2
+      m2 = m4/(6.0_wp*pi*sqrt(3.0_wp)*density)
+      m0 = sigma**2 + summit_constant*m2*(m2/m4)
+   end subroutine moments_of_summits
 
    !> Probability density of x = kappa sqrt(3/(2 m4)), kappa the mean curvature at a summit.
    pure elemental real(wp) function summit_curvature_density(x) result(density)
