@@ -90,8 +90,8 @@ contains
       end do
    end subroutine measure_cycles
 
-   !> Secant stiffness of both peaks, or of the one there is. Differences rather than absolute
-   !> values: they are the same, unless the force of a small peak has the wrong sign.
+   !> Secant stiffness of both peaks in either way, or of the one there is. Differences rather than
+   !> absolute values: they are the same, unless the force of a small peak has the wrong sign.
    pure subroutine measure_stiffness(loop)
       type(hysteresis_cycle), intent(inout) :: loop
       logical :: there(2)
@@ -100,6 +100,8 @@ contains
       if (.not. any(there)) return
       loop%secant_stiffness = sum(side_sign*loop%force, mask=there) &
          /sum(side_sign*loop%displacement, mask=there)
+      ! the threshold lies between a peak and zero
+      loop%mean_secant_stiffness = sum(loop%force/loop%displacement, mask=there)/count(there)
    end subroutine measure_stiffness
 
    !> Work of the force along a cycle, by the trapezoidal rule in the record's own order.

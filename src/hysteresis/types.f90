@@ -65,6 +65,8 @@ module asperity_hysteresis_types
       logical :: in_skeleton(2) = .false.
       !> (|F+| + |F-|)/(|X+| + |X-|), of one side when there is no other
       real(wp) :: secant_stiffness = none
+      !> Mean of |F+|/|X+| and |F-|/|X-|, as the paper has it, of one side when there is no other
+      real(wp) :: mean_secant_stiffness = none
       !> Secant stiffness over that of the first cycle
       real(wp) :: stiffness_ratio = none
       !> Work of the force in this cycle, in the record's order, and in all cycles up to it

@@ -270,6 +270,8 @@ contains
       call check_plastic_skeleton(result%skeleton(2), -1.0_wp, k, down, 1.5_wp)
       associate (cycle => result%cycles(4), dy => (up + down)/k)
          call assertEqual((up + down)/4.5_wp, cycle%secant_stiffness, exact, 'secant')
+         call assertEqual(0.5_wp*(up/3.0_wp + down/1.5_wp), cycle%mean_secant_stiffness, exact, &
+            'mean of both sides')
          ! a parallelogram from -1.5 to 3 and from -down to up
          call assertEqual((up + down)*(4.5_wp - dy), cycle%energy, exact*50.0_wp, 'area')
          call assertEqual((up + down)*(4.5_wp - dy)/(pi*(3.0_wp*up + 1.5_wp*down)), &

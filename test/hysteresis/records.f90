@@ -174,6 +174,7 @@ contains
       call assertTrue(result%cycles(3)%peak(1) > 0 .and. result%cycles(3)%peak(2) == 0, &
          'half of it')
       call assertEqual(limit, result%cycles(3)%secant_stiffness, exact, 'secant of one side')
+      call assertEqual(limit, result%cycles(3)%mean_secant_stiffness, exact, 'mean of one side')
       call assertEqual(2.0_wp, result%skeleton(1)%displacement(1), 0.0_wp, 'the skeleton stays')
       call assertEqual(1, size(result%skeleton(1)%displacement), 'and has no new point')
       ! short of zero by less than the threshold: closed, by a straight line

@@ -203,8 +203,9 @@ contains
       end do
       call analyse(loops, result)
       associate (c => result%cycles(1))
-         call assertEqual([none, none, none, none, none], &
-            [c%secant_stiffness, c%stiffness_ratio, c%damping, c%pinching, c%fullness], 0.0_wp, &
+         call assertEqual([none, none, none, none, none, none], &
+            [c%secant_stiffness, c%mean_secant_stiffness, c%stiffness_ratio, c%damping, c%pinching, &
+            c%fullness], 0.0_wp, &
             'play')
          call assertEqual(0.0_wp, c%energy, 1.0e-10_wp, 'its work')
       end associate
@@ -227,8 +228,9 @@ contains
       call analyse(loops, result, hysteresis_settings(force_floor=1.0e-7_wp))
       do i = 1, 3
          associate (c => result%cycles(i))
-            call assertEqual([none, none, none, none, none], &
-               [c%secant_stiffness, c%stiffness_ratio, c%damping, c%pinching, c%fullness], 0.0_wp, &
+            call assertEqual([none, none, none, none, none, none], &
+               [c%secant_stiffness, c%mean_secant_stiffness, c%stiffness_ratio, c%damping, c%pinching, &
+            c%fullness], 0.0_wp, &
                'below the floor')
          end associate
       end do

@@ -15,8 +15,8 @@ check 'hysteresis' is_quiet
 check 'hysteresis: what the record is, on the screen' has out 'Record: cyclic'
 check 'hysteresis: and in JSON' has c.json '"record_kind": "cyclic",'
 header=cycle,closed,positive_displacement,positive_force,negative_displacement,negative_force,\
-skeleton,secant_stiffness,stiffness_ratio,energy,cumulative_energy,loop_area,damping,pinching,\
-fullness,first_sample,last_sample
+skeleton,secant_stiffness,mean_secant_stiffness,stiffness_ratio,energy,cumulative_energy,loop_area,\
+damping,pinching,fullness,first_sample,last_sample
 check 'hysteresis: columns' test "$(columns c.csv)" = "$header"
 check 'hysteresis: four cycles' test "$(rows c.csv)" -eq 4
 check 'hysteresis: 17 figures, counts as they are' sh -c \
@@ -51,8 +51,8 @@ check 'hysteresis: the table is printed' sh -c 'grep -Eq "^ +4 +yes +2.0 +4.0 +-
 check 'hysteresis: the threshold is said' has out '1/400 of the range'
 
 # The same record in other clothes gives the same cycles, but for the lines they come from
-same_cycles() { cut -d, -f1-15 c2.csv | tail -n +2 | cmp - plain.csv; }
-cut -d, -f1-15 c.csv | tail -n +2 >plain.csv
+same_cycles() { cut -d, -f1-16 c2.csv | tail -n +2 | cmp - plain.csv; }
+cut -d, -f1-16 c.csv | tail -n +2 >plain.csv
 same() { # name file options...
    local name=$1 file=$2
    shift 2

@@ -176,8 +176,8 @@ contains
       report%more(1)%table = skeleton_table(result, labels)
       report%shown_columns = [character(len=24) :: 'cycle', 'closed', 'positive_'//labels%x, &
          'positive_'//labels%f, 'negative_'//labels%x, 'negative_'//labels%f, &
-         'secant_stiffness', 'stiffness_ratio', 'energy', 'cumulative_energy', 'damping', &
-         'pinching', 'fullness']
+         'secant_stiffness', 'mean_secant_stiffness', 'stiffness_ratio', 'energy', &
+         'cumulative_energy', 'damping', 'pinching', 'fullness']
       report%first_rows = [1, size(result%cycles) + 1]
       allocate (report%important, source=result%cycles%in_skeleton(positive_side) .or. &
          result%cycles%in_skeleton(negative_side))

@@ -61,7 +61,7 @@ contains
       character(len=:), allocatable :: energy
       integer :: i, side
 
-      table = new_table(columns=17, rows=size(result%cycles))
+      table = new_table(columns=18, rows=size(result%cycles))
       ! Parentheses make the copies that gfortran makes anyway, and would warn of when checking
       energy = labels%energy_unit()
       associate (c => result%cycles)
@@ -76,6 +76,8 @@ contains
          call table%add_texts('skeleton', skeleton_texts(c))
          call table%add_numbers('secant_stiffness', labels%stiffness_unit(), &
             shown((c%secant_stiffness)))
+         call table%add_numbers('mean_secant_stiffness', labels%stiffness_unit(), &
+            shown((c%mean_secant_stiffness)))
          call table%add_numbers('stiffness_ratio', '-', shown((c%stiffness_ratio)), ratio_decimals)
          call table%add_numbers('energy', energy, (c%energy))
          call table%add_numbers('cumulative_energy', energy, (c%cumulative_energy))

@@ -101,11 +101,13 @@ contains
             end associate
          end do
       end do
-      table = new_table(columns=2 + 6*size(joints), rows=n, leading=2)
+      table = new_table(columns=2 + 7*size(joints), rows=n, leading=2)
       call table%add_codes('cycle', column_counts, [(i, i=1, n)])
       call table%add_numbers(trim(joints(1)%rotation_name), 'rad', reach, 4)
       call add(table, joints, 'negative_moment', 'kN m', (cycles%force(negative_side)), 3)
       call add(table, joints, 'secant_stiffness', 'kN m/rad', (cycles%secant_stiffness), 1)
+      call add(table, joints, 'mean_secant_stiffness', 'kN m/rad', &
+         (cycles%mean_secant_stiffness), 1)
       call add(table, joints, 'energy', 'J', loop_joules((cycles%energy)), 1)
       call add(table, joints, 'damping', '-', (cycles%damping), 3)
       call add(table, joints, 'pinching', '-', (cycles%pinching), 3)

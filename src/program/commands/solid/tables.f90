@@ -179,13 +179,15 @@ contains
             cycles(:, i) = outcomes(i)%loops%cycles(first(:n))
          end associate
       end do
-      table = new_table(columns=1 + 4*(size(outcomes) + merge(1, 0, size(outcomes) == 2)), rows=n)
+      table = new_table(columns=1 + 5*(size(outcomes) + merge(1, 0, size(outcomes) == 2)), rows=n)
       call table%add_numbers('amplitude', 'mm', outcomes(1)%arm*reach(cycles(:, 1)), 1)
       call add(table, outcomes, 'positive_force', 'kN', &
          kilonewtons((cycles%force(positive_side)), outcomes(1)%arm), 2)
       call add(table, outcomes, 'negative_force', 'kN', &
          kilonewtons((cycles%force(negative_side)), outcomes(1)%arm), 2)
       call add(table, outcomes, 'secant_stiffness', 'kN m/rad', (cycles%secant_stiffness), 1)
+      call add(table, outcomes, 'mean_secant_stiffness', 'kN m/rad', &
+         (cycles%mean_secant_stiffness), 1)
       call add(table, outcomes, 'energy', 'J', loop_joules((cycles%energy)), 1)
    end function amplitudes_table
 

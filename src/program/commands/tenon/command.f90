@@ -178,7 +178,7 @@ contains
          named_table('totals', 'Whole programme', &
          totals_table(joints, self%case%faces%has_memory)), &
          named_table('faces', 'Faces', face_table(joint_face_rows(joints))), &
-         named_table('cycles', 'Cycles', cycles_table(joints), 12), &
+         named_table('cycles', 'Cycles', cycles_table(joints), 14), &
          named_table('skeleton', '', skeleton_table(joints))]
       report%points = points_table(joints)
       report%remarks = joint_remarks(self%case%joint%length, joints, is_paper_joint(self%case))
