@@ -10,7 +10,7 @@ module asperity_program_commands_tenon_sweep
       run_joint
    use asperity_program_commands_tenon_history, only: follow_history, history_type
    use asperity_program_commands_tenon_joint_keys, only: declare_replay_case, tenon_case
-   use asperity_program_commands_tenon_sweeps_cases, only: axis_type, combinations, new_axes, &
+   use asperity_program_commands_sweep_cases, only: axis_type, combinations, new_axes, &
       set_case
    use asperity_program_commands_tenon_sweeps_file, only: append_case, open_partial, partial_type
    use asperity_program_commands_tenon_sweeps_table, only: case_result, evaluate, shown_columns, &

@@ -6,7 +6,7 @@ module asperity_program_commands_tenon_sweeps_file
    use asperity_base_no_value, only: none
    use asperity_base_number_text, only: to_text
    use asperity_law_validity, only: all_flags, validity_text
-   use asperity_program_commands_tenon_sweeps_cases, only: axis_type
+   use asperity_program_commands_sweep_cases, only: axis_type
    use asperity_program_commands_tenon_sweeps_table, only: case_result, n_figures, sweep_table
    use asperity_program_input_key_list, only: key_list
    use asperity_program_input_print_case, only: case_heading, case_text

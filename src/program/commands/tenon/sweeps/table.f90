@@ -6,7 +6,7 @@ module asperity_program_commands_tenon_sweeps_table
    use asperity_hysteresis_analysis, only: negative_side
    use asperity_program_commands_joint_loops, only: loop_joules, model_names
    use asperity_program_commands_tenon_compare_models, only: joint_type
-   use asperity_program_commands_tenon_sweeps_cases, only: axis_type, set_case
+   use asperity_program_commands_sweep_cases, only: axis_type, set_case
    use asperity_program_input_key, only: key_type, kind_integer, kind_logical, kind_real
    use asperity_program_input_key_list, only: key_list
    use asperity_program_report_table, only: column_counts, column_validity, new_table, table_type

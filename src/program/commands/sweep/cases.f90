@@ -1,5 +1,5 @@
 !> What `--sweep NAME=values` asks for: every combination of the values of some keys.
-module asperity_program_commands_tenon_sweeps_cases
+module asperity_program_commands_sweep_cases
    use asperity_base_error, only: error_type, fatal_error
    use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
@@ -177,4 +177,4 @@ contains
       end do
    end subroutine set_case
 
-end module asperity_program_commands_tenon_sweeps_cases
+end module asperity_program_commands_sweep_cases
