@@ -1,7 +1,7 @@
 !> What a command of the program is: its name, its keys, and what it does.
 module asperity_program_commands_command
    use asperity_base_error, only: error_type
-   use asperity_program_input_key, only: kind_file, kind_picture
+   use asperity_program_input_key, only: kind_file, kind_picture, kind_sweep
    use asperity_program_input_key_list, only: key_list
    use asperity_program_report_report, only: report_type
    implicit none
@@ -27,6 +27,8 @@ module asperity_program_commands_command
       logical :: prints_case = .false.
       !> Paths of the outputs of all commands
       character(len=:), allocatable :: csv, json, plot
+      !> Keys with several values each, empty for one run
+      character(len=:), allocatable :: sweep
       logical :: asks_help = .false.
    contains
       !> Set name, usage and the like
@@ -41,6 +43,8 @@ module asperity_program_commands_command
       procedure :: finish
       !> Declare the outputs of all commands
       procedure :: declare_outputs
+      !> Declare that keys may take several values each
+      procedure :: declare_sweep
       !> Declare what all commands may be asked for
       procedure :: declare_requests
    end type command_type
@@ -114,6 +118,17 @@ contains
       if (has_picture) call keys%text('plot', self%plot, &
          'draw a picture, .svg, .png or .pdf (needs gnuplot)', kind_picture)
    end subroutine declare_outputs
+
+   !> Declare that keys may take several values each.
+   pure subroutine declare_sweep(self, keys)
+      !> The command
+      class(command_type), intent(inout) :: self
+      !> Its keys
+      type(key_list), intent(inout) :: keys
+
+      call keys%text('sweep', self%sweep, &
+         'run all combinations; NAME=a,b,c or NAME=start:stop:count; may be repeated', kind_sweep)
+   end subroutine declare_sweep
 
    !> Declare what all commands may be asked for.
    pure subroutine declare_requests(self, keys)

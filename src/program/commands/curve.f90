@@ -12,6 +12,7 @@ module asperity_program_commands_curve
    use asperity_program_commands_faces_properties, only: sigma
    use asperity_program_commands_faces_type, only: faces_type
    use asperity_program_commands_plots, only: draw_curve
+   use asperity_program_commands_sweep_runs, only: run_sweep
    use asperity_program_input_key_list, only: key_list
    use asperity_program_input_ranges, only: linear_range
    use asperity_program_report_report, only: report_type, turning_points
@@ -75,6 +76,7 @@ contains
       call keys%optional_real('closest_separation', self%closest_separation, 'mm', &
          'closest so far, which the faces part from; needs unloading = elastic')
       call self%declare_outputs(keys, has_picture=.true.)
+      call self%declare_sweep(keys)
       call self%declare_requests(keys)
    end subroutine declare
 
@@ -105,7 +107,7 @@ contains
    end subroutine check
 
    !> Evaluate the law. `error` is set when a result is out of the range of numbers.
-   subroutine run(self, report, error)
+   recursive subroutine run(self, report, error)
       !> The command
       class(curve_command), intent(inout) :: self
       !> Its table is set
@@ -116,6 +118,10 @@ contains
       type(progress_type) :: progress
       integer :: i, last, n
 
+      if (self%sweep /= '') then
+         call run_sweep(self, report, error)
+         return
+      end if
       n = size(self%separation)
       call check_work(to_text(n)//' separations', bytes_of_row*n, error)
       if (allocated(error)) return

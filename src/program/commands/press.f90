@@ -10,6 +10,7 @@ module asperity_program_commands_press
    use asperity_program_commands_command, only: command_type
    use asperity_program_commands_faces_type, only: faces_type
    use asperity_program_commands_plots, only: draw_press
+   use asperity_program_commands_sweep_runs, only: run_sweep
    use asperity_program_input_key_list, only: key_list
    use asperity_program_report_report, only: report_type, turning_points
    use asperity_program_report_table, only: column_status, column_validity, new_table, &
@@ -75,6 +76,7 @@ contains
       call keys%whole('increments', self%press%increments, 'increments of each ramp')
       call keys%real('step_time', self%press%step_time, 's', 'time of each ramp')
       call self%declare_outputs(keys, has_picture=.true.)
+      call self%declare_sweep(keys)
       call self%declare_requests(keys)
    end subroutine declare
 
@@ -93,7 +95,7 @@ contains
    end subroutine check
 
    !> Run the replay. `error` is set when a setting is refused or the replay fails.
-   subroutine run(self, report, error)
+   recursive subroutine run(self, report, error)
       !> The command
       class(press_command), intent(inout) :: self
       !> Its table is set
@@ -104,6 +106,10 @@ contains
       type(press_loop), allocatable :: loops(:)
       type(progress_type) :: progress
 
+      if (self%sweep /= '') then
+         call run_sweep(self, report, error)
+         return
+      end if
       call progress%start('press')
       call progress%announce(self%press%increments, 'increments up and down')
       call run_press(self%press, self%properties, s, loops, error)

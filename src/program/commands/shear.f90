@@ -16,6 +16,7 @@ module asperity_program_commands_shear
    use asperity_program_commands_faces_type, only: faces_type
    use asperity_program_commands_plots, only: draw_shear
    use asperity_program_commands_shear_keys, only: declare_shear
+   use asperity_program_commands_sweep_runs, only: run_sweep
    use asperity_program_input_key_list, only: key_list
    use asperity_program_report_report, only: report_type, turning_points
    use asperity_program_report_table, only: column_status, column_validity, new_table, table_type
@@ -82,6 +83,7 @@ contains
       call keys%real('shear_compliance', self%box%shear_compliance, 'mm/N', &
          'shear compliance of the two specimens together')
       call self%declare_outputs(keys, has_picture=.true.)
+      call self%declare_sweep(keys)
       call self%declare_requests(keys)
    end subroutine declare
 
@@ -96,7 +98,7 @@ contains
    end subroutine check
 
    !> Run the replays. `error` is set when a setting is refused or a replay fails.
-   subroutine run(self, report, error)
+   recursive subroutine run(self, report, error)
       !> The command
       class(shear_command), intent(inout) :: self
       !> Its table and summary are set
@@ -108,6 +110,10 @@ contains
       type(progress_type) :: progress
       integer :: i, rows
 
+      if (self%sweep /= '') then
+         call run_sweep(self, report, error)
+         return
+      end if
       call progress%start('shear')
       settings = self%box
       do i = 1, size(runs)

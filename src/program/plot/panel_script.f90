@@ -15,8 +15,8 @@ module asperity_program_plot_panel_script
 
    !> Characters below which labels of ticks are taken to stay; what is beside a panel's axes
    integer, parameter :: label_length = 7, margins = 13
-   !> Characters that the sample of a legend takes with the blanks around it
-   integer, parameter :: legend_sample = 8
+   !> Characters that gnuplot takes for the sample of a legend and the blanks around both
+   integer, parameter :: legend_sample = 14
    !> Steps between ticks below boxes
    real(wp), parameter :: most_on_boxes = 2.5_wp
 

@@ -12,7 +12,7 @@ module asperity_program_commands_sweep_cases
    use asperity_program_system_strings, only: escaped, lower_case, quoted
    implicit none
    private
-   public :: axis_type, new_axes, combinations, set_case
+   public :: axis_type, new_axes, combinations, places_of, set_case
 
    !> Most combinations
    integer, parameter :: most_cases = 100000
@@ -157,22 +157,34 @@ contains
       combinations = product([(size(axes(i)%values), i=1, size(axes))])
    end function combinations
 
-   !> Set the keys of one combination; the last axis varies fastest.
-   pure subroutine set_case(keys, axes, which, chosen)
-      !> Keys, of which those swept take their values
-      type(key_list), intent(inout) :: keys
+   !> Place of the value that one combination takes on each axis; the last axis varies fastest.
+   pure function places_of(axes, which) result(chosen)
       !> The axes
       type(axis_type), intent(in) :: axes(:)
       !> Combination, from 1
       integer, intent(in) :: which
-      !> Place of the value taken on each axis
-      integer, intent(out) :: chosen(:)
+      integer :: chosen(size(axes))
       integer :: i, rest
 
       rest = which - 1
       do i = size(axes), 1, -1
          chosen(i) = 1 + modulo(rest, size(axes(i)%values))
          rest = rest/size(axes(i)%values)
+      end do
+   end function places_of
+
+   !> Set the keys of one combination.
+   pure subroutine set_case(keys, axes, which)
+      !> Keys, of which those swept take their values
+      type(key_list), intent(inout) :: keys
+      !> The axes
+      type(axis_type), intent(in) :: axes(:)
+      !> Combination, from 1
+      integer, intent(in) :: which
+      integer :: chosen(size(axes)), i
+
+      chosen = places_of(axes, which)
+      do i = 1, size(axes)
          keys%rows(axes(i)%key) = axes(i)%values(chosen(i))
       end do
    end subroutine set_case

@@ -24,7 +24,7 @@ module asperity_program_commands_tenon_command
    use asperity_program_commands_tenon_sweep, only: report_sweep
    use asperity_program_commands_tenon_sweeps_file, only: close_partial, partial_type
    use asperity_program_commands_tenon_tables, only: points_table, steps_table, totals_table
-   use asperity_program_input_key, only: kind_file, kind_picture, kind_sweep
+   use asperity_program_input_key, only: kind_file, kind_picture
    use asperity_program_input_key_list, only: key_list
    use asperity_program_report_report, only: named_table, report_type, turning_points
    use asperity_program_system_progress, only: clear_steps, show_steps, tell_terminal
@@ -39,8 +39,6 @@ module asperity_program_commands_tenon_command
       type(tenon_case) :: case
       !> Paths of further outputs
       character(len=:), allocatable :: points, page
-      !> Keys with several values each
-      character(len=:), allocatable :: sweep
       !> What is kept of a sweep while it runs
       type(partial_type) :: partial
    contains
@@ -77,8 +75,7 @@ contains
          'as CSV; - is standard output', kind_file)
       call keys%text('report', self%page, &
          'write a page of case, table and pictures, .html (needs gnuplot)', kind_picture)
-      call keys%text('sweep', self%sweep, &
-         'run all combinations; NAME=a,b,c or NAME=start:stop:count; may be repeated', kind_sweep)
+      call self%declare_sweep(keys)
       call self%declare_requests(keys)
    end subroutine declare
 

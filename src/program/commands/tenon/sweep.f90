@@ -12,6 +12,7 @@ module asperity_program_commands_tenon_sweep
    use asperity_program_commands_tenon_joint_keys, only: declare_replay_case, tenon_case
    use asperity_program_commands_sweep_cases, only: axis_type, combinations, new_axes, &
       set_case
+   use asperity_program_commands_sweep_columns, only: hide_swept
    use asperity_program_commands_tenon_sweeps_file, only: append_case, open_partial, partial_type
    use asperity_program_commands_tenon_sweeps_table, only: case_result, evaluate, shown_columns, &
       sweep_table
@@ -92,22 +93,6 @@ contains
       allocate (report%important(n), source=.true.)
    end subroutine report_sweep
 
-   !> Keys that are swept, and what follows from them, have no value of their own to show.
-   pure subroutine hide_swept(keys, axes)
-      type(key_list), intent(inout) :: keys
-      type(axis_type), intent(in) :: axes(:)
-      integer :: i
-
-      keys%rows(axes%key)%unused = .true.
-      ! a leader stands above what follows it
-      do i = 1, keys%n
-         associate (leader => keys%rows(i)%leader)
-            if (leader == 0) cycle
-            if (keys%rows(leader)%unused) keys%rows(i)%unused = .true.
-         end associate
-      end do
-   end subroutine hide_swept
-
    !> Run one combination. Texts have static parts in some compilers, so that threads take turns
    !> with them.
    subroutine run_case(keys, axes, history, which, result)
@@ -140,10 +125,9 @@ contains
       type(tenon_case), intent(out) :: case
       type(error_type), allocatable, intent(out) :: error
       type(key_list) :: own
-      integer :: chosen(size(axes))
 
       own = keys
-      call set_case(own, axes, which, chosen)
+      call set_case(own, axes, which)
       call declare_replay_case(case, own)
       if (allocated(own%error)) then
          error = own%error

@@ -6,8 +6,8 @@ module asperity_program_commands_tenon_sweeps_table
    use asperity_hysteresis_analysis, only: negative_side
    use asperity_program_commands_joint_loops, only: loop_joules, model_names
    use asperity_program_commands_tenon_compare_models, only: joint_type
-   use asperity_program_commands_sweep_cases, only: axis_type, set_case
-   use asperity_program_input_key, only: key_type, kind_integer, kind_logical, kind_real
+   use asperity_program_commands_sweep_cases, only: axis_type
+   use asperity_program_commands_sweep_columns, only: add_axes
    use asperity_program_input_key_list, only: key_list
    use asperity_program_report_table, only: column_counts, column_validity, new_table, table_type
    use asperity_program_report_units, only: joule
@@ -121,58 +121,6 @@ contains
       call table%add_codes('validity', column_validity, results(which)%validity)
       call table%add_texts('outcome', results(which)%outcome)
    end function sweep_table
-
-   !> Columns of the keys that are swept.
-   subroutine add_axes(table, keys, axes, which)
-      type(table_type), intent(inout) :: table
-      type(key_list), intent(in) :: keys
-      type(axis_type), intent(in) :: axes(:)
-      integer, intent(in) :: which(:)
-      type(key_list) :: own
-      type(key_type) :: key
-      integer :: chosen(size(axes), size(which)), whole(size(which)), i, j
-      real(wp) :: numbers(size(which))
-      character(len=80) :: texts(size(which))
-
-      own = keys
-      do j = 1, size(which)
-         call set_case(own, axes, which(j), chosen(:, j))
-      end do
-      do i = 1, size(axes)
-         key = keys%rows(axes(i)%key)
-         do j = 1, size(which)
-            associate (value => axes(i)%values(chosen(i, j)))
-               select case (key%kind)
-               case (kind_real)
-                  numbers(j) = value%values(1)
-               case (kind_integer)
-                  whole(j) = value%whole
-               case (kind_logical)
-                  texts(j) = merge('true ', 'false', value%switch)
-               case default
-                  texts(j) = value%text
-               end select
-            end associate
-         end do
-         select case (key%kind)
-         case (kind_real)
-            call table%add_numbers(trim(key%name), unit_of(key%unit), numbers)
-         case (kind_integer)
-            call table%add_codes(trim(key%name), column_counts, whole)
-         case default
-            call table%add_texts(trim(key%name), texts)
-         end select
-      end do
-   end subroutine add_axes
-
-   !> A unit, `-` for none.
-   pure function unit_of(unit) result(text)
-      character(len=*), intent(in) :: unit
-      character(len=:), allocatable :: text
-
-      text = trim(unit)
-      if (text == '') text = '-'
-   end function unit_of
 
    !> Columns that the terminal shows: the keys, and what compares the models.
    subroutine shown_columns(keys, axes, columns)
