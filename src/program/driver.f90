@@ -4,6 +4,7 @@ module asperity_program_driver
    use asperity_program_about, only: citation_text, version_text
    use asperity_program_command_line, only: asks_citation, asks_completion, asks_help, asks_man, &
       asks_run, command_line_type
+   use asperity_program_commands_interaction, only: remark_interaction
    use asperity_program_commands_registry, only: all_keys
    use asperity_program_completion, only: bash_completion
    use asperity_program_help, only: command_help, overview, topic_help
@@ -77,6 +78,7 @@ contains
             call report%keys%with_place(error)
             return
          end if
+         call remark_interaction(report)
          call deliver(delivery, report, error)
          if (.not. allocated(error)) call command%finish()
       end associate

@@ -178,7 +178,7 @@ contains
          named_table('cycles', 'Cycles', cycles_table(joints), 14), &
          named_table('skeleton', '', skeleton_table(joints))]
       report%points = points_table(joints)
-      report%remarks = joint_remarks(self%case%joint%length, joints, is_paper_joint(self%case))
+      report%remarks = joint_remarks(self%case, joints, is_paper_joint(self%case))
       report%has_contact = any(joints%touches)
       report%shows_table = .false.
       associate (n => size(joints(hard)%steps))
