@@ -15,7 +15,7 @@ class Table:
 
     def __init__(self):
         self.rows = []
-        # Load, gap/Sq, real area over nominal, then pressures over the load: Gaussian law by
+        # Load, gap/Sq, real area over nominal by tamaas and by Nayak's route, then pressures over the load: Gaussian law by
         # Nayak's route and by the paper's, summits with one radius, with their own, dependent ones
         self.contact = []
 
@@ -54,10 +54,10 @@ class Table:
                 lines.append(f"| {quantity} | {where} | {asperity:.4g} | {other} | {value:.4g} | "
                              f"{100*off:+.2f} % | {reason} |")
         if self.contact:
-            lines += ["", "| pressure, MPa | mean gap/Sq | real area | Gaussian law, Nayak's route "
+            lines += ["", "| pressure, MPa | mean gap/Sq | real area | by the law, Nayak's route | its pressure "
                       "| the paper's route | sum, one radius | sum, own radii | with interaction "
-                      "and elliptic summits |", "|---|---|---|---|---|---|---|---|"]
+                      "and elliptic summits |", "|---|---|---|---|---|---|---|---|---|"]
             lines += [f"| {load:g} | {gap:.2f} | {100*area:.2f} % | "
-                      + " | ".join(f"{ratio:.2f}" for ratio in ratios) + " |"
-                      for load, gap, area, *ratios in self.contact]
+                      f"{100*own_area:.2f} % | " + " | ".join(f"{r:.2f}" for r in ratios) + " |"
+                      for load, gap, area, own_area, *ratios in self.contact]
         return "\n".join(lines) + "\n"

@@ -1,4 +1,4 @@
-!> `asperity curve`: the normal law at a list of separations.
+!> `asperity curve`: the normal law at a list of separations, or one summit.
 module asperity_program_commands_curve
    use, intrinsic :: iso_fortran_env, only: int64
    use asperity_base_error, only: error_type, fatal_error
@@ -7,11 +7,13 @@ module asperity_program_commands_curve
    use asperity_base_number_text, only: to_text
    use asperity_contact_properties, only: contact_properties
    use asperity_law_normal_law, only: evaluate_normal_law, normal_response
+   use asperity_law_normal_properties, only: normal_properties
    use asperity_law_unloading_law, only: evaluate_unloading_law
    use asperity_program_commands_command, only: command_type
-   use asperity_program_commands_faces_properties, only: sigma
+   use asperity_program_commands_faces_properties, only: radius, sigma
    use asperity_program_commands_faces_type, only: faces_type
    use asperity_program_commands_plots, only: draw_curve
+   use asperity_program_commands_single_summit, only: report_summit, usual_deformations
    use asperity_program_commands_sweep_runs, only: run_sweep
    use asperity_program_input_key_list, only: key_list
    use asperity_program_input_ranges, only: linear_range
@@ -30,6 +32,9 @@ module asperity_program_commands_curve
       real(wp), allocatable :: separation(:)
       !> Closest separation before, mm; not allocated for faces that have not touched yet
       real(wp), allocatable :: closest_separation
+      !> One summit instead of the faces, and its deformations, mm
+      logical :: single = .false.
+      real(wp), allocatable :: deformation(:)
       !> Checked properties of the faces
       type(contact_properties) :: properties
    contains
@@ -55,7 +60,8 @@ contains
       self%name = 'curve'
       self%summary = 'pressure and real area against separation'
       self%usage = '[CASE.nml] [options]'
-      self%purpose = 'Pressure, stiffness, real area and energy of rough faces against separation.'
+      self%purpose = 'Pressure, stiffness, real area and energy of rough faces against separation, '// &
+         'or force, area and mean pressure of one summit (--single; Fig. 5).'
    end subroutine describe
 
    !> Faces and separations.
@@ -75,10 +81,36 @@ contains
       call keys%follows(self%faces%keys(sigma), '4 sigma to 0')
       call keys%optional_real('closest_separation', self%closest_separation, 'mm', &
          'closest so far, which the faces part from; needs unloading = elastic')
+      call declare_single(self, keys)
       call self%declare_outputs(keys, has_picture=.true.)
       call self%declare_sweep(keys)
       call self%declare_requests(keys)
    end subroutine declare
+
+   !> One summit and its deformations, for which separations mean nothing.
+   pure subroutine declare_single(self, keys)
+      class(curve_command), intent(inout) :: self
+      type(key_list), intent(inout) :: keys
+      character(len=*), parameter :: of_faces(3) = [character(len=18) :: 'separation', &
+         'closest_separation', 'initial_separation']
+      type(normal_properties) :: law
+      type(error_type), allocatable :: refused
+      integer :: i
+
+      call keys%switch('single', self%single, 'one summit instead of the faces, through its stages')
+      call keys%unused(.not. self%single)
+      ! what is refused here is told by check
+      call self%faces%normal(law, refused)
+      if (.not. allocated(refused)) self%deformation = usual_deformations(law)
+      call keys%list('deformation', self%deformation, 'mm', &
+         'deformations w of the one summit; w1/10 to 10 w2 unless given')
+      call keys%follows(self%faces%keys(radius), 'w1/10 to 10 w2')
+      call keys%needs(self%single, 'is for --single')
+      if (.not. self%single) return
+      do i = 1, size(of_faces)
+         call keys%needs(.false., 'is of no use to one summit', keys%find(trim(of_faces(i))))
+      end do
+   end subroutine declare_single
 
    !> Check faces and separations, at which the energy must not overflow.
    subroutine check(self, error)
@@ -89,7 +121,7 @@ contains
       integer :: i
 
       call self%faces%contact(self%properties, error)
-      if (allocated(error)) return
+      if (allocated(error) .or. self%single) return
       i = findloc(abs(self%separation)/self%properties%normal%sigma > farthest, .true., 1)
       if (i > 0) call fatal_error(error, 'separation = '//to_text(self%separation(i))// &
          ' mm is not allowed: it must be below '//to_text(farthest)//' sigma in size', &
@@ -120,6 +152,11 @@ contains
 
       if (self%sweep /= '') then
          call run_sweep(self, report, error)
+         return
+      end if
+      report%faces = self%faces%words()
+      if (self%single) then
+         call report_summit(report, self%properties%normal, self%deformation, error)
          return
       end if
       n = size(self%separation)
@@ -153,7 +190,6 @@ contains
          call table%add_codes('validity', column_validity, (r%validity))
          call table%check_finite(error)
       end associate
-      report%faces = self%faces%words()
       report%first_rows = [1, n + 1]
       report%important = turning_points(self%separation)
       if (.not. allocated(error) .and. report%is_drawn()) call draw_curve(report)

@@ -61,6 +61,8 @@ contains
       ! gnuplot's own format begins with a blank, which shifts labels
       call b%line("set format '%h'")
       call add_axis(b, 'x', panel%x)
+      ! all of one length
+      if (panel%x%logarithmic) call b%line("set format x '%.0e'")
       call add_axis(b, 'y', panel%y)
       call add_ticks(b, panel, max(2, (letters - margins)/label_length))
       if (panel%right%label /= '') then
@@ -170,7 +172,7 @@ contains
       end do
       if (.not. is_none(panel%x%low)) low = panel%x%low
       if (.not. is_none(panel%x%high)) high = panel%x%high
-      if (high > low) then
+      if (high > low .and. .not. panel%x%logarithmic) then
          ! the height may leave them less width than there is
          step = round_number((high - low)/merge(min(real(most, wp), most_on_boxes), &
             real(most, wp), any(panel%series%form == as_boxes)))
