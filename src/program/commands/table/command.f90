@@ -69,7 +69,8 @@ contains
       call self%faces%declare(keys, has_friction=.true.)
       call self%faces%declare_separation(keys)
       call self%faces%declare_unloading(keys)
-      call declare_friction(self%faces%friction, keys, has_time=.true.)
+      call declare_friction(self%faces%friction, keys, has_time=.true., &
+         pair_key=self%faces%pair_key)
       call self%faces%declare_accept(keys)
       call keys%real('largest_pressure', self%largest_pressure, 'MPa', &
          'pressure up to which the tolerance holds')
