@@ -62,7 +62,7 @@ contains
       call b%line("set format '%h'")
       call add_axis(b, 'x', panel%x)
       ! all of one length
-      if (panel%x%logarithmic) call b%line("set format x '%.0e'")
+      if (panel%x%logarithmic) call b%line("set format x '%.0te%T'")
       call add_axis(b, 'y', panel%y)
       call add_ticks(b, panel, max(2, (letters - margins)/label_length))
       if (panel%right%label /= '') then
