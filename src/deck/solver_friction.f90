@@ -12,7 +12,7 @@ module asperity_deck_solver_friction
    public :: check_solver_friction, friction_parameters, friction_rows
 
    !> Rows of a power: factors 10^(1/rows_per_decade) of pressure apart, over the decades below the
-   !> hardness; straight lines between them are within 0.2 % for an exponent of -0.3
+   !> hardness; straight lines between them are within 0.3 % for an exponent of -0.3
    integer, parameter :: rows_per_decade = 10, decades = 5
 
 contains

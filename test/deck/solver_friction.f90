@@ -52,7 +52,7 @@ contains
       end associate
    end subroutine check
 
-   !> Half way between rows the straight line is within 0.2 % of the power.
+   !> Half way between rows the straight line is within 0.3 % of the power.
    subroutine test_power()
       type(contact_properties) :: p
       real(wp) :: worst, middle
