@@ -178,7 +178,11 @@ def knee(program):
     slip, stress = data["slip"], data["shear_stress_nominal"]
     slopes = [(b - a)/(v - u) for u, v, a, b in zip(slip, slip[1:], stress, stress[1:])]
     between = sum(0.05*slopes[0] < s < 0.95*slopes[0] for s in slopes)
-    return verdict(between > 3), f"{between} of {len(slopes)} increments between the two slopes"
+    bent = program.run("shear", "--normal-stress", "0.05", "--stick", "summits", "--displacement", "0.1",
+                       "--displacement-increment", "0.005")["data"]["shear_stress"]
+    parts = ", ".join(f"{100.0*bent[i]/max(bent):.0f}" for i in (1, 2, 4))
+    return verdict(between > 3), f"{between} of {len(slopes)} increments between the two slopes; with " \
+        f"stick = summits {parts} % of the plateau after 0.005, 0.01, 0.02 mm"
 
 
 def programme(program):
@@ -287,7 +291,7 @@ SHEAR = [
     ("F18b", "Fig. 18", "no horizontal end, as the contact area changes", "shear", no_level,
      "the force stays level, the overlap shrinks"),
     ("F18c", "Fig. 18", "gradual, not two stages", "shear", knee,
-     "Coulomb with one gcrit has a corner"),
+     "Coulomb with one gcrit has a corner, [summits that stick](stick.md) bend"),
     ("F18d", "Fig. 18, conclusion 3", "agrees with the test", "", (OPEN, ""), "the test's curves are not "
      "printed; dead weight tests friction alone"),
 ]

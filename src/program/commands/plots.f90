@@ -110,7 +110,7 @@ contains
             call stress%add(displacement, column(report, 'shear_stress', rows), &
                name//', overlap', run, stroke=dashed)
             if (present(by_critical_slip)) call stress%add(displacement, by_critical_slip(rows), &
-               name//', one critical slip', run, stroke=dotted)
+               name//', gcrit', run, stroke=dotted)
             call closure%add(displacement, column(report, 'overclosure', rows), name, run)
          end associate
       end do
