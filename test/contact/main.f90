@@ -18,6 +18,7 @@ program test_contact
    use test_contact_states, only: suite_contact_states
    use test_contact_stick_elements, only: suite_stick_elements
    use test_contact_summit_stick, only: suite_summit_stick
+   use test_contact_summit_stick_update, only: suite_summit_stick_update
    use test_contact_tangent, only: suite_contact_tangent
    implicit none
    type(TestSuite) :: suite
@@ -38,6 +39,7 @@ program test_contact
    call suite%addTest(suite_contact_states())
    call suite%addTest(suite_stick_elements())
    call suite%addTest(suite_summit_stick())
+   call suite%addTest(suite_summit_stick_update())
    call suite%addTest(suite_compiled_points())
    call suite%addTest(suite_compiled_memory())
    call run_suite(suite)
