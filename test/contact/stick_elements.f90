@@ -1,12 +1,15 @@
 !> Elements of summits that stick: against reference values, Hertz' limit, the sum of the summits'
 !> curves, and differences.
 module test_contact_stick_elements
+   use asperity_base_constants, only: pi
    use asperity_base_error, only: error_type
    use asperity_base_kinds, only: wp
    use asperity_contact_friction_settings, only: fewest_stick_elements, most_stick_elements
-   use asperity_contact_stick_elements, only: find_stick_elements, stick_elements, summit_backbone
+   use asperity_contact_stick_elements, only: equivalent_shear_modulus, find_stick_elements, &
+      stick_elements, summit_backbone
    use asperity_law_normal_law, only: evaluate_normal_law, normal_response
    use asperity_law_normal_properties, only: new_normal_properties, normal_properties
+   use asperity_law_single_asperity, only: asperity_response, evaluate_asperity
    use extremes, only: largest_of, worsen
    use funit, only: assertEqual, assertGreaterThanOrEqual, assertIsFinite, assertLessThan, &
       assertTrue, TestMethod, TestSuite
@@ -30,6 +33,9 @@ contains
          test_reference))
       call suite%addTest(TestMethod('all summits elastic: pressures of two separations', &
          test_elastic_limit))
+      call suite%addTest(TestMethod('other plastic ratios: sum over single summits', &
+         test_plastic_ratio))
+      call suite%addTest(TestMethod('equivalent shear modulus', test_shear_modulus))
       call suite%addTest(TestMethod('elements against the backbone', test_backbone))
       call suite%addTest(TestMethod('yield factors down to 0.05', test_low_yield_factor))
       call suite%addTest(TestMethod('derivatives by closure', test_derivatives))
@@ -104,6 +110,55 @@ contains
       call assertLessThan(share_error, 5.0e-4_wp, 'backbone')
       call assertLessThan(stiffness_error, 1.0e-6_wp, 'stiffness')
    end subroutine test_elastic_limit
+
+   !> The backbone as a sum over 20000 heights of what `evaluate_asperity` says.
+   subroutine test_plastic_ratio()
+      real(wp), parameter :: ratios(3) = [10.0_wp, 60.0_wp, 1000.0_wp]
+      integer, parameter :: n = 20000
+      type(normal_properties) :: p
+      type(stick_elements) :: elements
+      type(asperity_response) :: one
+      type(error_type), allocatable :: error
+      real(wp) :: w, d, slip, density, radius, sums(3), share_error, stiffness_error
+      integer :: i, j, k
+
+      share_error = 0.0_wp
+      stiffness_error = 0.0_wp
+      do i = 1, size(ratios)
+         call new_normal_properties(p, 206.0_wp, 297.0_wp, 0.1477_wp, 10.0_wp, 0.4_wp, 0.0593_wp, &
+            error, plastic_ratio=ratios(i))
+         call assertTrue(.not. allocated(error))
+         do j = -1, 3
+            d = real(j, wp)*p%sigma
+            call find_stick_elements(p, shear_modulus, 8, d, elements)
+            slip = elements%unit_slip(4)
+            sums = 0.0_wp
+            do k = 1, n
+               w = 9.0_wp*p%sigma*(real(k, wp) - 0.5_wp)/n
+               one = evaluate_asperity(p, w)
+               density = exp(-0.5_wp*((d + w)/p%sigma)**2)/sqrt(2.0_wp*pi)*9.0_wp/n
+               radius = sqrt(one%area/pi)
+               sums = sums + density*[one%force, 8.0_wp*shear_modulus*radius, one%force*(1.0_wp &
+                  - max(1.0_wp - slip*16.0_wp*shear_modulus*radius/(3.0_wp*one%force), &
+                  0.0_wp)**1.5_wp)]
+            end do
+            call worsen(share_error, &
+               abs(summit_backbone(p, shear_modulus, d, slip) - sums(3)/sums(1)))
+            call worsen(stiffness_error, abs(elements%stiffness/(p%eta*sums(2)) - 1.0_wp))
+         end do
+      end do
+      call record('stick_elements.plastic_ratio.error', share_error)
+      call assertLessThan(share_error, 5.0e-4_wp, 'backbone')
+      call assertLessThan(stiffness_error, 2.0e-4_wp, 'stiffness')
+   end subroutine test_plastic_ratio
+
+   !> Transverse on tangential, and tangential on tangential, by Table 1.
+   subroutine test_shear_modulus()
+      call assertEqual(31.6429555_wp, &
+         equivalent_shear_modulus(224.61_wp, 0.42_wp, 67.16_wp, 0.35_wp), 1.0e-7_wp)
+      call assertEqual(67.16_wp/3.3_wp, &
+         equivalent_shear_modulus(67.16_wp, 0.35_wp, 67.16_wp, 0.35_wp), 1.0e-13_wp)
+   end subroutine test_shear_modulus
 
    !> Largest distance of the elements from the backbone, in mu p, and their stiffness at first
    !> touch over that of the summits.
