@@ -126,3 +126,24 @@ check 'shear, memory: dissipates to its first peak' csv m.csv '
    if (NR > 2 && (c["plastic_dissipation"] > before["plastic_dissipation"]) != (NR <= 8)) fail("row")'
 refuses 'shear: unloading of no kind' 2 "--unloading: unloading = 'plastic' is unknown" \
    shear --unloading plastic
+
+# Summits that stick each for itself: stiffer than one critical slip, bent, with the same plateau
+run shear --stick summits --normal-stress 0.2 --displacement 0.1,-0.1,0.1 \
+   --displacement-increment 0.005 --csv s.csv --json s.json
+check 'shear: summits that stick: full slip before 0.04 mm' csv s.csv '
+   if (c["displacement"] > 0.04 && NR < 20 && c["status"] != "slip") fail(c["status"])
+   if (c["status"] == "slip" && far(abs(c["shear_stress"]), 0.5*c["normal_stress"], 1e-10)) fail("plateau")'
+check 'shear: summits that stick: the curve bends' csv s.csv '
+   s = (c["shear_stress"] - before["shear_stress"])/0.005
+   if (c["displacement"] > 0 && NR > 3 && NR < 10 && !(s < slope)) fail("straight"); slope = s'
+check 'shear: energies of summits that stick' csv s.csv '
+   if (NR > 2 && c["dissipation"] < before["dissipation"]) fail("dissipation falls")'
+check 'shear: stiffness of the summits and by gcrit' \
+   awk -v a="$(summary shear_stiffness)" -v b="$(summary stiffness_by_gcrit)" \
+   'BEGIN { exit !(a > 10.78 && a < 10.80 && b > 0.3225 && b < 0.3226) }'
+run shear --stick summits --normal-stress 0.2 --displacement 0.1 --shear-modulus 63.286 --json s.json
+check 'shear: stiffness in proportion to the shear modulus' \
+   awk -v a="$(summary shear_stiffness)" 'BEGIN { exit !(a > 21.56 && a < 21.60) }'
+refuses 'shear: shear modulus without summits' 2 '.*stick = summits' shear --shear-modulus 30
+refuses 'shear: too few elements' 2 '.*4 to 16' shear --stick summits --stick-elements 3
+refuses 'shear: summits with memory' 2 '.*unloading = reversible' shear --stick summits --unloading elastic
