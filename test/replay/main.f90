@@ -13,6 +13,7 @@ program test_replay
    use test_replay_tenon_laws, only: suite_tenon_laws
    use test_replay_tenon_limits, only: suite_tenon_limits
    use test_replay_tenon_solver, only: suite_tenon_solver
+   use test_replay_tenon_stick, only: suite_tenon_stick
    implicit none
    type(TestSuite) :: suite
 
@@ -28,5 +29,6 @@ program test_replay
    call suite%addTest(suite_tenon_joint())
    call suite%addTest(suite_tenon_limits())
    call suite%addTest(suite_tenon_solver())
+   call suite%addTest(suite_tenon_stick())
    call run_suite(suite)
 end program test_replay
