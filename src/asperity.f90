@@ -13,6 +13,7 @@ module asperity
    use asperity_contact_state, only: contact_response, contact_state, no_opposite_surface, &
       no_rotation, no_surface_limit, status_open, status_slip, status_stick, status_text, &
       status_unset
+   use asperity_contact_stick_elements, only: equivalent_shear_modulus
    use asperity_faces_face, only: face, face_of_wood
    use asperity_faces_two_faces, only: hardness_harder, hardness_softer, pair_from_faces, &
       roughness_face_1, roughness_face_2, roughness_moments
@@ -44,7 +45,8 @@ module asperity
    public :: area_above_nominal, asperity_response, closure_above_half_radius, compiled_law, &
       compiled_plastic_dissipation, compiled_unloading_law, computation_error, contact_properties, &
       contact_response, contact_state, contact_states, contact_tangent, elastic_recovery, &
-      equivalent_modulus, error_type, evaluate_asperity, evaluate_compiled_law, &
+      equivalent_modulus, equivalent_shear_modulus, error_type, evaluate_asperity, &
+      evaluate_compiled_law, &
       evaluate_compiled_unloading_law, evaluate_normal_law, evaluate_unloading_asperity, &
       evaluate_unloading_law, face, face_of_wood, file_error, find_pair, find_surface, &
       friction_settings, get_contact_state, hardness_harder, hardness_softer, heights_gaussian, &
