@@ -181,8 +181,14 @@ contains
             'stick_elements = '//to_text(s%stick_elements)//' is not allowed: it must be '// &
             to_text(fewest_stick_elements)//' to '//to_text(most_stick_elements), &
             subject='stick_elements')
-         if (.not. allocated(error)) call check_positive(error, 'shear_modulus', &
-            s%shear_modulus, 'MPa')
+         if (allocated(error)) return
+         if (abs(s%shear_modulus) > 0.0_wp) then
+            call check_positive(error, 'shear_modulus', s%shear_modulus, 'MPa')
+         else
+            call fatal_error(error, 'stick = summits needs shear_modulus: the equivalent shear '// &
+               'modulus G* of the two faces, MPa, 1/G* = (2 - nu1)/G1 + (2 - nu2)/G2', &
+               subject='shear_modulus')
+         end if
          if (allocated(error)) return
          if (s%static_friction_coefficient > 0.0_wp) then
             call refuse_beside(error, 'static_friction_coefficient', s%static_friction_coefficient)

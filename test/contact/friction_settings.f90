@@ -121,7 +121,9 @@ contains
    subroutine test_summits()
       call check(friction_settings(stick=2), 'stick', &
          'is unknown: 0 is critical_slip, 1 is summits')
-      call check(friction_settings(stick=stick_summits), 'shear_modulus', 'above zero')
+      call check(friction_settings(stick=stick_summits), 'shear_modulus', 'needs shear_modulus')
+      call check(friction_settings(stick=stick_summits, shear_modulus=-1.0_wp), 'shear_modulus', &
+         'above zero')
       call check(friction_settings(stick=stick_summits, shear_modulus=30.0_wp, stick_elements=3), &
          'stick_elements', '3 is not allowed: it must be 4 to 16')
       call check(friction_settings(stick=stick_summits, shear_modulus=30.0_wp, stick_elements=17), &
