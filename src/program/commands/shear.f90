@@ -223,6 +223,7 @@ contains
       real(wp), dimension(size(runs)) :: slope, plateau_nominal, plateau, stiffness, strength
       type(stick_elements) :: elements
       real(wp) :: by_pressure
+      logical :: has_rest
       integer :: i
 
       slope = none
@@ -239,8 +240,9 @@ contains
          turned%status == status_slip)
       plateau = merge(abs(turned%shear_stress), none, turned%status == status_slip)
 
+      has_rest = self%properties%friction%static_friction_coefficient > 0.0_wp
       table = new_table(columns=8 + merge(1, 0, self%faces%has_memory) &
-         + merge(2, 0, self%has_summits()), rows=size(runs))
+         + merge(2, 0, self%has_summits()) + merge(1, 0, has_rest), rows=size(runs))
       call table%add_numbers('normal_stress_nominal', 'MPa', self%normal_stress)
       call table%add_numbers('overclosure', 'mm', (seated%overclosure))
       call table%add_numbers('separation_over_sigma', '-', (seated%separation_over_sigma))
@@ -258,6 +260,8 @@ contains
             strength/self%properties%critical_slip)
       end if
       call table%add_numbers('initial_slope', 'MPa/mm', slope)
+      if (has_rest) call table%add_numbers('peak_nominal', 'MPa', &
+         [(maxval(abs(runs(i)%steps%shear_stress_nominal)), i=1, size(runs))])
       call table%add_numbers('plateau_nominal', 'MPa', plateau_nominal)
       call table%add_numbers('mu_p_nominal', 'MPa', &
          self%properties%friction_coefficient*self%normal_stress)
