@@ -2,8 +2,8 @@
 !> split is exact; both together converge with order two.
 module test_replay_tenon_energy
    use, intrinsic :: iso_fortran_env, only: int64
-   use asperity, only: contact_properties, error_type, evaluate_compiled_law, rule_abaqus, &
-      rule_dissipative, wp
+   use asperity, only: contact_properties, error_type, evaluate_compiled_law, friction_settings, &
+      rule_abaqus, rule_dissipative, stick_summits, wp
    use asperity_law_quadrature_gauss_legendre, only: n_points, nodes, weights
    use asperity_replay_tenon_contact_record, only: contact_record
    use asperity_replay_tenon_energy, only: point_split, stored_energy
@@ -11,6 +11,7 @@ module test_replay_tenon_energy
    use asperity_replay_tenon_settings, only: tenon_settings
    use asperity_replay_tenon_step, only: tenon_step
    use extremes, only: largest_of, worsen
+   use friction_cases, only: friction_properties
    use funit, only: anyExceptions, assertEqual, assertFalse, assertGreaterThan, &
       assertGreaterThanOrEqual, assertLessThan, assertTrue, TestMethod, TestSuite
    use measurements, only: record
@@ -30,6 +31,7 @@ contains
       suite = TestSuite('tenon energy')
       call suite%addTest(TestMethod('work of the load over the whole programme', test_work))
       call suite%addTest(TestMethod('work with shoulders and other axial rules', test_rules))
+      call suite%addTest(TestMethod('work with friction of every kind', test_friction))
       call suite%addTest(TestMethod('split of a point', test_split))
       call suite%addTest(TestMethod('order two in the step', test_order))
       call suite%addTest(TestMethod('ledgers', test_ledgers))
@@ -93,6 +95,32 @@ contains
       call assertLessThan(mismatch(1), 1.0e-6_wp, 'shoulders')
       call assertLessThan(mismatch(2), 3.0e-5_wp, 'shoulders on the way')
    end subroutine test_rules
+
+   !> Rest and motion, grain, pressure and limit, and summits that stick: the work is found.
+   subroutine test_friction()
+      type(friction_settings) :: kinds(3)
+      type(tenon_settings) :: s
+      type(tenon_step), allocatable :: steps(:)
+      type(contact_properties) :: faces
+      integer :: i, j
+
+      kinds(1) = friction_settings(static_friction_coefficient=0.7_wp, decay_slip=0.2_wp, &
+         pressure_exponent=-0.1_wp, reference_pressure=1.0_wp)
+      kinds(2) = friction_settings(friction_coefficient_across=0.3_wp, grain_angle=20.0_wp, &
+         shear_limit=1.5_wp)
+      kinds(3) = friction_settings(stick=stick_summits, shear_modulus=30.0_wp)
+      do i = 1, size(kinds)
+         faces = friction_properties(kinds(i))
+         do j = 1, 2
+            s = tenon_settings(contact=contacts(j), amplitudes=[4.0_wp, 16.0_wp])
+            call run_joint(s, steps, faces=faces)
+            if (anyExceptions()) return
+            call assertLessThan(maxval(work_mismatch(steps)), 3.0e-5_wp, contacts(j))
+            call assertGreaterThanOrEqual(minval(steps(1:)%friction - steps(:ubound(steps, 1) &
+               - 1)%friction), 0.0_wp, 'friction never gives back')
+         end do
+      end do
+   end subroutine test_friction
 
    !> Random increments of one point, hard and rough, up to yield and beyond: the normal work by
    !> quadrature over pieces without a bend, the tangential work in closed form for the mean of the

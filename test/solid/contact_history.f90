@@ -1,6 +1,6 @@
 !> Contact goes on from a checkpoint, and through UINTER.
 module test_solid_contact_history
-   use asperity, only: error_type, wp
+   use asperity, only: contact_properties, error_type, friction_settings, stick_summits, wp
    use asperity_law_normal_properties, only: unloading_elastic
    use asperity_solid_contact_history, only: history_size, pack_facets, pack_history, &
       unpack_facets, unpack_history
@@ -11,6 +11,7 @@ module test_solid_contact_history
    use contact_cases, only: pair_properties
    use contact_forces, only: pair_forces
    use contact_motion, only: advance, motion, moved_master, new_motion, winding_path
+   use friction_cases, only: friction_properties
    use funit, only: assertEqual, assertFalse, assertGreaterThan, assertLessThan, assertTrue, &
       TestMethod, TestSuite
    implicit none
@@ -29,15 +30,28 @@ contains
       call suite%addTest(TestMethod('the same through UINTER', test_uinter))
    end function suite_contact_history
 
-   !> A pair that goes on, and one that is built anew from its numbers; its summits remember.
+   !> Summits that remember, friction that does, and summits that stick.
    subroutine test_history()
+      type(contact_properties) :: properties
+
+      properties = pair_properties()
+      properties%normal%unloading = unloading_elastic
+      call check_history(properties)
+      call check_history(friction_properties(friction_settings(decay_slip=0.2_wp, &
+         static_friction_coefficient=0.7_wp, friction_coefficient_across=0.3_wp)))
+      call check_history(friction_properties(friction_settings(stick=stick_summits, &
+         shear_modulus=30.0_wp)))
+   end subroutine test_history
+
+   !> A pair that goes on, and one that is built anew from its numbers.
+   subroutine check_history(properties)
+      type(contact_properties), intent(in) :: properties
       type(rough_law) :: law
       type(motion) :: first, second
       type(blocks) :: b
       integer :: i
 
-      law%properties = pair_properties()
-      law%properties%normal%unloading = unloading_elastic
+      law%properties = properties
       b = new_blocks([3, 3], [0.0_wp, 0.0_wp], [60.0_wp, 60.0_wp], [4, 5], [-31.0_wp, -10.0_wp], &
          [50.0_wp, 70.0_wp], 0.02_wp)
       call new_motion(first, b, law)
@@ -62,7 +76,7 @@ contains
          call assertEqual(first%pair%faces(i)%nodes, second%pair%faces(i)%nodes, 'the same nodes')
       end do
       call assertGreaterThan(first%pair%energy%dissipation, 1000.0_wp, 'it slid')
-   end subroutine test_history
+   end subroutine check_history
 
    !> Trials far astray, then the increment anew.
    subroutine test_cut_back()
