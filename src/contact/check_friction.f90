@@ -133,7 +133,7 @@ contains
          else if (has_power .and. .not. s%reference_pressure > 0.0_wp) then
             call fatal_error(error, 'pressure_exponent = '//to_text(s%pressure_exponent)// &
                ' needs reference_pressure: the pressure, MPa, at which the coefficients hold', &
-               subject='reference_pressure')
+               subject='pressure_exponent')
          else if (n < 0 .or. n > most_friction_points) then
             call fatal_error(error, 'friction_points = '//to_text(n)//' is not allowed: '// &
                'there are 0 to '//to_text(most_friction_points)//' points of pressure and factor', &

@@ -88,10 +88,10 @@ contains
             return
          end if
          if (f%friction_points > 0) then
-            pressures = f%friction_pressures(:f%friction_points)
+            allocate (pressures, source=f%friction_pressures(:f%friction_points))
          else
-            pressures = [(properties%normal%hardness*10.0_wp**(-real(i, wp)/rows_per_decade), &
-               i=rows_per_decade*decades, 0, -1)]
+            allocate (pressures, source=[(properties%normal%hardness &
+               *10.0_wp**(-real(i, wp)/rows_per_decade), i=rows_per_decade*decades, 0, -1)])
          end if
          allocate (rows(size(pressures), size(mu) + 2), source=0.0_wp)
          do i = 1, size(pressures)

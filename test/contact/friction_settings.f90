@@ -90,7 +90,7 @@ contains
          'pressure_exponent', 'use shear_limit')
       call check(friction_settings(pressure_exponent=-1.5_wp), 'pressure_exponent', &
          'between -1.0 and 10.0')
-      call check(friction_settings(pressure_exponent=-0.1_wp), 'reference_pressure', &
+      call check(friction_settings(pressure_exponent=-0.1_wp), 'pressure_exponent', &
          'needs reference_pressure')
       call check(friction_settings(pressure_exponent=-0.1_wp, reference_pressure=-1.0_wp), &
          'reference_pressure', '-1.0 MPa')

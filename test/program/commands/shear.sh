@@ -147,3 +147,31 @@ check 'shear: stiffness in proportion to the shear modulus' \
 refuses 'shear: shear modulus without summits' 2 '.*stick = summits' shear --shear-modulus 30
 refuses 'shear: too few elements' 2 '.*4 to 16' shear --stick summits --stick-elements 3
 refuses 'shear: summits with memory' 2 '.*unloading = reversible' shear --stick summits --unloading elastic
+# Friction beyond one coefficient: decay by slip at 0.2 MPa, tau = p (0.17 + 0.07 exp(-l/0.5)) with the
+# slip l = slip - tau gcrit/(0.24 p)
+run shear --friction-coefficient 0.17 --static-friction-coefficient 0.24 --decay-slip 0.5 --normal-stress 0.2 \
+   --no-shrinking-overlap --csv f.csv --json s.json
+check 'shear, rest and motion: peak and decay' csv f.csv '
+   t = c["shear_stress"]; l = c["slip"] - t*0.31/0.048
+   if (c["slip"] <= 0.31) { if (far(t, c["slip"]*0.048/0.31, 1e-9)) fail("stick " t) }
+   else if (far(t, 0.2*(0.17 + 0.07*exp(-l/0.5)), 1e-9)) fail("decay " t)'
+check 'shear, rest and motion: peak of the summary' test "$(summary peak_nominal | cut -c-5)" = 0.047
+# across the grain, at a limit: 0.3/0.5 of 0.08 MPa
+run shear --friction-coefficient-across 0.3 --grain-angle 90 --shear-limit 0.08 --normal-stress 0.2 \
+   --no-shrinking-overlap --csv f.csv
+check 'shear, grain and limit: plateau' csv f.csv '
+   if (c["slip"] > 0.32 && far(c["shear_stress"], 0.048, 1e-9)) fail(c["shear_stress"])'
+run shear --friction-points 0.1,1,0.3,0.6 --normal-stress 0.2 --no-shrinking-overlap --csv f.csv
+check 'shear, friction by points: plateau' csv f.csv '
+   if (c["slip"] > 0.32 && far(c["shear_stress"], 0.5*0.8*0.2, 1e-9)) fail(c["shear_stress"])'
+refuses 'shear: across of zero' 2 '--friction-coefficient-across: friction_coefficient_across = 0.0 is not allowed' \
+   shear --friction-coefficient-across 0
+refuses 'shear: static below kinetic' 2 '--static-friction-coefficient: static_friction_coefficient = 0.4 is not' \
+   shear --static-friction-coefficient 0.4 --decay-slip 1
+refuses 'shear: static without decay' 2 '.*nothing leads from one to the other' shear --static-friction-coefficient 0.6
+refuses 'shear: decay without static' 2 '--decay-slip: needs static_friction_coefficient' shear --decay-slip 1
+refuses 'shear: angle without ellipse' 2 '--grain-angle: needs friction_coefficient_across' shear --grain-angle 10
+refuses 'shear: exponent without pressure' 2 '--pressure-exponent: .* needs reference_pressure' shear --pressure-exponent -0.1
+refuses 'shear: points in pairs' 2 '--friction-points: friction_points has 3 numbers' shear --friction-points 1,1,2
+refuses 'shear: points that rise' 2 '--friction-points: .* is not above the one before' shear --friction-points 1,1,1,0.9
+refuses 'tenon: no rate' 2 '--decay-slip-rate: is an option of' tenon --decay-slip-rate 1
