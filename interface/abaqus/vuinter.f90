@@ -28,7 +28,7 @@ subroutine vuinter( &
    use asperity_contact_state, only: contact_response, contact_state, no_opposite_surface, &
       no_rotation, no_surface_limit, status_slip, status_stick
    use asperity_law_compile_law, only: compiling_pays, new_compiled_law
-   use asperity_law_compiled_law, only: precise_reach
+   use asperity_law_compiled_intervals, only: precise_reach
    use asperity_law_normal_properties, only: unloading_reversible
    use asperity_law_validity, only: validity_remark
    implicit none

@@ -15,7 +15,7 @@ module asperity_contact_point
       status_open, status_slip, status_unset
    use asperity_law_compiled_law, only: evaluate_compiled_law
    use asperity_law_normal_inverse, only: separation_for_pressure
-   use asperity_law_normal_law, only: evaluate_pressure, normal_response, vanishing_separation
+   use asperity_law_normal_law, only: evaluate_pressure, normal_response
    use asperity_law_normal_properties, only: unloading_elastic
    use asperity_law_unloading_compiled_law, only: compiled_plastic_dissipation, &
       evaluate_compiled_unloading_law
@@ -150,7 +150,7 @@ contains
       normal = normal_values(0.0_wp, 0.0_wp, 0.0_wp, 0.0_wp, properties%normal%validity)
       associate (separation => properties%initial_separation - overclosure)
          ! open, as most points of a model are: no need to evaluate zeros
-         if (separation > vanishing_separation*properties%normal%sigma) return
+         if (separation > properties%normal%vanishing_separation) return
          if (properties%normal%unloading == unloading_elastic) then
             if (remembers(properties, start) .and. overclosure < start%largest_closure) then
                call find_with_memory(properties, properties%initial_separation &
@@ -196,7 +196,7 @@ contains
 
       remembers = .false.
       if (state%status /= status_unset) remembers = properties%initial_separation &
-         - state%largest_closure <= vanishing_separation*properties%normal%sigma
+         - state%largest_closure <= properties%normal%vanishing_separation
    end function remembers
 
    !> Plastic dissipation since first touch up to the start of an increment, N/mm.

@@ -12,7 +12,6 @@ module asperity_contact_properties
       stick_critical_slip
    use asperity_law_compile_law, only: new_compiled_law
    use asperity_law_compiled_law, only: compiled_law
-   use asperity_law_normal_law, only: vanishing_separation
    use asperity_law_normal_properties, only: new_normal_properties, normal_properties, &
       unloading_elastic
    use asperity_law_plausibility, only: check_plausible_length, length_max
@@ -172,7 +171,7 @@ contains
          properties%normal%validity, error)
       if (.not. allocated(error)) call check_plausible_length('initial_separation', &
          properties%initial_separation, max(length_max, &
-         vanishing_separation*properties%normal%sigma), accepted, properties%normal%validity, error)
+         properties%normal%vanishing_separation), accepted, properties%normal%validity, error)
       if (allocated(error)) return
       if (properties%friction_rule /= rule_abaqus &
             .and. properties%friction_rule /= rule_dissipative) then

@@ -4,12 +4,14 @@
 module asperity_law_compile_law
    use asperity_base_error, only: error_type, fatal_error
    use asperity_base_kinds, only: wp
-   use asperity_law_compiled_law, only: compiled_law, evaluate_compiled_law, first, &
-      intervals_below, last, n_all, n_near, place_interval
-   use asperity_law_gaussian_tail, only: find_tail_moments
+   use asperity_law_compiled_intervals, only: first, first_of_johnson, intervals_below, last, &
+      last_of_johnson, n_all, n_near, place_interval
+   use asperity_law_compiled_law, only: compiled_law, evaluate_compiled_law
    use asperity_law_hermite_polynomial, only: degree, hermite_points, hermite_polynomial
-   use asperity_law_normal_law, only: evaluate_scaled_law, is_closed_too_far, normal_response
+   use asperity_law_johnson_heights, only: height_of, height_slope_at, normal_score
+   use asperity_law_normal_law, only: evaluate_scaled_law, normal_response
    use asperity_law_normal_properties, only: normal_properties
+   use asperity_law_validity, only: closure_above_half_radius
    implicit none
    private
    public :: new_compiled_law, compiling_pays
@@ -44,16 +46,18 @@ contains
       law%inverse_sigma = 1.0_wp/properties%sigma
       law%columns = [1, n_all]
       if (present(range)) law%columns = columns_of(properties, range)
+      law%last_near = merge(n_near, n_all, properties%heights%is_gaussian)
       do i = law%columns(1), law%columns(2)
-         call place_interval(i, middle, half_width)
-         if (i == law%columns(1) .or. i == n_near + 1) then
-            call sample(properties, middle - half_width, i > n_near, values(1, :), slopes(1, :))
+         call place_interval(i, properties%heights%is_gaussian, middle, half_width)
+         if (i == law%columns(1) .or. i == law%last_near + 1) then
+            call sample(properties, middle - half_width, i > law%last_near, values(1, :), &
+               slopes(1, :))
          else
             values(1, :) = values(4, :)
             slopes(1, :) = slopes(4, :)
          end if
          do j = 2, 4
-            call sample(properties, middle + half_width*hermite_points(j), i > n_near, &
+            call sample(properties, middle + half_width*hermite_points(j), i > law%last_near, &
                values(j, :), slopes(j, :))
          end do
          law%pressure(:degree, i) = hermite_polynomial(values(:, 1), slopes(:, 1), half_width)
@@ -83,11 +87,19 @@ contains
       type(normal_properties), intent(in) :: properties
       real(wp), intent(in) :: range(2)
       integer :: columns(2)
+      real(wp) :: h(2)
 
-      columns = min(1 + int(intervals_below(min(max(range/properties%sigma, first), last))), n_all)
+      h = normal_score(properties%heights, range/properties%sigma)
+      if (properties%heights%is_gaussian) then
+         h = min(max(h, first), last)
+      else
+         h = min(max(h, first_of_johnson), last_of_johnson)
+      end if
+      columns = min(1 + int(intervals_below(h, properties%heights%is_gaussian)), n_all)
    end function columns_of
 
-   !> Pressure, area fraction and energy, and their derivatives by h; over exp(-h^2/2) if `scaled`.
+   !> Pressure, area fraction and energy, and their derivatives by h, d/sigma or the Gaussian number
+   !> that belongs to it; over exp(-h^2/2) if `scaled`.
    pure subroutine sample(properties, h, scaled, values, slopes)
       type(normal_properties), intent(in) :: properties
       real(wp), intent(in) :: h
@@ -96,9 +108,11 @@ contains
       type(normal_response) :: r
       real(wp) :: area_stiffness, decay
 
-      call evaluate_scaled_law(properties, h*properties%sigma, r, area_stiffness)
+      call evaluate_scaled_law(properties, height_of(properties%heights, h)*properties%sigma, r, &
+         area_stiffness)
       values = [r%pressure, r%area_fraction, r%energy]
-      slopes = -properties%sigma*[r%stiffness, area_stiffness, r%pressure]
+      slopes = -properties%sigma*height_slope_at(properties%heights, h) &
+         *[r%stiffness, area_stiffness, r%pressure]
       if (scaled) then
          slopes = slopes + h*values
       else
@@ -115,15 +129,26 @@ contains
       real(wp) :: lowest, highest, near, distant, h, middle, half_width
       integer :: i
 
-      call place_interval(law%columns(1), middle, half_width)
-      lowest = middle - half_width
-      call place_interval(law%columns(2), middle, half_width)
-      highest = middle + half_width
+      associate (is_gaussian => law%properties%heights%is_gaussian)
+         call place_interval(law%columns(1), is_gaussian, middle, half_width)
+         lowest = middle - half_width
+         call place_interval(law%columns(2), is_gaussian, middle, half_width)
+         highest = middle + half_width
+      end associate
       do i = 1, 3
          law%limits(i) = lowest
          if (.not. is_passed(law, i, lowest)) cycle
          near = lowest
          distant = highest
+         ! the first place where it is passed no more, as of heavy tails it may be again far out
+         if (.not. law%properties%heights%is_gaussian) then
+            distant = lowest
+            do while (distant < highest)
+               distant = distant + 2.0_wp*half_width
+               if (.not. is_passed(law, i, distant)) exit
+               near = distant
+            end do
+         end if
          do while (distant - near > epsilon(h)*max(1.0_wp, abs(near)))
             h = 0.5_wp*(near + distant)
             if (is_passed(law, i, h)) then
@@ -141,14 +166,16 @@ contains
       type(compiled_law), intent(in) :: law
       integer, intent(in) :: limit
       real(wp), intent(in) :: h
-      real(wp) :: pressure, stiffness, area_fraction, moments(0:2)
+      real(wp) :: d, pressure, stiffness, area_fraction
+      type(normal_response) :: r
 
+      d = height_of(law%properties%heights, h)*law%properties%sigma
       if (limit < 3) then
-         call evaluate_compiled_law(law, h*law%properties%sigma, pressure, stiffness, area_fraction)
+         call evaluate_compiled_law(law, d, pressure, stiffness, area_fraction)
          is_passed = merge(area_fraction > 1.0_wp, pressure > law%properties%hardness, limit == 1)
       else
-         call find_tail_moments(h, moments)
-         is_passed = is_closed_too_far(law%properties, h*law%properties%sigma, moments)
+         call evaluate_scaled_law(law%properties, d, r)
+         is_passed = iand(r%validity, closure_above_half_radius) > 0
       end if
    end function is_passed
 

@@ -5,30 +5,24 @@
 !> Up to h = 8 the polynomials are of pressure, area and energy themselves; beyond, of the same over
 !> exp(-h^2/2). Values and slopes are exact at four points of an interval, its ends among them. The
 !> stiffness is the derivative of the polynomial of the pressure. Outside -8 <= h < 38, or of the
-!> range that it was compiled for, the law is evaluated directly, and beyond 39 it is zero.
+!> range that it was compiled for, the law is evaluated directly, and beyond 39 it is zero. Of
+!> heights that are not Gaussian h is the Gaussian number that belongs to d, as a function of which
+!> the law is smooth, and the polynomials reach from -3.5 to 8.
 module asperity_law_compiled_law
    use asperity_base_kinds, only: wp
+   use asperity_law_compiled_intervals, only: intervals_below, n_all
    use asperity_law_gaussian_tail, only: find_tail_moments
    use asperity_law_hermite_polynomial, only: degree
-   use asperity_law_normal_law, only: evaluate_normal_law, normal_response, vanishing_separation
+   use asperity_law_normal_law, only: evaluate_normal_law, normal_response
+   use asperity_law_johnson_heights, only: height_slope_at
    use asperity_law_normal_properties, only: normal_properties
+   use asperity_law_quadrature_pieces_by_johnson, only: decay_score
    use asperity_law_validity, only: area_above_nominal, closure_above_half_radius, &
       pressure_above_hardness
    implicit none
    private
-   public :: compiled_law, evaluate_compiled_law, intervals_below, place_interval
+   public :: compiled_law, evaluate_compiled_law
 
-   !> Ends of the three ranges of h, and intervals per unit of h in each
-   real(wp), parameter, public :: first = -8.0_wp, last = 38.0_wp
-   real(wp), parameter :: second = 2.0_wp
-   !> Up to here from the mean plane the error is below 1e-10, beyond below 1e-9
-   real(wp), parameter, public :: precise_reach = 8.0_wp
-   integer, parameter :: coarse = 5, fine = 21
-   real(wp), parameter :: far = 1.5_wp
-   !> Number of intervals: in the first two ranges, and in all
-   integer, parameter, public :: n_near = &
-      nint((second - first)*coarse + (precise_reach - second)*fine)
-   integer, parameter, public :: n_all = n_near + nint((last - precise_reach)*far)
    !> Points of a batch that are worked on at a time
    integer, parameter :: chunk = 64
    !> Stand for the column of an h without a polynomial: evaluated directly, or zero
@@ -44,8 +38,8 @@ module asperity_law_compiled_law
       !> Separations over sigma below which a limit of the law is passed: nominal area, hardness,
       !> half the radius
       real(wp) :: limits(3)
-      !> First and last column that holds a polynomial
-      integer :: columns(2)
+      !> First and last column that holds a polynomial, and last one that is not over exp(-h^2/2)
+      integer :: columns(2), last_near
       !> Polynomials, one column an interval: powers 0 to 7, and the middle of the interval
       real(wp) :: pressure(0:degree + 1, n_all)
       real(wp) :: area_fraction(0:degree, n_all), energy(0:degree, n_all)
@@ -85,7 +79,7 @@ contains
                area_fraction, contact_density, energy, validity)
             return
          end if
-         call evaluate_rest(law, separation*law%inverse_sigma, column, area_fraction, &
+         call evaluate_rest(law, score_at(law, separation), column, area_fraction, &
             contact_density, energy, validity)
       end if
       call evaluate_all(law, 1, [separation], found(1:1), found(2:2))
@@ -114,27 +108,30 @@ contains
       real(wp), intent(out) :: pressure(n), stiffness(n)
       real(wp) :: h(chunk), intervals, lowest, highest, decay
       integer :: column(chunk), i, j, m
-      logical :: inside(chunk)
+      logical :: inside(chunk), is_gaussian
 
+      is_gaussian = law%properties%heights%is_gaussian
       lowest = law%columns(1) - 1
       highest = law%columns(2)
       do i = 0, n - 1, chunk
          m = min(chunk, n - i)
          do j = 1, m
-            h(j) = separation(i + j)*law%inverse_sigma
-            intervals = intervals_below(h(j))
+            h(j) = score_at(law, separation(i + j))
+            intervals = intervals_below(h(j), is_gaussian)
             inside(j) = intervals >= lowest .and. intervals < highest
             column(j) = 1 + int(merge(intervals, lowest, inside(j)))
          end do
          call evaluate_polynomials(law, m, column, h, pressure(i + 1), stiffness(i + 1))
-         if (any(column(:m) > n_near)) then
+         if (any(column(:m) > law%last_near)) then
             do j = 1, m
-               if (column(j) <= n_near) cycle
+               if (column(j) <= law%last_near) cycle
                decay = exp(-0.5_wp*h(j)**2)
                stiffness(i + j) = (stiffness(i + j) + law%inverse_sigma*h(j)*pressure(i + j))*decay
                pressure(i + j) = pressure(i + j)*decay
             end do
          end if
+         if (.not. is_gaussian) stiffness(i + 1:i + m) = &
+            stiffness(i + 1:i + m)/height_slope_at(law%properties%heights, h(:m))
          if (all(inside(:m))) cycle
          do j = 1, m
             if (.not. inside(j)) call evaluate_outside(law, separation(i + j), &
@@ -218,7 +215,7 @@ contains
       if (column == beyond) return
       t = h - law%pressure(degree + 1, column)
       decay = 1.0_wp
-      if (column > n_near) decay = exp(-0.5_wp*h*h)
+      if (column > law%last_near) decay = exp(-0.5_wp*h*h)
       if (present(area_fraction)) &
          area_fraction = polynomial(law%area_fraction(:, column), t)*decay
       if (present(energy)) energy = polynomial(law%energy(:, column), t)*decay
@@ -229,47 +226,27 @@ contains
       if (present(validity)) validity = flags_at(law, h)
    end subroutine evaluate_rest
 
+   !> The variable of the polynomials at a separation.
+   pure real(wp) function score_at(law, separation) result(h)
+      type(compiled_law), intent(in) :: law
+      real(wp), intent(in) :: separation
+
+      h = separation*law%inverse_sigma
+      if (.not. law%properties%heights%is_gaussian) h = decay_score(law%properties, separation)
+   end function score_at
+
    !> Interval of a separation, or `outside` or `beyond`.
    pure integer function column_at(law, separation)
       type(compiled_law), intent(in) :: law
       real(wp), intent(in) :: separation
       real(wp) :: intervals
 
-      intervals = intervals_below(separation*law%inverse_sigma)
-      column_at = merge(beyond, outside, separation > vanishing_separation*law%properties%sigma)
+      intervals = intervals_below(score_at(law, separation), &
+         law%properties%heights%is_gaussian)
+      column_at = merge(beyond, outside, separation > law%properties%vanishing_separation)
       if (intervals >= law%columns(1) - 1 .and. intervals < law%columns(2)) &
          column_at = 1 + int(intervals)
    end function column_at
-
-   !> Middle and half width of an interval of h.
-   pure subroutine place_interval(i, middle, half_width)
-      !> Its number, 1 to `n_all`
-      integer, intent(in) :: i
-      !> Both of h
-      real(wp), intent(out) :: middle, half_width
-      integer, parameter :: n_first = nint((second - first)*coarse)
-
-      if (i <= n_first) then
-         half_width = 0.5_wp/coarse
-         middle = first + half_width*(2*i - 1)
-      else if (i <= n_near) then
-         half_width = 0.5_wp/fine
-         middle = second + half_width*(2*(i - n_first) - 1)
-      else
-         half_width = 0.5_wp/far
-         middle = precise_reach + half_width*(2*(i - n_near) - 1)
-      end if
-   end subroutine place_interval
-
-   !> Number of intervals that lie below h, with a fraction.
-   pure elemental real(wp) function intervals_below(h)
-      !> d/sigma
-      real(wp), intent(in) :: h
-
-      intervals_below = (min(h, second) - first)*coarse &
-         + min(max(h - second, 0.0_wp), precise_reach - second)*fine &
-         + max(h - precise_reach, 0.0_wp)*far
-   end function intervals_below
 
    !> A polynomial by Horner's rule.
    pure real(wp) function polynomial(c, t)

@@ -6,6 +6,8 @@ module asperity_law_gaussian_tail
    private
    public :: find_tail_moments, density_reach
 
+   !> From here on exp(-y^2/2), and with it the density, is zero in double precision
+   real(wp), parameter, public :: vanishing_height = 39.0_wp
    !> 1/sqrt(2 pi)
    real(wp), parameter, public :: phi_0 = 0.398942280401432677939946_wp
    real(wp), parameter :: sqrt_half = 0.707106781186547524400844_wp

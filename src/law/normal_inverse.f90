@@ -11,6 +11,8 @@ module asperity_law_normal_inverse
    public :: separation_for_pressure
 
    integer, parameter :: max_iterations = 200
+   !> Newton's method is at round-off one step after the logarithm of the pressure errs by this
+   real(wp), parameter :: small_mismatch = 2.0e-6_wp
    !> Largest closure beyond the mean plane that is searched, in sigma
    real(wp), parameter :: closest = 1.0e100_wp
 
@@ -62,6 +64,7 @@ contains
             far = separation
          end if
          step = huge(1.0_wp)
+         mismatch = huge(1.0_wp)
          if (response%pressure >= tiny(1.0_wp)) then
             mismatch = log(response%pressure) - log(pressure)
             if (abs(mismatch) < 0.5_wp) mismatch = log(response%pressure/pressure)
@@ -76,7 +79,7 @@ contains
          separation = next
          if (settled .or. .not. abs(step) > 0.0_wp) exit
          ! Newton is quadratic: one more step from here is at round-off
-         settled = abs(step) <= small
+         settled = abs(step) <= small .and. abs(mismatch) <= small_mismatch
       end do
 
    contains

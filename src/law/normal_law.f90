@@ -1,4 +1,4 @@
-!> The normal law of a rough face: summits with Gaussian heights, each of them elastic,
+!> The normal law of a rough face: summits with random heights, each of them elastic,
 !> elasto-plastic or fully plastic (Eqs 23-26), as a function of the separation d of the rigid
 !> plane from the mean plane of summit heights. Direct evaluation by quadrature, the reference
 !> of everything else. The law is reversible; that with memory is in `asperity_law_unloading_law`.
@@ -12,6 +12,7 @@ module asperity_law_normal_law
    use asperity_law_gaussian_tail, only: find_tail_moments
    use asperity_law_normal_properties, only: normal_properties
    use asperity_law_quadrature_pieces_by_fixed_rule, only: evaluate_fixed_pieces, fixed_pieces_serve
+   use asperity_law_quadrature_pieces_by_johnson, only: decay_score, find_johnson_pieces
    use asperity_law_quadrature_pieces_by_quadrature, only: elastic_piece, elastoplastic_piece, &
       piece_type, plastic_piece
    use asperity_law_validity, only: area_above_nominal, closure_above_half_radius, &
@@ -20,10 +21,6 @@ module asperity_law_normal_law
    private
    public :: normal_response, evaluate_normal_law, evaluate_pressure, evaluate_scaled_law, &
       sum_pieces, apply_decay, is_closed_too_far
-
-   !> Beyond this d/sigma the factor exp(-h^2/2), and with it the law, is zero in double precision:
-   !> no summit touches, and no limit is passed
-   real(wp), parameter, public :: vanishing_separation = 39.0_wp
 
    !> Answer of the rough face at one separation.
    type :: normal_response
@@ -60,8 +57,7 @@ contains
       type(normal_response) :: response
 
       call evaluate_scaled_law(properties, separation, response)
-      call apply_decay(properties, exp(-0.5_wp*max(separation/properties%sigma, 0.0_wp)**2), &
-         response)
+      call apply_decay(properties, decay_at(properties, separation), response)
    end function evaluate_normal_law
 
    !> What a contact point needs of the same, to the bit and in less time: no shares and no contact
@@ -83,12 +79,16 @@ contains
       integer :: i
 
       h = separation/properties%sigma
-      call find_pieces(properties, separation, .false., present(pieces), found)
+      if (properties%heights%is_gaussian) then
+         call find_pieces(properties, separation, .false., present(pieces), found)
+      else
+         call find_johnson_pieces(properties, separation, found, moments(0:1))
+      end if
       if (present(pieces)) pieces = found
       do i = 1, 3
          root(i) = root_of(found(i)%exponent)
       end do
-      decay = exp(-0.5_wp*max(h, 0.0_wp)**2)
+      decay = decay_at(properties, separation)
       associate (p => properties)
          pressure = p%eta*p%n1*sum(root*root*found%pressure)*decay
          stiffness = p%eta*p%n1/p%w1*sum(root*root*found%stiffness)*decay
@@ -97,9 +97,11 @@ contains
          validity = p%validity
          if (area_fraction > 1.0_wp) validity = ior(validity, area_above_nominal)
          if (pressure > p%hardness) validity = ior(validity, pressure_above_hardness)
-         ! above the mean plane summits in contact are closed by 0.8 sigma or less in the mean
-         if (h > 0.0_wp .and. 0.8_wp*p%sigma < 0.5_wp*p%radius) return
-         call find_tail_moments(h, moments)
+         if (p%heights%is_gaussian) then
+            ! above the mean plane summits in contact are closed by 0.8 sigma or less in the mean
+            if (h > 0.0_wp .and. 0.8_wp*p%sigma < 0.5_wp*p%radius) return
+            call find_tail_moments(h, moments)
+         end if
          if (is_closed_too_far(p, separation, moments)) &
             validity = ior(validity, closure_above_half_radius)
       end associate
@@ -126,6 +128,20 @@ contains
       end associate
    end subroutine apply_decay
 
+   !> The factor exp(-max(h, 0)^2/2), which scaled values lack: h is d/sigma, or what has taken its
+   !> place where heights are not Gaussian.
+   pure real(wp) function decay_at(properties, separation) result(decay)
+      !> Checked properties
+      type(normal_properties), intent(in) :: properties
+      !> Separation d, mm
+      real(wp), intent(in) :: separation
+      real(wp) :: h
+
+      h = separation/properties%sigma
+      if (.not. properties%heights%is_gaussian) h = decay_score(properties, separation)
+      decay = exp(-0.5_wp*max(h, 0.0_wp)**2)
+   end function decay_at
+
    !> The law without the factor exp(-max(h, 0)^2/2), which underflows far out.
    pure subroutine evaluate_scaled_law(properties, separation, scaled, area_stiffness, pieces)
       !> Checked properties
@@ -142,8 +158,12 @@ contains
       type(piece_type) :: found(3)
       real(wp) :: moments(0:2)
 
-      call find_pieces(properties, separation, present(area_stiffness), present(pieces), found)
-      call find_tail_moments(separation/properties%sigma, moments)
+      if (properties%heights%is_gaussian) then
+         call find_pieces(properties, separation, present(area_stiffness), present(pieces), found)
+         call find_tail_moments(separation/properties%sigma, moments)
+      else
+         call find_johnson_pieces(properties, separation, found, moments(0:1))
+      end if
       call sum_pieces(properties, found, scaled, area_stiffness)
       if (present(pieces)) pieces = found
       associate (p => properties, r => scaled)
@@ -154,7 +174,7 @@ contains
       end associate
    end subroutine evaluate_scaled_law
 
-   !> The three pieces, by the fixed rule where it serves.
+   !> The three pieces of Gaussian heights, by the fixed rule where it serves.
    pure subroutine find_pieces(properties, separation, with_area_slope, with_memory, pieces)
       !> Checked properties
       type(normal_properties), intent(in) :: properties
@@ -186,7 +206,7 @@ contains
       real(wp), intent(in) :: separation, moments(0:2)
 
       is_closed_too_far = properties%sigma*moments(1) > 0.5_wp*properties%radius*moments(0) &
-         .and. separation <= vanishing_separation*properties%sigma
+         .and. separation <= properties%judged_separation
    end function is_closed_too_far
 
    !> Root of the factor exp(-exponent) of a piece.

@@ -8,6 +8,9 @@ module asperity_law_normal_properties
    use asperity_base_error, only: error_type, fatal_error
    use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
+   use asperity_law_gaussian_tail, only: vanishing_height
+   use asperity_law_johnson_heights, only: height_of, johnson_heights
+   use asperity_law_johnson_summits, only: find_summit_heights
    use asperity_law_plausibility, only: check_plausible
    use asperity_law_validity, only: stiffer_than_hertz, valid
    use asperity_paper_pairs, only: pair_preset
@@ -45,6 +48,9 @@ module asperity_law_normal_properties
    !> Largest b3 with which elastic unloading lies below loading; k = 2/sqrt(w2/w1)
    real(wp), parameter :: largest_force_exponent = 1.5_wp
 
+   !> Normal number of the rarest heights whose closure is judged: one summit in forty
+   real(wp), parameter :: rarest_judged = 2.0_wp
+
    !> Properties of the normal law. Build it with `new_normal_properties`; read only afterwards.
    type :: normal_properties
       !> Asperity density eta: summits per nominal area, 1/mm^2 (Eq. 24)
@@ -80,6 +86,13 @@ module asperity_law_normal_properties
       integer :: height_distribution = heights_gaussian
       !> Skewness and kurtosis of the heights, 0 and 3 of Gaussian ones
       real(wp) :: skewness = 0.0_wp, kurtosis = 3.0_wp
+      !> The heights as a function of a Gaussian number
+      type(johnson_heights) :: heights = johnson_heights()
+      !> Beyond this separation the law is zero in double precision, mm
+      real(wp) :: vanishing_separation = 0.0_wp
+      !> Up to this one the mean closure of the summits in contact is judged, mm: the few far out of
+      !> heavy tails are all tall
+      real(wp) :: judged_separation = 0.0_wp
       !> Flags that hold for every result of these properties (see `asperity_law_validity`)
       integer :: validity = valid
    end type normal_properties
@@ -96,23 +109,17 @@ contains
    !> `error` is set, and `properties` unusable, when a value is not above zero (1e-20 to 1e20),
    !> the yield factor is outside 0.05 to 1 (2/sqrt(plastic_ratio) to 1 with elastic unloading), the
    !> plastic ratio outside 10 to 1000, or a value is one that no face or solid has, such as an
-   !> eta R sigma below 0.0158 (see `asperity_law_plausibility`).
+   !> eta R sigma below 0.0158 (see `asperity_law_plausibility`); when no heights have skewness and
+   !> kurtosis, or heights that are not Gaussian are to unload elastically.
    pure subroutine from_values(properties, eta, modulus, radius, hardness, yield_factor, sigma, &
-         error, accept_unphysical, unloading, plastic_ratio)
+         error, accept_unphysical, unloading, plastic_ratio, height_distribution, skewness, &
+         kurtosis)
       !> Result; all of it is set
       type(normal_properties), intent(inout) :: properties
-      !> Asperity density, 1/mm^2
-      real(wp), intent(in) :: eta
-      !> Equivalent modulus, MPa
-      real(wp), intent(in) :: modulus
-      !> Summit radius, mm
-      real(wp), intent(in) :: radius
-      !> Hardness, MPa
-      real(wp), intent(in) :: hardness
-      !> Mean contact pressure factor k
-      real(wp), intent(in) :: yield_factor
-      !> Standard deviation of summit heights, mm
-      real(wp), intent(in) :: sigma
+      !> Asperity density, 1/mm^2; equivalent modulus, MPa; summit radius, mm
+      real(wp), intent(in) :: eta, modulus, radius
+      !> Hardness, MPa; mean contact pressure factor k; standard deviation of summit heights, mm
+      real(wp), intent(in) :: hardness, yield_factor, sigma
       !> Set when a property is refused
       type(error_type), allocatable, intent(out) :: error
       !> Let what no face or solid has pass; results are then flagged
@@ -121,6 +128,10 @@ contains
       integer, intent(in), optional :: unloading
       !> w2/w1, 10 to 1000; 110 when absent
       real(wp), intent(in), optional :: plastic_ratio
+      !> `heights_gaussian` (default) or `heights_johnson`
+      integer, intent(in), optional :: height_distribution
+      !> Skewness and kurtosis of the latter; 0 and 3 when absent
+      real(wp), intent(in), optional :: skewness, kurtosis
       type(double_double) :: strain, yield
       real(wp) :: values(7), ratio, log_ratio, b2_less_1
       logical :: allowed, accepted
@@ -172,27 +183,29 @@ contains
 
       if (properties%b3 > largest_force_exponent) &
          properties%validity = ior(properties%validity, stiffer_than_hertz)
+      call set_heights(properties, error, height_distribution, skewness, kurtosis)
       properties%unloading = unloading_reversible
-      if (present(unloading)) call set_unloading(properties, unloading, error)
+      if (present(unloading) .and. .not. allocated(error)) &
+         call set_unloading(properties, unloading, error)
    end subroutine from_values
 
    !> The same of a pair of the paper.
-   pure subroutine from_pair(properties, pair, error, accept_unphysical, unloading, plastic_ratio)
+   pure subroutine from_pair(properties, pair, error, accept_unphysical, unloading, &
+         plastic_ratio, height_distribution, skewness, kurtosis)
       !> Result
       type(normal_properties), intent(out) :: properties
       !> The pair, such as `find_pair` finds
       type(pair_preset), intent(in) :: pair
       !> Set when a property is refused
       type(error_type), allocatable, intent(out) :: error
-      !> Let what no face or solid has pass; results are then flagged
+      !> As above
       logical, intent(in), optional :: accept_unphysical
-      !> `unloading_reversible` (default) or `unloading_elastic`
-      integer, intent(in), optional :: unloading
-      !> w2/w1, 10 to 1000; 110 when absent
-      real(wp), intent(in), optional :: plastic_ratio
+      integer, intent(in), optional :: unloading, height_distribution
+      real(wp), intent(in), optional :: plastic_ratio, skewness, kurtosis
 
       call from_values(properties, pair%eta, pair%modulus, pair%radius, pair%hardness, &
-         pair%yield_factor, pair%sigma, error, accept_unphysical, unloading, plastic_ratio)
+         pair%yield_factor, pair%sigma, error, accept_unphysical, unloading, plastic_ratio, &
+         height_distribution, skewness, kurtosis)
    end subroutine from_pair
 
    !> Equivalent modulus E* of two elastic bodies, MPa (Eq. 4).
@@ -207,6 +220,36 @@ contains
       modulus = 1.0_wp/((1.0_wp - poisson_1**2)/modulus_1 + (1.0_wp - poisson_2**2)/modulus_2)
    end function equivalent_modulus
 
+   !> Set how heights are distributed.
+   pure subroutine set_heights(properties, error, height_distribution, skewness, kurtosis)
+      type(normal_properties), intent(inout) :: properties
+      type(error_type), allocatable, intent(inout) :: error
+      integer, intent(in), optional :: height_distribution
+      real(wp), intent(in), optional :: skewness, kurtosis
+
+      associate (p => properties)
+         p%height_distribution = heights_gaussian
+         if (present(height_distribution)) p%height_distribution = height_distribution
+         p%skewness = 0.0_wp
+         p%kurtosis = 3.0_wp
+         p%heights = johnson_heights()
+         p%vanishing_separation = vanishing_height*p%sigma
+         p%judged_separation = p%vanishing_separation
+         if (p%height_distribution == heights_gaussian) return
+         if (p%height_distribution /= heights_johnson) then
+            call fatal_error(error, 'height_distribution = '//to_text(p%height_distribution)// &
+               ' is unknown: 0 is gaussian, 1 is johnson', subject='height_distribution')
+            return
+         end if
+         if (present(skewness)) p%skewness = skewness
+         if (present(kurtosis)) p%kurtosis = kurtosis
+         call find_summit_heights(p%heights, p%skewness, p%kurtosis, error)
+         if (allocated(error) .or. p%heights%is_gaussian) return
+         p%vanishing_separation = height_of(p%heights, vanishing_height)*p%sigma
+         p%judged_separation = height_of(p%heights, rarest_judged)*p%sigma
+      end associate
+   end subroutine set_heights
+
    !> Set what summits do that part again; refused where the unloading branch would lie above the
    !> virgin one, or cycles create energy.
    pure subroutine set_unloading(properties, unloading, error)
@@ -219,6 +262,11 @@ contains
       if (unloading /= unloading_reversible .and. unloading /= unloading_elastic) then
          call fatal_error(error, 'unloading = '//to_text(unloading)// &
             ' is unknown: 0 is reversible, 1 is elastic', subject='unloading')
+      else if (unloading == unloading_elastic &
+            .and. properties%height_distribution /= heights_gaussian) then
+         call fatal_error(error, 'height_distribution = johnson is not possible with elastic '// &
+            'unloading: take unloading = reversible, or gaussian heights', &
+            subject='height_distribution unloading')
       else if (unloading == unloading_elastic .and. properties%b3 > largest_force_exponent) then
          ! rounded upwards, so that the value told is one that passes
          least = 1.0e-4_wp*ceiling(1.0e4_wp*2.0_wp/sqrt(properties%plastic_ratio))

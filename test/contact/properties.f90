@@ -1,7 +1,7 @@
 !> Limits of friction and datum: a value, and the next one that is refused.
 module test_contact_properties
    use asperity, only: contact_properties, error_type, implausible_property, &
-      new_contact_properties, wp
+      new_contact_properties, new_normal_properties, wp
    use asperity_base_number_text, only: to_text
    use contact_cases, only: pair_properties
    use funit, only: assertEqual, assertTrue, TestMethod, TestSuite
@@ -60,7 +60,8 @@ contains
       integer :: expected
 
       pair = pair_properties()
-      if (present(sigma)) pair%normal%sigma = sigma
+      if (present(sigma)) call new_normal_properties(pair%normal, 206.0_wp, 297.0_wp, 0.1477_wp, &
+         24.53_wp, 0.4_wp, sigma, error)
       call new_contact_properties(p, pair%normal, friction_coefficient, critical_slip, error, &
          initial_separation, accept_unphysical=accepted)
       call assertTrue(allocated(error) .eqv. subject /= '', subject//' mu '// &

@@ -5,7 +5,7 @@ module test_law_compiled_law
       ieee_quiet_nan, ieee_set_halting_mode, ieee_value
    use asperity, only: compiled_law, error_type, evaluate_compiled_law, evaluate_normal_law, &
       new_compiled_law, normal_properties, normal_response, wp
-   use asperity_law_normal_law, only: vanishing_separation
+   use asperity_law_gaussian_tail, only: vanishing_height
    use extremes, only: largest_of, worsen
    use funit, only: assertEqual, assertFalse, assertLessThan, &
       assertLessThanOrEqual, assertRelativelyEqual, assertTrue, TestMethod, TestSuite
@@ -312,7 +312,7 @@ contains
 
       p = normal_of_pair('transverse-tangential')
       call new_compiled_law(law, p, error)
-      beyond = [vanishing_separation*p%sigma*1.001_wp, 1.0e10_wp, 1.0e36_wp]
+      beyond = [vanishing_height*p%sigma*1.001_wp, 1.0e10_wp, 1.0e36_wp]
       do i = 1, 3
          call evaluate(law, beyond(i), values, validity)
          call assertLessThanOrEqual(largest_of(values), 0.0_wp, 'nothing touches')

@@ -4,7 +4,7 @@ module test_law_compiled_unloading_limits
       ieee_quiet_nan, ieee_set_halting_mode, ieee_value
    use asperity_base_error, only: error_type
    use asperity_base_kinds, only: wp
-   use asperity_law_normal_law, only: vanishing_separation
+   use asperity_law_gaussian_tail, only: vanishing_height
    use asperity_law_normal_properties, only: normal_properties
    use asperity_law_unloading_compile_law, only: new_compiled_unloading_law
    use asperity_law_unloading_compiled_law, only: compiled_plastic_dissipation, &
@@ -85,7 +85,7 @@ contains
       call assertLessThan(largest_of(compiled_at(law, 37.0_wp, 0.0_wp)/direct_at(law, 37.0_wp, &
          0.0_wp) - 1.0_wp), 1.0e-9_wp, 'virgin, far out')
       call assertEqual(0.0_wp, largest_of(compiled_at(law, 2.0_wp, 50.0_wp)), 0.0_wp, 'parted')
-      call assertEqual(0.0_wp, largest_of(compiled_at(law, vanishing_separation + 1.0_wp, &
+      call assertEqual(0.0_wp, largest_of(compiled_at(law, vanishing_height + 1.0_wp, &
          -0.5_wp)), 0.0_wp, 'never touched')
       call assertEqual(0.0_wp, compiled_plastic_dissipation(law, 1.0e10_wp), 0.0_wp, 'no loss')
       ! a comparison with what is not a number would end a build that traps invalid operations

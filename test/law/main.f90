@@ -11,6 +11,7 @@ program test_law
    use test_law_fixed_pieces, only: suite_fixed_pieces
    use test_law_gaussian_tail, only: suite_gaussian_tail
    use test_law_hermite_polynomial, only: suite_hermite_polynomial
+   use test_law_johnson, only: suite_johnson
    use test_law_normal_inverse, only: suite_normal_inverse
    use test_law_normal_law, only: suite_normal_law
    use test_law_normal_law_reference, only: suite_normal_law_reference
@@ -43,6 +44,7 @@ program test_law
    call suite%addTest(suite_compiled_law())
    call suite%addTest(suite_compile_range())
    call suite%addTest(suite_plastic_ratio())
+   call suite%addTest(suite_johnson())
    call suite%addTest(suite_compiled_energy())
    call suite%addTest(suite_compiled_unloading())
    call suite%addTest(suite_compiled_unloading_limits())

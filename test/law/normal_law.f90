@@ -8,6 +8,7 @@ module test_law_normal_law
    use asperity_base_kinds, only: wp
    use asperity_law_normal_law, only: evaluate_normal_law, normal_response
    use asperity_law_normal_properties, only: new_normal_properties, normal_properties
+   use asperity_law_unloading_law, only: evaluate_unloading_law
    use asperity_law_validity, only: valid
    use extremes, only: worsen
    use funit, only: anyExceptions, assertEqual, assertFalse, assertLessThan, &
@@ -33,6 +34,7 @@ contains
       call suite%addTest(TestMethod('pressed flat', test_pressed_flat))
       call suite%addTest(TestMethod('finite, without exceptions', test_exceptions))
       call suite%addTest(TestMethod('scaling invariance', test_scaling))
+      call suite%addTest(TestMethod('one factor on modulus and hardness', test_one_factor))
       call suite%addTest(TestMethod('separations of the reference', test_known_separations))
       call suite%addTest(TestMethod('limits of the paper''s pairs', test_known_limits))
    end function suite_normal_law
@@ -200,6 +202,62 @@ contains
          if (anyExceptions()) return
       end do
    end subroutine test_scaling
+
+   !> A common factor on E* and H leaves w1 as it is and multiplies the pressure by itself at any
+   !> separation: to the bit by a power of two, to round-off else, without memory, with it, and with
+   !> heights that are not Gaussian.
+   subroutine test_one_factor()
+      real(wp), parameter :: factors(4) = [0.5_wp, 4.0_wp, 0.7_wp, 0.313_wp]
+      type(normal_properties) :: p, q
+      type(normal_response) :: r, s
+      type(error_type), allocatable :: error
+      real(wp) :: d, wanted(4), found(4), worst
+      integer :: i, j, k
+
+      worst = 0.0_wp
+      do k = 0, 2
+         do j = 1, size(factors)
+            call scaled_pair(p, 1.0_wp, k, error)
+            call scaled_pair(q, factors(j), k, error)
+            call assertFalse(allocated(error), 'accepted')
+            do i = -60, 60
+               d = 0.1_wp*i*p%sigma
+               if (k == 1) then
+                  r = evaluate_unloading_law(p, d, 0.2_wp*p%w1)
+                  s = evaluate_unloading_law(q, d, 0.2_wp*q%w1)
+               else
+                  r = evaluate_normal_law(p, d)
+                  s = evaluate_normal_law(q, d)
+               end if
+               wanted = [r%pressure, r%stiffness, r%energy, r%plastic_dissipation]*factors(j)
+               found = [s%pressure, s%stiffness, s%energy, s%plastic_dissipation]
+               if (j <= 2) then
+                  call assertEqual(wanted, found, 0.0_wp, 'to the bit')
+                  call assertEqual(p%w1, q%w1, 0.0_wp, 'w1')
+               else
+                  call worsen(worst, abs(found - wanted)/max(wanted, tiny(1.0_wp)))
+                  call assertRelativelyEqual(p%w1, q%w1, 2.0_wp*eps, 'w1')
+               end if
+               call assertRelativelyEqual(r%area_fraction, s%area_fraction, 1.0e-14_wp, 'area')
+            end do
+         end do
+      end do
+      call record('normal_law.one_factor', worst)
+      call assertLessThan(worst, 1.0e-14_wp, 'one factor')
+   end subroutine test_one_factor
+
+   !> The first pair with a factor on modulus and hardness: 0 as it is, 1 with memory, 2 with
+   !> heights that are not Gaussian.
+   subroutine scaled_pair(p, factor, kind, error)
+      type(normal_properties), intent(out) :: p
+      real(wp), intent(in) :: factor
+      integer, intent(in) :: kind
+      type(error_type), allocatable, intent(out) :: error
+
+      call new_normal_properties(p, 206.0_wp, factor*297.0_wp, 0.1477_wp, factor*24.53_wp, &
+         0.4_wp, 0.0593_wp, error, unloading=merge(1, 0, kind == 1), &
+         height_distribution=merge(1, 0, kind == 2), kurtosis=3.61_wp)
+   end subroutine scaled_pair
 
    !> h at 0.05, 0.2 and 4.7 MPa to three figures: half a digit away on both sides, pressures
    !> bracket the value.

@@ -40,8 +40,8 @@ contains
       call suite%addTest(TestMethod('what is refused', test_refused))
    end function suite_plastic_ratio
 
-   !> test/data/plastic_ratio_reference.csv, by test/reference/plastic_ratio_reference.py; a negative
-   !> retraction stands for the law without memory.
+   !> test/data/plastic_ratio_reference.csv, by test/reference/plastic_ratio_reference.py; a
+   !> negative retraction stands for the law without memory.
    subroutine test_table()
       character(len=*), parameter :: header = 'plastic_ratio,sigma,eta,modulus,radius,hardness,'// &
          'yield_factor,closest_separation,retraction,pressure,stiffness,area_fraction,'// &
@@ -62,7 +62,7 @@ contains
       if (status /= 0) path = 'test/data'
       open (newunit=unit, file=trim(path)//'/plastic_ratio_reference.csv', status='old', &
          action='read', iostat=status)
-      if (status /= 0) error stop 'no plastic_ratio_reference.csv (ASPERITY_TEST_DATA is its folder)'
+      if (status /= 0) error stop 'no such table (ASPERITY_TEST_DATA is its folder)'
       read (unit, '(a)') line
       call assertEqual(header, trim(line), 'columns')
       worst = 0.0_wp
@@ -90,7 +90,8 @@ contains
                relative = abs(found(j)/v(9 + j) - 1.0_wp)
                call worsen(worst(j, kind), relative)
                call assertLessThan(relative, &
-                  merge(1.0e-11_wp, 1.0e-12_wp, kind == 2 .and. j > 5), trim(label)//' '//columns(j))
+                  merge(1.0e-11_wp, 1.0e-12_wp, kind == 2 .and. j > 5), &
+                  trim(label)//' '//columns(j))
             else
                call assertLessThanOrEqual(found(j), tiny(1.0_wp), trim(label)//' '//columns(j))
             end if
@@ -189,8 +190,8 @@ contains
       call assertLessThan(worst, 1.0e-9_wp, 'compiled with memory')
    end subroutine test_compiled_unloading
 
-   !> Pressures at 0.2, 0.15 and 0.1 mm over those of 110, transverse on tangential, found by another
-   !> program (a summation over heights) to three figures.
+   !> Pressures at 0.2, 0.15 and 0.1 mm over those of 110, transverse on tangential, found before
+   !> the ratio was a property by a program with another constant, to three figures.
    subroutine test_pressures()
       real(wp), parameter :: separations(3) = [0.2_wp, 0.15_wp, 0.1_wp]
       real(wp), parameter :: low(3) = [1.21_wp, 1.20_wp, 1.18_wp], &

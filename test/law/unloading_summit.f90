@@ -174,7 +174,8 @@ contains
       call assertTrue(allocated(error), 'below')
       if (allocated(error)) then
          call assertTrue(index(error%message, 'yield_factor = 0.19') == 1, 'named')
-         call assertTrue(index(error%message, '0.1907 (2/sqrt(plastic_ratio)) or more') > 0, 'allowed')
+         call assertTrue(index(error%message, '0.1907 (2/sqrt(plastic_ratio)) or more') > 0, &
+            'allowed')
          call assertTrue(fits_subject(error), 'subject')
       end if
       call make(0.4_wp, 2)

@@ -1,6 +1,6 @@
 !> Points for integrals over the deformations of elasto-plastic summits where w1 is small against
-!> sigma and w2/w1 is 110, its default: then they are constants in w/w1: a generalised Gauss rule for the
-!> powers of w/w1 that force, slope, work and area are, times the density of heights, over
+!> sigma and w2/w1 is 110, its default: then they are constants in w/w1, a generalised Gauss rule
+!> for the powers of w/w1 that force, slope, work and area are, times the density of heights, over
 !> ln(w/w1). Numbers from test/reference/fixed_rule_constants.py.
 module asperity_law_quadrature_fixed_points
    use asperity_base_kinds, only: wp

@@ -1,7 +1,7 @@
 !> The elastic and the elasto-plastic piece of the normal law where w1 is small against sigma: the
 !> one by the power series of the density, the other on the points of a fixed rule, few and
-!> constant where w2/w1 is the default; neither takes a power function. Ten times faster than the general quadrature, and as
-!> accurate where it serves.
+!> constant where w2/w1 is its default; neither takes a power function. Ten times faster than the
+!> general quadrature, and as accurate where it serves.
 module asperity_law_quadrature_pieces_by_fixed_rule
    use asperity_base_kinds, only: wp
    use asperity_law_exponential, only: exponentials

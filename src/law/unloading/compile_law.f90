@@ -5,9 +5,9 @@ module asperity_law_unloading_compile_law
    use asperity_base_error, only: error_type, fatal_error
    use asperity_base_kinds, only: wp
    use asperity_law_compile_law, only: new_compiled_law
-   use asperity_law_compiled_law, only: first
-   use asperity_law_gaussian_tail, only: find_tail_moments
-   use asperity_law_normal_law, only: evaluate_normal_law, normal_response, vanishing_separation
+   use asperity_law_compiled_intervals, only: first
+   use asperity_law_gaussian_tail, only: find_tail_moments, vanishing_height
+   use asperity_law_normal_law, only: evaluate_normal_law, normal_response
    use asperity_law_normal_properties, only: normal_properties, unloading_elastic
    use asperity_law_unloading_cell, only: degree_h, strip_half_width
    use asperity_law_unloading_chebyshev, only: chebyshev_points
@@ -51,7 +51,7 @@ contains
       call find_memory_limit(law)
       call bracket_area(law)
       associate (p => properties)
-         law%vanishing_retraction = elastic_recovery(p, (vanishing_separation - first)*p%sigma) &
+         law%vanishing_retraction = elastic_recovery(p, (vanishing_height - first)*p%sigma) &
             /p%sigma
       end associate
    end subroutine new_compiled_unloading_law
@@ -148,7 +148,7 @@ contains
          law%memory_limit = first
          if (.not. passes_memory(p, first)) return
          near = first
-         distant = vanishing_separation
+         distant = vanishing_height
          do while (distant - near > epsilon(h)*max(1.0_wp, abs(near)))
             h = 0.5_wp*(near + distant)
             if (passes_memory(p, h)) then
@@ -184,7 +184,7 @@ contains
       below = 0.0_wp
       step = 1.0e-3_wp
       associate (p => law%virgin%properties, limit => law%virgin%limits(1))
-         n = min(n_brackets, int((min(limit, vanishing_separation) - first)*brackets_per_sigma))
+         n = min(n_brackets, int((min(limit, vanishing_height) - first)*brackets_per_sigma))
          do i = n, 0, -1
             h = first + real(i, wp)/brackets_per_sigma
             do

@@ -12,8 +12,10 @@
 !> Verified for 1e-6 <= w1/sigma <= 1e2. A plastic dissipation below 1e-260 N/mm may be zero.
 module asperity_law_unloading_compiled_law
    use asperity_base_kinds, only: wp
-   use asperity_law_compiled_law, only: compiled_law, evaluate_compiled_law, first
-   use asperity_law_normal_law, only: normal_response, vanishing_separation
+   use asperity_law_compiled_intervals, only: first
+   use asperity_law_compiled_law, only: compiled_law, evaluate_compiled_law
+   use asperity_law_gaussian_tail, only: vanishing_height
+   use asperity_law_normal_law, only: normal_response
    use asperity_law_unloading_cell, only: evaluate_cell, strip_half_width, strip_polynomial, &
       unloading_cell, value_in_strip
    use asperity_law_unloading_law, only: evaluate_unloading_law
@@ -154,7 +156,7 @@ contains
       strip = strip_at(h)
       if (strip >= 1 .and. strip <= n_strips) then
          energy = value_in_strip(law%energy(strip), place_in_strip(h, strip))
-      else if (h > vanishing_separation) then
+      else if (h > vanishing_height) then
          energy = 0.0_wp
       else
          direct = evaluate_unloading_law(law%virgin%properties, separation, 0.0_wp)

@@ -10,7 +10,7 @@ module asperity_law_unloading_law
    use asperity_base_kinds, only: wp
    use asperity_law_gaussian_tail, only: find_tail_moments
    use asperity_law_normal_law, only: apply_decay, evaluate_pressure, evaluate_scaled_law, &
-      is_closed_too_far, normal_response, sum_pieces, vanishing_separation
+      is_closed_too_far, normal_response, sum_pieces
    use asperity_law_normal_properties, only: normal_properties
    use asperity_law_quadrature_heights, only: relative_exponent
    use asperity_law_quadrature_pieces_by_fixed_rule, only: fixed_elastoplastic_piece, &
@@ -208,7 +208,7 @@ contains
 
       flags = 0
       associate (p => properties)
-         if (closest_separation > vanishing_separation*p%sigma) return
+         if (closest_separation > p%vanishing_separation) return
          ! above the mean plane summits in contact are closed by 0.8 sigma or less in the mean
          if (closest_separation > 0.0_wp .and. 0.8_wp*p%sigma < min(0.5_wp*p%radius, &
             largest_mean_ratio*p%w1)) return

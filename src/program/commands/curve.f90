@@ -74,6 +74,7 @@ contains
       call self%faces%declare(keys, has_friction=.false.)
       call self%faces%declare_separation(keys)
       call self%faces%declare_unloading(keys)
+      call self%faces%heights%declare(keys)
       call self%faces%declare_accept(keys)
       self%separation = linear_range(self%faces%usual_separation(), 0.0_wp, default_points)
       call keys%list('separation', self%separation, 'mm', &

@@ -63,6 +63,7 @@ contains
       call self%faces%declare(keys, has_friction=.false.)
       call self%faces%declare_separation(keys)
       call self%faces%declare_unloading(keys)
+      call self%faces%heights%declare(keys)
       call self%faces%declare_accept(keys)
       call keys%switch('accept_sizes', self%press%accept_sizes, &
          'let sizes and pressures pass that look like another unit')

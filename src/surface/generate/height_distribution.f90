@@ -1,11 +1,10 @@
 !> Heights of given skewness and kurtosis as a rising function of a Gaussian number, and what that
 !> does to correlations.
 module asperity_surface_generate_height_distribution
-   use asperity_base_error, only: error_type, fatal_error
+   use asperity_base_error, only: error_type
    use asperity_base_kinds, only: wp
-   use asperity_base_number_text, only: to_text
-   use asperity_law_johnson, only: find_johnson, johnson_height, johnson_moments, &
-      johnson_type, n_half, normal_point, normal_weight
+   use asperity_law_johnson_fit, only: n_half, normal_point, normal_weight
+   use asperity_law_johnson_heights, only: find_johnson_heights, height_of, johnson_heights
    implicit none
    private
    public :: new_marginal, marginal_height, distorted_correlation
@@ -15,13 +14,8 @@ module asperity_surface_generate_height_distribution
 
    !> The function from a Gaussian number to a height of mean 0 and variance 1.
    type, public :: marginal_type
-      !> Whether heights are Gaussian, which needs no function
-      logical :: is_gaussian = .true.
-      !> Sign of the skewness
-      real(wp) :: sign = 1.0_wp
-      !> The distribution, with its mean and standard deviation
-      type(johnson_type) :: johnson = johnson_type()
-      real(wp) :: mean = 0.0_wp, sigma = 1.0_wp
+      !> The function
+      type(johnson_heights) :: heights = johnson_heights()
       !> Shares of the powers 1, 2 ... of the Gaussian correlation in that of the heights
       real(wp) :: shares(n_terms) = 0.0_wp
    end type marginal_type
@@ -36,34 +30,18 @@ contains
       real(wp), intent(in) :: ssk, sku
       !> Set where no function has them
       type(error_type), allocatable, intent(out) :: error
-      logical :: is_found
 
-      if (abs(ssk) < 1.0e-12_wp .and. abs(sku - 3.0_wp) < 1.0e-12_wp) return
-      if (sku < ssk**2 + 1.0_wp) then
-         call fatal_error(error, 'ssk = '//to_text(ssk)//' with sku = '//to_text(sku)// &
-            ' is not allowed: no heights have sku below ssk^2 + 1 = '// &
-            to_text(ssk**2 + 1.0_wp, 5), subject='ssk sku')
-         return
-      end if
-      call find_johnson(abs(ssk), sku, marginal%johnson, is_found)
-      if (.not. is_found) then
-         call fatal_error(error, 'ssk = '//to_text(ssk)//' with sku = '//to_text(sku)// &
-            ' cannot be reached: give ssk from -4 to 4, and sku from 1.1 ssk^2 + 1.3 = '// &
-            to_text(1.1_wp*ssk**2 + 1.3_wp, 5)//' to 60', subject='ssk sku')
-         return
-      end if
-      marginal%is_gaussian = .false.
-      marginal%sign = sign(1.0_wp, ssk)
+      call find_johnson_heights(marginal%heights, ssk, sku, ['ssk', 'sku'], error)
+      if (allocated(error) .or. marginal%heights%is_gaussian) return
       call expand(marginal)
    end subroutine new_marginal
 
-   !> Scale the function and expand it in Hermite polynomials.
+   !> Expand the function in Hermite polynomials.
    pure subroutine expand(marginal)
       type(marginal_type), intent(inout) :: marginal
-      real(wp) :: moments(4), x, p, z, hermite(0:n_terms), sums(n_terms)
+      real(wp) :: x, p, z, hermite(0:n_terms), sums(n_terms)
       integer :: i, n
 
-      call johnson_moments(marginal%johnson, marginal%mean, marginal%sigma, moments)
       sums = 0.0_wp
       do i = -n_half, n_half
          x = normal_point(i)
@@ -86,10 +64,7 @@ contains
       !> Gaussian number of mean 0 and variance 1
       real(wp), intent(in) :: x
 
-      z = x
-      if (marginal%is_gaussian) return
-      z = johnson_height(marginal%johnson, marginal%sign*x) - marginal%mean
-      z = z*(marginal%sign/marginal%sigma)
+      z = height_of(marginal%heights, x)
    end function marginal_height
 
    !> The correlation that two Gaussian numbers must have for their heights to have the one given,
@@ -103,7 +78,7 @@ contains
       integer :: i, n, last
 
       r = correlation
-      if (marginal%is_gaussian .or. correlation >= 1.0_wp) return
+      if (marginal%heights%is_gaussian .or. correlation >= 1.0_wp) return
       r = max(min(correlation/marginal%shares(1), 1.0_wp), -1.0_wp)
       if (abs(r) < 1.0e-18_wp) return
       low = -1.0_wp

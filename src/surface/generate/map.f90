@@ -61,7 +61,7 @@ contains
          return
       end if
       call fill_spectrum(settings, spectrum, field)
-      if (.not. marginal%is_gaussian) call distort_spectrum(marginal, spectrum, field)
+      if (.not. marginal%heights%is_gaussian) call distort_spectrum(marginal, spectrum, field)
       call randomise(settings%seed, spectrum)
       call transform_backward_2d(spectrum, field)
       deallocate (spectrum)

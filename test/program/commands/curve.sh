@@ -174,3 +174,27 @@ run curve "${memory[@]}" --yield-factor 0.191 --csv m.csv
 check 'memory: just above it' test "$status" -eq 0
 refuses 'closest separation is of curve' 2 '--closest-separation: is an option of curve' \
    press "${memory[@]}" --closest-separation 0.1
+
+# Plastic ratio and heights that are not Gaussian
+run curve --separation 0.2,0.15,0.1 --csv c110.csv
+run curve --separation 0.2,0.15,0.1 --plastic-ratio 54 --csv c54.csv
+check 'plastic ratio: 54 gives 1.21, 1.20, 1.18 times the pressure of 110' awk -F, '
+   FNR == 1 { for (i = 1; i <= NF; i++) if ($i ~ /^pressure/) p = i; n = 0; next }
+   NR == FNR { a[++n] = $p; next }
+   { n++; if ($p/a[n] < 1.175 || $p/a[n] > 1.215) bad++ } END { exit n != 3 || bad > 0 }' c110.csv c54.csv
+refuses 'plastic ratio' 2 '--plastic-ratio: plastic_ratio = 9.0 is not allowed: it must be' \
+   curve --plastic-ratio 9
+refuses 'kurtosis of Gaussian heights' 2 '--kurtosis: needs height_distribution = johnson' \
+   curve --kurtosis 3.5
+refuses 'skewness of Gaussian heights' 2 '--skewness: needs height_distribution = johnson' \
+   curve --skewness 0.5
+refuses 'a kurtosis that no heights have' 2 \
+   '--skewness: skewness = 2.0 with kurtosis = 4.0 is not allowed: no heights have kurtosis' \
+   curve --height-distribution johnson --skewness 2 --kurtosis 4
+refuses 'Johnson heights that remember' 2 \
+   '--height-distribution: height_distribution = johnson is not possible with elastic unloading' \
+   curve --unloading elastic --height-distribution johnson
+run curve --height-distribution johnson --separation 0.2,0.15,0.1 --csv johnson.csv
+check 'Johnson heights of kurtosis 3 are Gaussian' cmp c110.csv johnson.csv
+run curve --surface unpolished-cross --height-distribution johnson
+check 'kurtosis of the surface' grep -Eq '^ *kurtosis +3.61 +surface unpolished-cross$' out

@@ -74,6 +74,7 @@ contains
       call self%faces%declare(keys, has_friction=.true.)
       call self%faces%declare_separation(keys)
       call self%faces%declare_unloading(keys)
+      call self%faces%heights%declare(keys)
       call self%faces%declare_rules(keys)
       call declare_friction(self%faces%friction, keys, has_time=.true., &
          pair_key=self%faces%pair_key)

@@ -10,6 +10,7 @@ module asperity_program_commands_faces_type
    use asperity_law_normal_properties, only: new_normal_properties, normal_properties, &
       unloading_elastic, unloading_reversible
    use asperity_paper_pairs, only: find_pair, find_surface, pair_preset, surface_preset
+   use asperity_program_commands_faces_heights, only: heights_type
    use asperity_program_commands_faces_properties, only: critical_slip, eta, face_properties, &
       face_property, friction_coefficient, hardness, modulus, n_properties, of_surface, &
       pair_values, radius, sigma, yield_factor
@@ -31,6 +32,8 @@ module asperity_program_commands_faces_type
       real(wp) :: initial_separation = none
       !> Whether summits remember how flat they were pressed
       logical :: has_memory = .false.
+      !> Plastic ratio and heights of the summits
+      type(heights_type) :: heights
       !> Options of friction
       type(contact_properties) :: options
       !> And what friction is beyond one coefficient and one critical slip
@@ -135,10 +138,13 @@ contains
       type(error_type), allocatable, intent(out) :: error
       type(surface_preset) :: surface
 
+      self%heights = heights_type()
       if (self%surface == '') return
       call find_surface(self%surface, surface, error)
-      if (.not. allocated(error)) self%usual(of_surface) = [surface%eta, surface%radius, &
-         surface%sigma]
+      if (allocated(error)) return
+      self%usual(of_surface) = [surface%eta, surface%radius, surface%sigma]
+      self%heights%usual_kurtosis = surface%kurtosis
+      self%heights%surface = 'surface '//self%surface
    end subroutine take_surface
 
    !> Take what the pair gives, and the surface does not.
@@ -243,7 +249,9 @@ contains
       associate (v => self%values)
          call new_normal_properties(law, v(eta), v(modulus), v(radius), v(hardness), &
             v(yield_factor), v(sigma), error, self%accept_unphysical, &
-            merge(unloading_elastic, unloading_reversible, self%has_memory))
+            merge(unloading_elastic, unloading_reversible, self%has_memory), &
+            self%heights%plastic_ratio, self%heights%distribution(), self%heights%skewness, &
+            self%heights%kurtosis)
       end associate
    end subroutine normal
 

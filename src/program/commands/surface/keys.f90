@@ -206,6 +206,7 @@ contains
       call self%faces%declare_separation(keys)
       call keys%said_by('4 sigma')
       call self%faces%declare_unloading(keys)
+      call self%faces%heights%declare(keys)
       keys%of_faces = .false.
       if (self%has_law .and. .not. allocated(self%separation)) &
          self%separation = linear_range(self%faces%usual_separation(), 0.0_wp, default_points)

@@ -130,6 +130,7 @@ contains
          call own%real('initial_separation', law%initial_separation, 'mm', '')
       end if
       call law%declare_unloading(own)
+      call law%heights%declare(own)
       associate (three => route_places(options%route))
          heading(1)%text = 'Written by asperity surface, version '//version// &
             ', for asperity curve, press, shear, tenon and table'

@@ -5,7 +5,6 @@ module asperity_replay_tenon_contact_overclosure_search
    use asperity_base_kinds, only: wp
    use asperity_contact_properties, only: contact_properties
    use asperity_contact_state, only: no_surface_limit
-   use asperity_law_normal_law, only: vanishing_separation
    use asperity_replay_tenon_contact_record, only: contact_record
    use asperity_replay_tenon_contact_wood_bearing, only: bearing_deflection, layers, wood_bearing
    implicit none
@@ -54,7 +53,8 @@ contains
          s%indentation = start%indentation
          s%high = closure - sum(start%indentation)
          s%at = s%high
-         s%found = properties%initial_separation - s%high > vanishing_separation*sigma
+         s%found = properties%initial_separation - s%high &
+            > properties%normal%vanishing_separation
          if (s%found) return
          if (wood%capped > 0) then
             call bearing_deflection(wood, start%indentation, wood%cap, deflection, slope)

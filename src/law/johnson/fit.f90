@@ -3,21 +3,26 @@
 !> one, z = exp(y) - q exp(-y), below it the bounded one, z = exp(y)/(1 + q exp(y)), 0 <= q <= 1.
 !> They reach any skewness and kurtosis that distributions have, save for those next to the bound
 !> kurtosis = skewness^2 + 1.
-module asperity_law_johnson
+module asperity_law_johnson_fit
    use asperity_base_constants, only: pi
    use asperity_base_kinds, only: wp
+   use asperity_law_johnson_curve, only: flattest, height_at, johnson_curve_type
    implicit none
    private
-   public :: find_johnson, johnson_height, johnson_moments, johnson_type, normal_point, &
+   public :: find_johnson, johnson_curve, johnson_moments, johnson_type, normal_point, &
       normal_weight
 
-   !> Half the number of points of the quadrature over x, and their distance
+   !> Half the number of points of a quadrature over x that is fine enough for all, and their
+   !> distance
    integer, parameter, public :: n_half = 400
    real(wp), parameter :: dx = 0.04_wp
+   !> What moments need: the trapezoidal rule errs by exp(-2 pi^2/step^2), and by the poles of
+   !> bounded functions, pi/s from the axis, by exp(-2 pi^2/(s step)); the powers of unbounded ones
+   !> have their largest part at 4 s
+   real(wp), parameter :: widest = 0.5_wp, step_by_pole = 0.35_wp
+   real(wp), parameter :: reach_bounded = 9.0_wp, reach_unbounded = 15.0_wp
    !> Least distance in kurtosis from the lognormal distributions, between the two systems
    real(wp), parameter :: least_side = 1.0e-6_wp
-   !> Below this s the function is a line to rounding
-   real(wp), parameter :: flattest = 1.0e-8_wp
    !> Steepness of the functions at the end of what is reached
    real(wp), parameter :: steepest_unbounded = 1.2_wp, steepest_bounded = 8.0_wp
 
@@ -39,7 +44,7 @@ contains
       type(johnson_type), intent(out) :: found
       !> False where it is not reached
       logical, intent(out) :: is_found
-      integer, parameter :: n_steps(3) = [3, 12, 40]
+      integer, parameter :: n_steps(4) = [1, 3, 12, 40]
       integer :: i
 
       do i = 1, size(n_steps)
@@ -110,12 +115,14 @@ contains
       room = lognormal_excess(skewness) + 2.0_wp - skewness**2
    end function room
 
-   !> Newton's method for the two parameters, from those there are.
+   !> Newton's method for the two parameters, from those there are. It is quadratic: one step from
+   !> 1e-10 it is at round-off.
    pure subroutine solve(johnson, target, is_found)
       type(johnson_type), intent(inout) :: johnson
       !> Skewness and kurtosis - 3
       real(wp), intent(in) :: target(2)
       logical, intent(out) :: is_found
+      logical :: settled
       type(johnson_type) :: trial
       real(wp) :: rest(2), new_rest(2), scales(2), jacobian(2, 2), step(2), determinant, factor, h
       integer :: i, j
@@ -123,9 +130,11 @@ contains
       is_found = .false.
       rest = shape_of(johnson) - target
       scales = 1.0_wp + abs(target)
+      settled = .false.
       do i = 1, 40
          is_found = maxval(abs(rest)/scales) < 1.0e-10_wp
-         if (is_found) return
+         if (settled) return
+         settled = is_found
          h = 1.0e-5_wp
          trial = johnson
          trial%a = johnson%a + h
@@ -149,6 +158,7 @@ contains
             end if
             factor = 0.5_wp*factor
          end do
+         ! no better: at round-off where it had settled, else lost
          if (j > 20) return
          johnson%a = trial%a
          johnson%d = trial%d
@@ -160,30 +170,28 @@ contains
    pure real(wp) function steepness(johnson)
       type(johnson_type), intent(in) :: johnson
 
-      steepness = sqrt(johnson%a**2 + merge(0.25_wp, -0.5_wp, johnson%d > 0.0_wp)*johnson%d)
+      steepness = sqrt(johnson%a**2 + excess_of(johnson))
    end function steepness
 
-   !> The function, to a shift and a factor.
-   pure elemental real(wp) function johnson_height(johnson, x) result(z)
+   !> s^2 - a^2.
+   pure real(wp) function excess_of(johnson)
+      type(johnson_type), intent(in) :: johnson
+
+      excess_of = merge(0.25_wp, -0.5_wp, johnson%d > 0.0_wp)*johnson%d
+   end function excess_of
+
+   !> The function of a distribution.
+   pure elemental function johnson_curve(johnson) result(curve)
       !> The distribution
       type(johnson_type), intent(in) :: johnson
-      !> Gaussian number of mean 0 and variance 1
-      real(wp), intent(in) :: x
-      real(wp) :: s, w, y, t
+      type(johnson_curve_type) :: curve
 
-      s = max(steepness(johnson), flattest)
-      w = min(johnson%a/s, 1.0_wp)
-      y = s*x
-      if (johnson%d > 0.0_wp) then
-         ! exp(y) - q exp(-y), less 1 - q and over 1 + q, free of cancellation at small s
-         z = sinh(y) + 2.0_wp*w*sinh(0.5_wp*y)**2
-      else
-         t = tanh(0.5_wp*y)
-         ! exp(y)/(1 + q exp(y)), less its value at 0 and over its slope there
-         z = 2.0_wp*t/(1.0_wp - w*t)
-      end if
-      z = z/s
-   end function johnson_height
+      curve%is_bounded = .not. johnson%d > 0.0_wp
+      curve%s = max(steepness(johnson), flattest)
+      curve%w = min(johnson%a/curve%s, 1.0_wp)
+      curve%rest = 1.0_wp - curve%w
+      if (curve%s > flattest) curve%rest = excess_of(johnson)/(curve%s*(curve%s + johnson%a))
+   end function johnson_curve
 
    !> Skewness and excess kurtosis.
    pure function shape_of(johnson) result(shape)
@@ -201,18 +209,22 @@ contains
       type(johnson_type), intent(in) :: johnson
       !> Mean, standard deviation, and means of the first four powers about the mean
       real(wp), intent(out) :: mean, sigma, moments(4)
-      real(wp) :: z(-n_half:n_half), p(-n_half:n_half)
-      integer :: i
+      type(johnson_curve_type) :: curve
+      real(wp) :: z(-n_half:n_half), p(-n_half:n_half), step
+      integer :: i, n
 
-      do i = -n_half, n_half
-         p(i) = normal_weight(i)
-         z(i) = johnson_height(johnson, normal_point(i))
+      curve = johnson_curve(johnson)
+      step = min(widest, step_by_pole/curve%s)
+      n = ceiling(merge(reach_bounded, reach_unbounded, curve%is_bounded)/step)
+      do i = -n, n
+         p(i) = step/sqrt(2.0_wp*pi)*exp(-0.5_wp*(step*i)**2)
+         z(i) = height_at(curve, step*i)
       end do
-      mean = sum(p*z)
+      mean = sum(p(-n:n)*z(-n:n))
       do i = 1, 4
-         moments(i) = sum(p*(z - mean)**i)
+         moments(i) = sum(p(-n:n)*(z(-n:n) - mean)**i)
       end do
       sigma = sqrt(moments(2))
    end subroutine johnson_moments
 
-end module asperity_law_johnson
+end module asperity_law_johnson_fit
