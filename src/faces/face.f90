@@ -60,17 +60,21 @@ contains
 
    !> `error` is set, unless it is, when a number of a face cannot be; it names it with the number
    !> of the face, such as `sigma_1`.
-   pure subroutine check_face(one, number, error)
+   pure subroutine check_face(one, number, is_rough, error)
       !> The face
       type(face), intent(in) :: one
       !> Its number, `1` or `2`
       character(len=1), intent(in) :: number
+      !> Whether its summits count
+      logical, intent(in) :: is_rough
       !> Set when it is refused
       type(error_type), allocatable, intent(inout) :: error
 
-      if (.not. allocated(error)) call check_positive(error, 'sigma_'//number, one%sigma, 'mm')
-      if (.not. allocated(error)) call check_positive(error, 'radius_'//number, one%radius, 'mm')
-      if (.not. allocated(error)) call check_positive(error, 'eta_'//number, one%eta, '1/mm^2')
+      if (is_rough) then
+         if (.not. allocated(error)) call check_positive(error, 'sigma_'//number, one%sigma, 'mm')
+         if (.not. allocated(error)) call check_positive(error, 'radius_'//number, one%radius, 'mm')
+         if (.not. allocated(error)) call check_positive(error, 'eta_'//number, one%eta, '1/mm^2')
+      end if
       if (.not. allocated(error)) call check_positive(error, 'young_modulus_'//number, &
          one%young_modulus, 'MPa')
       if (.not. allocated(error)) call check_range(error, 'poisson_ratio_'//number, &

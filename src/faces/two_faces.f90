@@ -25,7 +25,7 @@ module asperity_faces_two_faces
    enum, bind(c)
       !> Those of the sum of both faces, whose spectral moments add
       enumerator :: roughness_moments = 1
-      !> Those of one face, as if the other were smooth; the paper takes the rougher one's
+      !> Those of one face, the other being smooth; the paper takes the rougher one's
       enumerator :: roughness_face_1
       enumerator :: roughness_face_2
    end enum
@@ -53,8 +53,8 @@ contains
       rules = [hardness_softer, roughness_moments]
       if (present(hardness_rule)) rules(1) = hardness_rule
       if (present(roughness_rule)) rules(2) = roughness_rule
-      call check_face(face_1, '1', error)
-      call check_face(face_2, '2', error)
+      call check_face(face_1, '1', rules(2) /= roughness_face_2, error)
+      call check_face(face_2, '2', rules(2) /= roughness_face_1, error)
       if (allocated(error)) return
       if (rules(1) < hardness_softer .or. rules(1) > hardness_harder) then
          call fatal_error(error, 'hardness_rule = '//to_text(rules(1))// &

@@ -6,9 +6,9 @@ module asperity_paper_pairs
    use asperity_paper_wood, only: hardness_tangential, hardness_transverse
    implicit none
    private
-   public :: surface_preset, pair_preset, find_surface, find_pair
+   public :: surface_preset, pair_preset, find_surface, find_pair, pair_note
 
-   integer, parameter :: name_length = 24, note_length = 120
+   integer, parameter :: name_length = 24, note_length = 120, part_length = 32
 
    !> Measured roughness of one face (Table 2).
    type :: surface_preset
@@ -46,19 +46,20 @@ module asperity_paper_pairs
       real(wp) :: friction_coefficient
       !> Critical elastic slip gcrit, mm
       real(wp) :: critical_slip
-      !> What the paper printed and what was converted
-      character(len=note_length) :: note
+      !> What the paper printed and what was converted: of eta, sigma, hardness and modulus
+      character(len=part_length) :: eta_note = '', sigma_note = '', hardness_note = '', &
+         modulus_note = ''
    end type pair_preset
 
    !> The two pairs of Table 4
    type(pair_preset), parameter, public :: pairs(2) = [ &
       pair_preset('transverse-tangential', 206.0_wp, 297.0_wp, 0.1477_wp, &
       hardness_transverse, 0.4_wp, 0.0593_wp, 0.5_wp, 0.31_wp, &
-      'Table 4; eta 0.000206 read as 1/um^2; sigma 59.3 um from Table 2; H is the harder face, '// &
+      'eta 0.000206 read as 1/um^2', 'sigma 59.3 um from Table 2', 'H is the harder face', &
       'E* not from Eq. 4'), &
       pair_preset('tangential-tangential', 134.0_wp, 263.0_wp, 0.1142_wp, &
       hardness_tangential, 0.4_wp, 0.0416_wp, 0.5_wp, 0.31_wp, &
-      'Table 4; eta 0.000134 read as 1/um^2; sigma 41.6 um from Table 2; E* not from Eq. 4')]
+      'eta 0.000134 read as 1/um^2', 'sigma 41.6 um from Table 2', '', 'E* not from Eq. 4')]
 
    !> The nine surfaces of Table 2
    type(surface_preset), parameter, public :: surfaces(9) = [ &
@@ -112,6 +113,32 @@ contains
       preset = surfaces(max(i, 1))
       if (i == 0) call refuse_name(error, 'surface', name, (surfaces%name))
    end subroutine find_surface
+
+   !> What the paper printed of those values of a pair that are used, and what was converted.
+   pure function pair_note(pair, eta, sigma, hardness, modulus) result(note)
+      !> The pair
+      type(pair_preset), intent(in) :: pair
+      !> Whether each is used
+      logical, intent(in) :: eta, sigma, hardness, modulus
+      character(len=note_length) :: note
+      character(len=2) :: between
+
+      note = 'Table 4'
+      call add(note, '; '//pair%eta_note, eta)
+      call add(note, '; '//pair%sigma_note, sigma)
+      between = merge(', ', '; ', hardness .and. pair%hardness_note /= '')
+      call add(note, '; '//pair%hardness_note, hardness)
+      call add(note, between//pair%modulus_note, modulus)
+   end function pair_note
+
+   !> Add a part, with what stands before it, if there is one and it is used.
+   pure subroutine add(note, part, used)
+      character(len=*), intent(inout) :: note
+      character(len=*), intent(in) :: part
+      logical, intent(in) :: used
+
+      if (used .and. len_trim(part) > 2) note = trim(note)//part
+   end subroutine add
 
    !> Say that a name is unknown and which are known.
    pure subroutine refuse_name(error, kind, name, known)

@@ -4,6 +4,7 @@ module asperity_program_driver
    use asperity_program_about, only: citation_text, version_text
    use asperity_program_command_line, only: asks_citation, asks_completion, asks_help, asks_man, &
       asks_run, command_line_type
+   use asperity_program_commands_faces_read_faces, only: read_faces
    use asperity_program_commands_interaction, only: remark_interaction
    use asperity_program_commands_registry, only: all_keys
    use asperity_program_completion, only: bash_completion
@@ -95,6 +96,8 @@ contains
          call read_case(line%keys, known, error)
          if (allocated(error)) return
       end if
+      call read_faces(line%keys, error)
+      if (allocated(error)) return
       call line%command%declare(line%keys)
       if (allocated(line%keys%error)) call move_alloc(line%keys%error, error)
    end subroutine take_values

@@ -9,7 +9,7 @@ module asperity_wood_sections
    use asperity_wood_properties, only: wood_properties
    implicit none
    private
-   public :: section_constants
+   public :: section_constants, section_elasticity
 
    !> A section by the direction of its normal
    integer, parameter, public :: section_transverse = 1, section_tangential = 2, section_radial = 3
@@ -20,9 +20,7 @@ module asperity_wood_sections
 contains
 
    !> Young's modulus along the normal of a section, Poisson's ratio and hardness for Eqs 4 and 26.
-   !> The ratio is that of strain in the section across the grain, of T on the transverse one, as
-   !> the paper takes nu_LT and nu_RT: so nu_TR = nu_RT E_T/E_R on the radial one. `error` is set
-   !> when the section is unknown, the wood cannot be, or it has no hardness there.
+   !> `error` is set when the section is unknown, the wood cannot be, or it has no hardness there.
    pure subroutine section_constants(wood, section, young_modulus, poisson_ratio, hardness, error)
       !> The wood
       type(wood_properties), intent(in) :: wood
@@ -43,6 +41,24 @@ contains
       end if
       call check_wood_properties(wood, error)
       if (allocated(error)) return
+      call section_elasticity(wood, section, young_modulus, poisson_ratio)
+      hardness = wood%hardnesses(section)
+      if (is_none(hardness)) call fatal_error(error, 'hardness_'//trim(section_names(section))// &
+         ' is not given: it is known of no '//trim(section_names(section))//' section of larch', &
+         subject='hardness_'//trim(section_names(section)))
+   end subroutine section_constants
+
+   !> Young's modulus along the normal of a section, and Poisson's ratio of strain in the section
+   !> across the grain, of T on the transverse one, as the paper takes nu_LT and nu_RT: so
+   !> nu_TR = nu_RT E_T/E_R on the radial one.
+   pure subroutine section_elasticity(wood, section, young_modulus, poisson_ratio)
+      !> The wood, which is not checked
+      type(wood_properties), intent(in) :: wood
+      !> A section that there is
+      integer, intent(in) :: section
+      !> Young's modulus, MPa, and Poisson's ratio
+      real(wp), intent(out) :: young_modulus, poisson_ratio
+
       associate (e => wood%young_moduli, nu => wood%poisson_ratios)
          young_modulus = e(section)
          select case (section)
@@ -54,10 +70,6 @@ contains
             poisson_ratio = nu(3)*(e(3)/e(2))
          end select
       end associate
-      hardness = wood%hardnesses(section)
-      if (is_none(hardness)) call fatal_error(error, 'hardness_'//trim(section_names(section))// &
-         ' is not given: it is known of no '//trim(section_names(section))//' section of larch', &
-         subject='hardness_'//trim(section_names(section)))
-   end subroutine section_constants
+   end subroutine section_elasticity
 
 end module asperity_wood_sections

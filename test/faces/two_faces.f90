@@ -209,6 +209,9 @@ contains
       bad = good
       bad%sigma = 0.0_wp
       call expect('sigma')
+      ! of a smooth face nothing is asked
+      call pair_from_faces(bad, good, pair, error, roughness_rule=roughness_face_2)
+      call assertFalse(allocated(error), 'smooth')
       bad%radius = -1.0_wp
       bad%sigma = good%sigma
       call expect('radius')

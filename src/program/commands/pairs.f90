@@ -3,7 +3,7 @@ module asperity_program_commands_pairs
    use asperity_base_error, only: error_type
    use asperity_base_kinds, only: wp
    use asperity_base_no_value, only: none
-   use asperity_paper_pairs, only: pairs, surfaces
+   use asperity_paper_pairs, only: pair_note, pairs, surfaces
    use asperity_program_commands_command, only: command_type
    use asperity_program_input_key_list, only: key_list
    use asperity_program_report_report, only: report_type
@@ -72,7 +72,8 @@ contains
             [pairs%friction_coefficient, none_s])
          call table%add_numbers('critical_slip', 'mm', [pairs%critical_slip, none_s])
          call table%add_numbers('kurtosis', '-', [none_p, surfaces%kurtosis])
-         call table%add_texts('note', [pairs%note, surfaces%note])
+         call table%add_texts('note', [(pair_note(pairs(i), .true., .true., .true., .true.), &
+            i=1, size(pairs)), surfaces%note])
          call table%check_finite(error)
       end associate
       report%shown_columns = [character(len=24) :: 'kind', 'name', 'eta', 'modulus', 'radius', &

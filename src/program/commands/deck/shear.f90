@@ -81,12 +81,12 @@ contains
       call self%faces%declare_accept(keys)
       call declare_shear(self%box, self%normal_stress, keys, self%has_stress)
       self%wood%criterion = usual_criterion
-      call declare_wood(self%wood, keys)
+      call declare_wood(self%wood, keys, sections=self%faces%two%sections())
       call declare_law_table(self%choice, self%faces, keys)
       call declare_deck(self%choice, keys)
       call keys%real('disc_height', self%height, 'mm', 'height of each disc')
       call keys%choice('upper_grain', self%upper_grain, 'normal along', &
-         'grain of the upper disc; along its face for pair tangential-tangential, else normal')
+         'grain of the upper disc; unless given, normal if face 1 is or may be transverse')
       call keys%text('inp', self%inp, 'write the deck; - is standard output', kind_file)
       call self%declare_requests(keys)
    end subroutine declare
@@ -118,7 +118,7 @@ contains
          return
       end if
       on_end = self%upper_grain == 'normal'
-      if (self%upper_grain == '') on_end = self%faces%pair /= 'tangential-tangential'
+      if (self%upper_grain == '') on_end = self%faces%is_on_end()
       self%box%normal_stress = self%normal_stress(1)
       self%choice%command = command_text()
       call new_shear_deck(model, self%choice, self%box, self%height, on_end, &

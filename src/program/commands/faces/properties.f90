@@ -12,6 +12,8 @@ module asperity_program_commands_faces_properties
       sigma = 6, friction_coefficient = 7, critical_slip = 8, n_properties = 8
    !> Those that a map gives
    integer, parameter, public :: of_surface(3) = [eta, radius, sigma]
+   !> Those that two faces give
+   integer, parameter, public :: of_faces(5) = [eta, modulus, radius, hardness, sigma]
 
    !> What a property is.
    type :: face_property

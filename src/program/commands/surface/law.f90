@@ -8,8 +8,9 @@ module asperity_program_commands_surface_law
    use asperity_base_version, only: version
    use asperity_law_normal_properties, only: normal_properties
    use asperity_paper_pairs, only: find_pair, pair_preset
+   use asperity_program_commands_faces_presets, only: default_pair
    use asperity_program_commands_faces_properties, only: n_properties, of_surface, pair_values
-   use asperity_program_commands_faces_type, only: default_pair, faces_type
+   use asperity_program_commands_faces_type, only: faces_type
    use asperity_program_commands_surface_keys, only: of_pair, surface_options
    use asperity_program_input_key_list, only: key_list
    use asperity_program_input_print_case, only: case_text

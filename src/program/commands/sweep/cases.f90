@@ -3,6 +3,7 @@ module asperity_program_commands_sweep_cases
    use asperity_base_error, only: error_type, fatal_error
    use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
+   use asperity_program_commands_faces_read_faces, only: read_face
    use asperity_program_input_key, only: assign_words, given_as_option, key_type, kind_choice, &
       kind_counts, kind_file, kind_integer, kind_list, kind_real, kind_text
    use asperity_program_input_key_list, only: key_list
@@ -87,6 +88,7 @@ contains
             words(i)%source = option//' '//trim(key%name)//'='//words(i)%text
             words(i)%in_quotes = any(key%kind == [kind_text, kind_choice])
             call assign_words(key, words(i:i), given_as_option, error)
+            if (.not. allocated(error)) call read_face(key, error)
          end associate
          if (allocated(error)) return
       end do

@@ -22,9 +22,11 @@ contains
    end subroutine declare_column
 
    !> Declare column, wood and its depths, for a replay.
-   pure subroutine declare_bearing(joint, height, keys)
+   pure subroutine declare_bearing(joint, sections, height, keys)
       !> The joint
       type(tenon_settings), intent(inout) :: joint
+      !> Sections of the wood whose constants faces take
+      logical, intent(in) :: sections(3)
       !> Place of the key of its height
       integer, intent(in) :: height
       !> The keys
@@ -35,7 +37,8 @@ contains
       call complete_tenon_settings(usual)
       associate (t => joint)
          call declare_column(t, keys)
-         call declare_wood(t%wood, keys, pressed=[t%column /= 'rigid', .true.])
+         call declare_wood(t%wood, keys, pressed=[t%column /= 'rigid', .true.], &
+            sections=sections)
          t%bearing_depth = usual%bearing_depth
          call keys%real('bearing_depth', t%bearing_depth, 'mm', &
             'depth of wood that the bearing compresses; half of height unless given')

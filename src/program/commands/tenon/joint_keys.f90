@@ -7,11 +7,9 @@ module asperity_program_commands_tenon_joint_keys
    use asperity_contact_friction_settings, only: largest_friction, stick_summits
    use asperity_contact_properties, only: contact_properties
    use asperity_paper_joint, only: joint_amplitudes, joint_cycles
-   use asperity_paper_pairs, only: find_pair, pair_preset
    use asperity_program_commands_faces_friction_keys, only: declare_friction, &
       declare_shear_modulus, friction_of_sides
-   use asperity_program_commands_faces_properties, only: critical_slip, &
-      friction_coefficient, pair_values
+   use asperity_program_commands_faces_properties, only: critical_slip, friction_coefficient
    use asperity_program_commands_faces_type, only: faces_type
    use asperity_program_commands_tenon_bearing_keys, only: declare_bearing, &
       declare_points
@@ -29,8 +27,8 @@ module asperity_program_commands_tenon_joint_keys
    !> The case.
    type :: tenon_case
       type(faces_type) :: faces
-      !> The pair and the friction of the sides
-      character(len=:), allocatable :: side_pair
+      !> Faces and friction of the sides
+      type(faces_type) :: side_faces
       real(wp) :: side_friction = none, side_critical_slip = none, side_shear_modulus = 0.0_wp
       !> The joint and its programme
       type(tenon_settings) :: joint
@@ -49,11 +47,11 @@ module asperity_program_commands_tenon_joint_keys
       type(contact_properties) :: properties, sides
       !> Places of the keys of length and height
       integer :: length_key = 0, height_key = 0
-      !> Places of the keys of the sides
-      integer, private :: side_keys(3) = 0
+      !> Places of the first and the last key of the sides, which follow each other
+      integer, private :: side_keys(2) = 0
    contains
       procedure :: declare_faces, declare_sizes, declare_hold, declare_programme
-      procedure :: declare_reading, check
+      procedure :: declare_reading, sections, check
    end type tenon_case
 
 contains
@@ -72,25 +70,52 @@ contains
       call self%faces%declare_rules(keys)
       call declare_friction(self%faces%friction, keys, has_time=.false., &
          pair_key=self%faces%pair_key)
-      if (.not. allocated(self%side_pair)) self%side_pair = 'tangential-tangential'
-      call keys%text('side_pair', self%side_pair, 'pair of faces of the two sides of the tenon')
-      self%side_keys(1) = keys%last
+      call declare_sides(self, keys)
       self%side_friction = self%faces%values(friction_coefficient)
       call keys%real('side_friction', self%side_friction, '', &
          'Coulomb friction coefficient of the sides; friction_coefficient unless given')
       call keys%follows(self%faces%keys(friction_coefficient))
-      self%side_keys(2) = keys%last
       self%side_critical_slip = self%faces%values(critical_slip)
       call keys%real('side_critical_slip', self%side_critical_slip, 'mm', &
          'largest elastic slip of the sides; critical_slip unless given')
       call keys%follows(self%faces%keys(critical_slip))
-      self%side_keys(3) = keys%last
       call declare_shear_modulus('side_shear_modulus', self%side_shear_modulus, keys, &
          self%faces%friction%stick == stick_summits, self%side_keys(1))
+      self%side_keys(2) = keys%last
       call self%faces%declare_accept(keys)
       call keys%switch('accept_sizes', self%joint%accept_sizes, &
          'let sizes and pressures pass that look like another unit, and large rotations')
    end subroutine declare_faces
+
+   !> Declare the properties of the sides but friction. What their pair gives is not listed beside
+   !> its name.
+   pure subroutine declare_sides(self, keys)
+      class(tenon_case), intent(inout) :: self
+      type(key_list), intent(inout) :: keys
+      integer :: i
+
+      call self%side_faces%declare(keys, has_friction=.false., prefix='side_', &
+         usual_pair='tangential-tangential')
+      self%side_keys(1) = self%side_faces%pair_key
+      call self%side_faces%declare_separation(keys)
+      associate (s => self%side_faces)
+         keys%rows(keys%last)%unused = .not. (keys%given() .or. s%two%is_given) &
+            .and. s%surface == ''
+         do i = 1, size(s%keys)
+            if (s%keys(i) == 0) cycle
+            if (keys%rows(s%keys(i))%leader == s%pair_key) keys%rows(s%keys(i))%unused = .true.
+         end do
+      end associate
+   end subroutine declare_sides
+
+   !> Sections of the wood, in L, R and T, whose constants the faces take.
+   pure function sections(self)
+      !> The case, its faces declared
+      class(tenon_case), intent(in) :: self
+      logical :: sections(3)
+
+      sections = self%faces%two%sections() .or. self%side_faces%two%sections()
+   end function sections
 
    !> Declare length, height, width and clearances.
    pure subroutine declare_sizes(self, keys)
@@ -157,7 +182,8 @@ contains
             'where the arm is measured from')
          call keys%real('side_pressure', t%side_pressure, 'MPa', &
             'pressure on each side face, 0 for none')
-         keys%rows(self%side_keys)%unused = .not. t%side_pressure > 0.0_wp
+         if (.not. t%side_pressure > 0.0_wp) &
+            keys%rows(self%side_keys(1):self%side_keys(2))%unused = .true.
          call keys%choice('axial_rule', t%axial_rule, 'spring fixed free force', &
             'what resists pull-out')
          call keys%real('axial_stiffness', t%axial_stiffness, 'N/mm', &
@@ -249,7 +275,7 @@ contains
          'largest displacement in one increment')
       call case%declare_sizes(keys)
       call case%declare_hold(keys, is_replay=.true.)
-      call declare_bearing(case%joint, case%height_key, keys)
+      call declare_bearing(case%joint, case%sections(), case%height_key, keys)
       call declare_points(case%joint, keys)
       call case%declare_programme(keys)
       call keys%list('record', case%record, '', &
@@ -279,31 +305,32 @@ contains
          call fatal_error(error, 'axial_force needs axial_rule = force', subject='axial_force')
    end subroutine check
 
-   !> Properties of the sides of the tenon, which are those of a pair but for friction.
+   !> Properties of the sides of the tenon; what they do is what the faces do.
    subroutine check_sides(self, error)
       type(tenon_case), intent(inout) :: self
       type(error_type), allocatable, intent(out) :: error
-      type(pair_preset) :: pair
       type(faces_type) :: sides
+      integer :: i
 
       call check_range(error, 'side_friction', self%side_friction, 0.0_wp, largest_friction, '')
       if (allocated(error)) return
       sides = self%faces
-      call find_pair(self%side_pair, pair, error)
-      if (.not. allocated(error)) then
-         sides%values = pair_values(pair)
-         sides%values([friction_coefficient, critical_slip]) = [self%side_friction, &
-            self%side_critical_slip]
-         if (self%faces%values(friction_coefficient) > 0.0_wp) sides%friction = &
-            friction_of_sides(sides%friction, &
-            self%side_friction/self%faces%values(friction_coefficient), self%side_shear_modulus)
-         sides%initial_separation = sides%usual_separation()
-         call sides%contact(self%sides, error, compiled=.true.)
-      end if
+      sides%values = self%side_faces%values
+      sides%values([friction_coefficient, critical_slip]) = [self%side_friction, &
+         self%side_critical_slip]
+      if (self%faces%values(friction_coefficient) > 0.0_wp) sides%friction = &
+         friction_of_sides(sides%friction, &
+         self%side_friction/self%faces%values(friction_coefficient), self%side_shear_modulus)
+      sides%initial_separation = self%side_faces%initial_separation
+      call sides%contact(self%sides, error, compiled=.true.)
       if (allocated(error)) then
          ! a message begins with what it is about
-         error%subject = 'side_'//error%subject
          error%message = 'side_'//error%message
+         error%subject = 'side_'//error%subject
+         do i = len(error%subject) - 1, 1, -1
+            if (error%subject(i:i) == ' ') error%subject = error%subject(:i)//'side_'// &
+               error%subject(i + 1:)
+         end do
       end if
    end subroutine check_sides
 

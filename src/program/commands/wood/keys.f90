@@ -20,7 +20,7 @@ contains
 
    !> Declare the wood. Single values go before the preset, each of the options before all of the
    !> case file. Hidden is what does not act: with that criterion, or in a replay.
-   pure subroutine declare_wood(wood, keys, pressed)
+   pure subroutine declare_wood(wood, keys, pressed, sections)
       !> The wood; its criterion is a default
       type(wood_properties), intent(inout) :: wood
       !> The keys
@@ -28,6 +28,8 @@ contains
       !> For a replay, which takes no more of the wood than it presses: whether along, and across
       !> the grain
       logical, intent(in), optional :: pressed(2)
+      !> Sections, in L, R and T, whose constants faces take; none when absent
+      logical, intent(in), optional :: sections(3)
       type(wood_properties) :: larch
       character(len=8) :: preset
       real(wp) :: values(n_values)
@@ -65,6 +67,7 @@ contains
          acts(hardening_along) = acts(hardening_along) &
             .and. .not. allocated(wood%hardening_curve_along)
       end if
+      if (present(sections)) acts = acts .or. of_sections(sections)
       keys%rows(places)%unused = .not. acts
    end subroutine declare_wood
 
@@ -112,6 +115,19 @@ contains
       acts(shear_strength:shear_strength + 2) = .true.
       acts(tension_strength:tension_strength + 2) = criterion == 'crushing'
    end function acting
+
+   !> Which values the constants of sections are made of (see `section_elasticity`).
+   pure function of_sections(sections) result(acts)
+      logical, intent(in) :: sections(3)
+      logical :: acts(n_values)
+
+      acts = .false.
+      acts(section_hardness:) = sections
+      acts(young_modulus:young_modulus + 2) = sections
+      acts(young_modulus + 1) = sections(2) .or. sections(3)
+      acts(poisson_ratio + 1) = sections(1)
+      acts(poisson_ratio + 2) = sections(2) .or. sections(3)
+   end function of_sections
 
    !> What a value is.
    pure function help_of(place) result(help)
