@@ -74,7 +74,6 @@ contains
       type(key_list), intent(inout) :: keys
       type(wood_properties), intent(in) :: wood
       character(len=10) :: section
-      character(len=:), allocatable :: source
       integer :: i
 
       self%name = ''
@@ -87,8 +86,8 @@ contains
       if (self%name /= '') call take_name(self, keys, section)
       call keys%choice(self%prefix//'section_'//self%number, section, section_list(), &
          'section of the wood that face '//self%number//' is; as its name says unless given')
-      call keys%said_by(self%own//' '//self%name)
       self%section_key = keys%last
+      if (section /= '') call keys%follows(self%name_key, self%own//' '//self%name)
       self%section = findloc(section_names == section, .true., 1)
       if (self%section > 0) then
          call section_elasticity(wood, self%section, self%values(of_wood(1)), &
@@ -99,9 +98,12 @@ contains
          call keys%real(self%prefix//trim(number_names(i))//'_'//self%number, self%values(i), &
             trim(number_units(i)), trim(helps(i))//' '//self%number)
          self%keys(i) = keys%last
-         source = self%own//' '//self%name
-         if (any(of_wood == i)) source = trim(section)//' section'
-         call keys%said_by(source)
+         if (is_none(self%values(i))) cycle
+         if (any(of_wood == i)) then
+            call keys%follows(self%section_key, trim(section)//' section')
+         else
+            call keys%follows(self%name_key, self%own//' '//self%name)
+         end if
       end do
    end subroutine declare_all
 

@@ -148,8 +148,11 @@ contains
          call keys%real(trim(self%prefix)//trim(property%name), self%values(i), trim(property%unit), &
             trim(property%help))
          self%keys(i) = keys%last
-         if (self%leaders(i) == of_two_faces) then
-            call keys%said_by(trim(self%prefix)//'face_1 and '//trim(self%prefix)//'face_2')
+         if (self%leaders(i) == of_two_faces .and. any(of_faces == i)) then
+            call keys%follows(self%two%faces(1)%name_key, &
+               trim(self%prefix)//'face_1 and '//trim(self%prefix)//'face_2')
+         else if (self%leaders(i) == of_two_faces) then
+            call keys%said_by('as the pairs of the paper')
          else if (self%leaders(i) > 0) then
             call keys%given_by(self%leaders(i))
          end if
