@@ -72,6 +72,33 @@ enum asperity_unloading {
    ASPERITY_UNLOADING_ELASTIC = 1
 };
 
+/** A section of wood, by the direction of its normal. */
+enum asperity_section {
+   /** Normal along the grain. */
+   ASPERITY_SECTION_TRANSVERSE = 1,
+   /** Normal radial. */
+   ASPERITY_SECTION_TANGENTIAL = 2,
+   /** Normal tangential. */
+   ASPERITY_SECTION_RADIAL = 3
+};
+
+/** Whose hardness a pair of two faces takes. */
+enum asperity_hardness_rule {
+   /** That of the softer face, as the text of the paper has it. */
+   ASPERITY_HARDNESS_SOFTER = 1,
+   /** That of the harder face, as its Table 4 has it. */
+   ASPERITY_HARDNESS_HARDER = 2
+};
+
+/** Whose summits a pair of two faces takes. */
+enum asperity_roughness_rule {
+   /** Those of the sum of both faces, whose spectral moments add. */
+   ASPERITY_ROUGHNESS_MOMENTS = 1,
+   /** Those of one face, the other being smooth: nothing is asked of its summits. */
+   ASPERITY_ROUGHNESS_FACE_1 = 2,
+   ASPERITY_ROUGHNESS_FACE_2 = 3
+};
+
 /** Contact status of a point. */
 enum asperity_status {
    /** Never updated: nothing is known of the point's past. */
@@ -114,6 +141,22 @@ typedef struct asperity_error {
 
 /** A law: the normal law, friction and the datum of the overclosure of one pair of faces. */
 typedef struct asperity_law asperity_law;
+
+/** One rough face. */
+typedef struct asperity_face {
+   /** Standard deviation of summit heights, mm. */
+   double sigma;
+   /** Summit radius, mm. */
+   double radius;
+   /** Asperity density, summits per nominal area, 1/mm2. */
+   double eta;
+   /** Young's modulus along the normal of the face, MPa. */
+   double young_modulus;
+   /** Poisson's ratio of strain in the face for pressure on it, -0.99 to 0.99. */
+   double poisson_ratio;
+   /** Hardness, MPa. */
+   double hardness;
+} asperity_face;
 
 /** What a number of contact points remember between increments. */
 typedef struct asperity_states asperity_states;
@@ -213,6 +256,31 @@ int asperity_properties_init(asperity_properties *properties, size_t size, asper
  */
 int asperity_properties_from_pair(asperity_properties *properties, size_t size, const char *pair,
                                   asperity_error *error);
+
+/**
+ * @brief Fill a face with a surface of Table 2 of the paper on a section of its wood.
+ * @param face    struct to fill; unchanged after an error
+ * @param surface name, such as "unpolished-cross"
+ * @param section an #asperity_section; the wood has no hardness of the radial one, which is refused
+ * @param error   may be NULL
+ */
+int asperity_face_from_paper(asperity_face *face, const char *surface, int section,
+                             asperity_error *error);
+
+/**
+ * @brief Fill the struct with defaults and the pair that two faces make: E* by Eq. 4, hardness and
+ *        summits by rules. Yield factor, friction and critical slip are those of the paper's pairs.
+ * @param properties     struct to fill; unchanged after an error
+ * @param size           sizeof(asperity_properties)
+ * @param face_1         one face
+ * @param face_2         the other
+ * @param hardness_rule  an #asperity_hardness_rule
+ * @param roughness_rule an #asperity_roughness_rule
+ * @param error          may be NULL
+ */
+int asperity_properties_from_faces(asperity_properties *properties, size_t size,
+                                   const asperity_face *face_1, const asperity_face *face_2,
+                                   int hardness_rule, int roughness_rule, asperity_error *error);
 
 /**
  * @brief Build a law. Free it by asperity_law_free().

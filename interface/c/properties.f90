@@ -9,7 +9,8 @@ module asperity_c_properties
    use asperity_paper_pairs, only: find_pair, pair_preset
    implicit none
    private
-   public :: asperity_properties_init, asperity_properties_from_pair, view_properties
+   public :: asperity_properties_init, asperity_properties_from_pair, longest_name, read_text, &
+      view_properties
 
    !> Characters of a name that are looked at: more than any has
    integer, parameter :: longest_name = 64
@@ -64,9 +65,13 @@ contains
 
    !> A text of the caller; one without an end is cut.
    subroutine read_text(problem, name, address, text)
+      !> Set when there is none; a problem found before stays
       type(error_type), allocatable, intent(inout) :: problem
+      !> What it is called
       character(len=*), intent(in) :: name
+      !> Where the caller has it
       type(c_ptr), intent(in) :: address
+      !> The text, blank after a problem
       character(len=longest_name), intent(out) :: text
       character(kind=c_char), pointer, contiguous :: letters(:)
       integer :: i

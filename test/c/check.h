@@ -46,6 +46,7 @@ void test_unloading(void);
 void test_restart(void);
 void test_arguments(void);
 void test_values(void);
+void test_faces(void);
 void test_memory(int limit);
 void test_threads(void);
 

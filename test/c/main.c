@@ -111,6 +111,7 @@ int main(int argc, char **argv)
    test_restart();
    test_arguments();
    test_values();
+   test_faces();
    test_threads();
    test_memory(limit);
    printf("%d passed, %d failed\n", passed, failed);
