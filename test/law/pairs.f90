@@ -4,8 +4,8 @@ module test_law_pairs
    use asperity_base_kinds, only: wp
    use asperity_law_normal_properties, only: new_normal_properties, normal_properties
    use asperity_law_validity, only: valid
-   use asperity_paper_pairs, only: find_pair, find_surface, pair_preset, pairs, surface_preset, &
-      surfaces
+   use asperity_paper_pairs, only: find_pair, find_surface, pair_note, pair_preset, pairs, &
+      surface_preset, surfaces
    use funit, only: assertEqual, assertFalse, assertRelativelyEqual, assertTrue, TestMethod, &
       TestSuite
    implicit none
@@ -79,8 +79,12 @@ contains
          call assertRelativelyEqual([table_4(1:2, i), table_4(3, i)*per_um2, table_4(4:7, i), &
             table_4(8, i)*um], [pair%friction_coefficient, pair%critical_slip, pair%eta, &
             pair%modulus, pair%radius, pair%hardness, pair%yield_factor, pair%sigma], 1.0e-15_wp)
-         call assertTrue(index(pair%note, 'Table 4') > 0, 'note names its source')
-         call assertTrue(index(pair%note, 'Table 2') > 0, 'note names the source of sigma')
+         call assertEqual('Table 4', trim(pair_note(pair, .false., .false., .false., .false.)))
+         call assertEqual('Table 4; '//trim(pair%eta_note), trim(pair_note(pair, .true., .false., &
+            .false., .false.)))
+         call assertTrue(index(pair%sigma_note, 'Table 2') > 0, 'names the source of sigma')
+         call assertTrue(index(pair_note(pair, .true., .true., .true., .true.), &
+            trim(merge(', ', '; ', i == 1))//' E* not from Eq. 4') > 0, 'last part')
       end do
    end subroutine test_pairs
 
