@@ -54,8 +54,8 @@ class Table:
                 lines.append(f"| {quantity} | {where} | {asperity:.4g} | {other} | {value:.4g} | "
                              f"{100*off:+.2f} % | {reason} |")
         if self.contact:
-            lines += ["", "| pressure, MPa | mean gap/Sq | real area | by the law, Nayak's route | its pressure "
-                      "| the paper's route | sum, one radius | sum, own radii | with interaction "
+            lines += ["", "| pressure, MPa | mean gap/Sq | real area | by the law, Nayak's route "
+                      "| its pressure | the paper's route | sum, one radius | sum, own radii | with interaction "
                       "and elliptic summits |", "|---|---|---|---|---|---|---|---|---|"]
             lines += [f"| {load:g} | {gap:.2f} | {100*area:.2f} % | "
                       f"{100*own_area:.2f} % | " + " | ".join(f"{r:.2f}" for r in ratios) + " |"

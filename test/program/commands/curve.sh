@@ -198,3 +198,24 @@ run curve --height-distribution johnson --separation 0.2,0.15,0.1 --csv johnson.
 check 'Johnson heights of kurtosis 3 are Gaussian' cmp c110.csv johnson.csv
 run curve --surface unpolished-cross --height-distribution johnson
 check 'kurtosis of the surface' grep -Eq '^ *kurtosis +3.61 +surface unpolished-cross$' out
+
+# Interaction of summits: from a tenth of the area on, and from three tenths with more to say. The
+# area is linear in eta: 206 has 0.184989 of it at 0.1 mm
+area() { # eta for a fraction of the area at 0.1 mm
+   awk -v f="$1" 'BEGIN { printf "%.10g", 206*f/0.184988893028 }'
+}
+check 'interaction: the area at 0.1 mm' near "$(run curve --separation 0.1 --csv c.csv; csv_column c.csv area_fraction)" 0.184988893028 1e-10
+run curve --separation 0.1 --eta "$(area 0.0999)"
+check 'interaction: nothing below a tenth of the area' lacks out 'Real area'
+run curve --separation 0.1 --eta "$(area 0.1001)"
+check 'interaction: from a tenth on' sh -c 'grep -q "^Real area up to 10 % of the nominal one" out && ! grep -q "grow together" out'
+run curve --separation 0.1 --eta "$(area 0.2999)"
+check 'interaction: less below three tenths' lacks out 'grow together'
+run curve --separation 0.2,0.1 --eta "$(area 0.3001)" --json c.json
+check 'interaction: from three tenths on' sh -c 'tr "\n" " " <out | grep -q "up to 30 %.* contacts  *grow together"'
+check 'interaction: once, in JSON as well' test "$(grep -c 'Real area up to' c.json)" -eq 1
+for command in press 'shear --normal-stress 4.7 --accept-sizes --displacement 1' 'tenon --amplitudes 24 --cycles 1'; do
+   # shellcheck disable=SC2086  # several words are meant
+   run $command
+   check "interaction: told by ${command%% *}" test "$(grep -c '^Real area up to 2[34] %' out)" -eq 1
+done
