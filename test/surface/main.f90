@@ -6,6 +6,7 @@ program test_surface
    use test_surface_fill_holes, only: suite_surface_holes
    use test_surface_fourier, only: suite_surface_fourier
    use test_surface_gaussian_filter, only: suite_surface_gaussian_filter
+   use test_surface_heights_remarks, only: suite_surface_heights_remarks
    use test_surface_level, only: suite_surface_level
    use test_surface_pair, only: suite_surface_pair
    use test_surface_random, only: suite_surface_random
@@ -32,5 +33,6 @@ program test_surface
    call suite%addTest(suite_surface_sum_map())
    call suite%addTest(suite_surface_reference())
    call suite%addTest(suite_surface_remarks())
+   call suite%addTest(suite_surface_heights_remarks())
    call run_suite(suite)
 end program test_surface

@@ -365,13 +365,6 @@ contains
       values(p_alpha) = 1.4_wp
       call expect('alpha', values, widths, facts)
       call ordinary(values, widths, facts)
-      values(p_ssk) = -0.9_wp
-      call expect('ssk', values, widths, facts)
-      widths(p_ssk) = 1.0_wp
-      call expect('', values, widths, facts)
-      values(p_sku) = 5.0_wp
-      call expect('sku', values, widths, facts)
-      call ordinary(values, widths, facts)
       values(p_m2_along) = 0.1_wp*values(p_m2_across)
       call expect('anisotropic', values, widths, facts)
       call ordinary(values, widths, facts)

@@ -6,7 +6,7 @@ module test_surface_remarks
    use asperity_law_plausibility, only: roughness_number_min_sq
    use asperity_surface_parameters_parameters, only: n_parameters, p_alpha, p_eta_nayak, &
       p_eta_paper, p_m0, p_m2_across, p_m2_along, p_m2_x, p_m2_y, p_m4_x, p_m4_y, &
-      p_radius_paper, p_sdq, p_sigma_paper, p_sku, p_sp, p_sq, p_ssk, p_sv
+      p_radius_paper, p_sdq, p_sigma_paper, p_sp, p_sq, p_sv
    use asperity_surface_remarks_on_analysis, only: find_remarks, map_facts, remark_type
    use funit, only: assertEqual, TestMethod, TestSuite
    implicit none
@@ -29,10 +29,6 @@ contains
 
    !> One value after the other, of which nothing else is known.
    subroutine test_values()
-      call border('ssk', [p_ssk], [0.5_wp], up)
-      call border('ssk', [p_ssk], [-0.5_wp], down)
-      call border('sku', [p_sku], [4.0_wp], up)
-      call border('sku', [p_sku], [2.0_wp], down)
       call border('alpha', [p_alpha], [1.5_wp], down)
       call border('slope', [p_sdq], [10.0_wp], up)
       call border('slope', [p_sdq], [1.0e-4_wp], down)
@@ -108,13 +104,6 @@ contains
       call expect('', values, map_facts(peaks=20.0_wp), widths)
       values(p_eta_paper) = nearest(2.25_wp, up)
       call expect('routes', values, map_facts(peaks=20.0_wp), widths)
-      ! a value within its own uncertainty is not far
-      values = none
-      values(p_ssk) = 0.75_wp
-      widths(p_ssk) = 0.75_wp
-      call expect('', values, map_facts(peaks=20.0_wp), widths)
-      values(p_ssk) = nearest(0.75_wp, up)
-      call expect('ssk', values, map_facts(peaks=20.0_wp), widths)
    end subroutine test_step
 
    !> The one remark there should be, or none.

@@ -10,6 +10,7 @@ module asperity_program_commands_curve
    use asperity_law_normal_properties, only: normal_properties
    use asperity_law_unloading_law, only: evaluate_unloading_law
    use asperity_program_commands_command, only: command_type
+   use asperity_program_commands_faces_heights_remark, only: remark_surface_heights
    use asperity_program_commands_faces_properties, only: radius, sigma
    use asperity_program_commands_faces_type, only: faces_type
    use asperity_program_commands_plots, only: draw_curve
@@ -191,6 +192,7 @@ contains
          call table%add_codes('validity', column_validity, (r%validity))
          call table%check_finite(error)
       end associate
+      call remark_surface_heights(report, self%faces%heights, self%properties%normal)
       report%first_rows = [1, n + 1]
       report%important = turning_points(self%separation)
       if (.not. allocated(error) .and. report%is_drawn()) call draw_curve(report)

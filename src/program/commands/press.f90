@@ -8,6 +8,7 @@ module asperity_program_commands_press
    use asperity_base_number_text, only: to_text
    use asperity_contact_properties, only: contact_properties
    use asperity_program_commands_command, only: command_type
+   use asperity_program_commands_faces_heights_remark, only: remark_surface_heights
    use asperity_program_commands_faces_type, only: faces_type
    use asperity_program_commands_plots, only: draw_press
    use asperity_program_commands_sweep_runs, only: run_sweep
@@ -146,6 +147,7 @@ contains
       report%summary = loops_table(loops, trim(merge('mm ', 'MPa', &
          self%press%control == 'overclosure')))
       report%faces = self%faces%words()
+      call remark_surface_heights(report, self%faces%heights, self%properties%normal)
       report%first_rows = [1, size(s) + 1]
       report%important = turning_points((s%overclosure))
       if (.not. allocated(error) .and. report%is_drawn()) call draw_press(report)

@@ -13,6 +13,7 @@ module asperity_program_commands_shear
    use asperity_contact_stick_elements, only: find_stick_elements, stick_elements
    use asperity_program_commands_command, only: command_type
    use asperity_program_commands_faces_friction_keys, only: declare_friction
+   use asperity_program_commands_faces_heights_remark, only: remark_surface_heights
    use asperity_program_commands_faces_type, only: faces_type
    use asperity_program_commands_plots, only: draw_shear
    use asperity_program_commands_shear_keys, only: declare_shear
@@ -137,6 +138,7 @@ contains
       if (allocated(error)) return
       report%summary = summary_of(self, runs)
       report%faces = self%faces%words()
+      call remark_surface_heights(report, self%faces%heights, self%properties%normal)
       report%shown_columns = [character(len=24) :: 'normal_stress_nominal', 'displacement', &
          'overclosure', 'separation_over_sigma', 'normal_stress', 'shear_force', &
          'shear_stress_nominal', 'shear_stress', 'area_fraction', 'dissipation', 'status', &

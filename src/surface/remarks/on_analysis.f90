@@ -6,7 +6,7 @@ module asperity_surface_remarks_on_analysis
       roughness_number_min_sq, summit_constant
    use asperity_surface_parameters_parameters, only: n_parameters, p_alpha, p_eta_nayak, &
       p_eta_paper, p_m2_across, p_m2_along, p_radius_nayak, p_radius_paper, p_sigma_nayak, &
-      p_sigma_paper, p_sku, p_spc, p_spd, p_ssk, parameters
+      p_sigma_paper, p_spc, p_spd, parameters
    use asperity_surface_remarks_on_scan, only: map_facts, remark_scan
    use asperity_surface_remarks_remark, only: add_remark, is_known, quantity, remark_type
    implicit none
@@ -15,8 +15,6 @@ module asperity_surface_remarks_on_analysis
 
    !> Difference of the routes that matters, over the larger of the two values
    real(wp), parameter :: routes_share = 0.2_wp
-   !> Skewness, and kurtosis less 3, from which heights are far from Gaussian
-   real(wp), parameter :: far_ssk = 0.5_wp, far_sku = 1.0_wp
    !> m2 across over m2 along from which a surface is called anisotropic, and m2 along over m2
    !> across up to which it is rounding
    real(wp), parameter :: anisotropic = 2.0_wp, nothing = 1.0e-20_wp
@@ -43,7 +41,6 @@ contains
       call remark_peaks(facts%peaks, remarks)
       call remark_routes(values, uncertainty, remarks)
       call remark_alpha(values, uncertainty, remarks)
-      call remark_heights(values, uncertainty, remarks)
       call remark_anisotropy(values, remarks)
       if (route == 'paper') &
          call remark_number(values([p_eta_paper, p_radius_paper, p_sigma_paper]), remarks)
@@ -115,41 +112,6 @@ contains
             'map''s own summits (--verify).')
       end associate
    end subroutine remark_alpha
-
-   pure subroutine remark_heights(values, uncertainty, remarks)
-      real(wp), intent(in) :: values(:), uncertainty(:)
-      type(remark_type), allocatable, intent(inout) :: remarks(:)
-      character(len=72) :: meaning
-
-      associate (ssk => values(p_ssk), sku => values(p_sku))
-         if (is_far(ssk, uncertainty(p_ssk), far_ssk)) then
-            meaning = 'a few hills stand out, and fewer summits touch at once'
-            if (ssk < 0.0_wp) &
-               meaning = 'pits are deeper than hills are high, and more summits touch at once'
-            call add_remark(remarks, 'ssk', 'ssk = '// &
-               trim(quantity(p_ssk, ssk, uncertainty(p_ssk)))//' is far from 0, the Gaussian '// &
-               'value (threshold '//to_text(far_ssk)//'): '//trim(meaning)// &
-               ' than the Gaussian law says. Check with --verify.')
-         end if
-         if (is_far(sku - 3.0_wp, uncertainty(p_sku), far_sku)) then
-            meaning = 'extremes are rarer'
-            if (sku > 3.0_wp) meaning = 'extremes, if they are no outliers, are commoner'
-            call add_remark(remarks, 'sku', 'sku = '// &
-               trim(quantity(p_sku, sku, uncertainty(p_sku)))//' is far from 3, the Gaussian '// &
-               'value (threshold '//to_text(far_sku)//' off it): '//trim(meaning)// &
-               ' than the Gaussian law says. Check with --verify.')
-         end if
-      end associate
-   end subroutine remark_heights
-
-   !> Beyond its uncertainty, if that is known, and a threshold.
-   pure logical function is_far(value, half_width, threshold)
-      real(wp), intent(in) :: value, half_width, threshold
-
-      is_far = .false.
-      if (is_known(value)) is_far = abs(value) > threshold
-      if (is_known(half_width)) is_far = is_far .and. abs(value) > half_width
-   end function is_far
 
    pure subroutine remark_anisotropy(values, remarks)
       real(wp), intent(in) :: values(:)

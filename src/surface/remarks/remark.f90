@@ -11,7 +11,7 @@ module asperity_surface_remarks_remark
    !> One remark.
    type, public :: remark_type
       !> What it is about, for programs: `shape`, `slope`, `outlier`, `filled`, `no_peaks`,
-      !> `few_peaks`, `routes`, `alpha`, `ssk`, `sku`, `anisotropic`, `roughness_number`,
+      !> `few_peaks`, `routes`, `alpha`, `heights`, `anisotropic`, `roughness_number`,
       !> `few_waves`, `resolution` or `step`
       character(len=16) :: code = ''
       !> Plain sentences

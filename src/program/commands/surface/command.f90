@@ -12,7 +12,8 @@ module asperity_program_commands_surface_command
    use asperity_program_commands_surface_maps, only: check_map_options, get_map, prepare_map
    use asperity_program_commands_surface_pair, only: analyse_pair
    use asperity_program_commands_surface_plot, only: surface_picture
-   use asperity_program_commands_surface_remarks, only: add_remarks, map_notes
+   use asperity_program_commands_surface_remarks, only: add_heights_remark, add_remarks, &
+      map_notes
    use asperity_program_commands_surface_tables, only: law_parameters_table, map_table, &
       parameter_table
    use asperity_program_commands_surface_verdict, only: surface_verdict
@@ -167,6 +168,7 @@ contains
             report%decks(1)%text = surface_case(options, values, analysis%uncertainty)
             report%more(3)%name = 'law'
             call law_curves(options, values, report%more(3)%table)
+            call add_heights_remark(report, analysis, properties, route)
          else if (options%verify .or. options%case /= '') then
             call refuse_law(title(map), route, error)
             return

@@ -4,13 +4,16 @@ module asperity_program_commands_surface_remarks
    use asperity_base_no_value, only: is_none, none
    use asperity_height_map_type, only: height_map, note_end
    use asperity_program_commands_surface_keys, only: surface_options
+   use asperity_program_commands_surface_verify, only: take_summits
+   use asperity_law_normal_properties, only: heights_gaussian, normal_properties
    use asperity_program_report_report, only: report_type
    use asperity_program_system_strings, only: string_type
    use asperity_surface_analysis, only: surface_analysis_type
    use asperity_surface_remarks_on_analysis, only: find_remarks, map_facts, remark_type
+   use asperity_surface_remarks_on_heights, only: remark_heights
    implicit none
    private
-   public :: add_remarks, map_notes
+   public :: add_heights_remark, add_remarks, map_notes
 
 contains
 
@@ -54,6 +57,32 @@ contains
       end do
       report%remarks = [lines, report%remarks]
    end subroutine add_remarks
+
+   !> What heights that are not Gaussian do to the pressure of the law, if that has Gaussian ones.
+   pure subroutine add_heights_remark(report, analysis, law, route)
+      !> Its remarks are added to
+      type(report_type), intent(inout) :: report
+      !> What was found
+      type(surface_analysis_type), intent(in) :: analysis
+      !> The law by the route
+      type(normal_properties), intent(in) :: law
+      !> The route
+      character(len=*), intent(in) :: route
+      type(remark_type), allocatable :: found(:)
+      real(wp), allocatable :: heights(:), curvatures(:)
+      type(string_type) :: line
+      integer :: i
+
+      if (law%height_distribution /= heights_gaussian) return
+      call take_summits(analysis, route, heights, curvatures)
+      allocate (found(0))
+      call remark_heights(law, analysis%values(:, 1), analysis%uncertainty, heights, curvatures, &
+         analysis%area, found)
+      do i = 1, size(found)
+         line%text = found(i)%text
+         report%remarks = [report%remarks, line]
+      end do
+   end subroutine add_heights_remark
 
    !> What the readers had to say of the map.
    pure subroutine map_notes(map, notes)

@@ -21,7 +21,7 @@ module asperity_program_commands_surface_verify
    use asperity_surface_parameters_parameters, only: p_summit_plane
    implicit none
    private
-   public :: law_curves, add_summit_curve, unloading_table
+   public :: law_curves, add_summit_curve, take_summits, unloading_table
 
    !> Pressures at which the remarks compare, MPa: the paper's shear test, and the strength fc90
    real(wp), parameter :: pressures(2) = [0.2_wp, wood_strength_across]
@@ -164,11 +164,13 @@ contains
       end associate
    end subroutine unloading_table
 
-   !> The peaks that the paper's route takes, or all summits for Nayak's: heights above the summit
-   !> mean plane, mm, and curvatures, 1/mm.
+   !> The peaks that the paper's route takes, or all summits for Nayak's.
    pure subroutine take_summits(analysis, route, heights, curvatures)
+      !> What was found on the map
       type(surface_analysis_type), intent(in) :: analysis
+      !> One of `routes`
       character(len=*), intent(in) :: route
+      !> Heights above the summit mean plane, mm, and curvatures, 1/mm
       real(wp), allocatable, intent(out) :: heights(:), curvatures(:)
       logical, allocatable :: taken(:)
 

@@ -63,6 +63,7 @@ contains
       if (allocated(error)) return
       call join_rows(report, cases, keys, axes)
       report%faces = common_words(cases)
+      call join_remarks(report, cases, legends)
       if (report%is_drawn()) call join_pictures(report, cases, legends)
       call hide_swept(report%keys, axes)
    end subroutine run_sweep
@@ -112,6 +113,24 @@ contains
       if (allocated(cases(widest)%shown_columns)) report%shown_columns = &
          [character(len=24) :: keys%rows(axes%key)%name, cases(widest)%shown_columns]
    end subroutine join_rows
+
+   !> The remarks of all cases, each with its case.
+   pure subroutine join_remarks(report, cases, legends)
+      type(report_type), intent(inout) :: report
+      type(report_type), intent(in) :: cases(:)
+      type(string_type), intent(in) :: legends(:)
+      type(string_type) :: line
+      integer :: i, j
+
+      allocate (report%remarks(0))
+      do i = 1, size(cases)
+         if (.not. allocated(cases(i)%remarks)) cycle
+         do j = 1, size(cases(i)%remarks)
+            line%text = legends(i)%text//': '//cases(i)%remarks(j)%text
+            report%remarks = [report%remarks, line]
+         end do
+      end do
+   end subroutine join_remarks
 
    !> What the faces of all cases are, if that is the same.
    pure function common_words(cases) result(text)

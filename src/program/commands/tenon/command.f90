@@ -6,6 +6,7 @@ module asperity_program_commands_tenon_command
    use asperity_base_memory, only: check_work
    use asperity_base_number_text, only: to_text
    use asperity_program_commands_command, only: command_type
+   use asperity_program_commands_faces_heights_remark, only: remark_surface_heights
    use asperity_program_commands_joint_face_rows, only: face_table
    use asperity_program_commands_joint_loops, only: hard, legends, rough
    use asperity_program_commands_joint_tables, only: comparison_table, cycles_table, &
@@ -179,6 +180,7 @@ contains
          named_table('skeleton', '', skeleton_table(joints))]
       report%points = points_table(joints)
       report%remarks = joint_remarks(self%case, joints, is_paper_joint(self%case))
+      call remark_surface_heights(report, self%case%faces%heights, self%case%properties%normal)
       report%has_contact = any(joints%touches)
       report%shows_table = .false.
       associate (n => size(joints(hard)%steps))
