@@ -21,13 +21,11 @@ module asperity_surface_remarks_on_heights
    real(wp), parameter :: pressures(2) = [0.05_wp, 0.2_wp]
    !> Factor on the pressure from which it is told: the law at its best is as near an elastic solution
    real(wp), parameter :: least_factor = 1.2_wp
-   !> Difference from Gaussian values that is rounding
-   real(wp), parameter :: nothing = 1.0e-6_wp
 
 contains
 
-   !> A remark on the heights of a map, unless their effect is small or they are Gaussian within
-   !> their uncertainty; beside it the sum over the map's own summits.
+   !> A remark on the heights of a map, unless their effect is small, or may be within their
+   !> uncertainty; beside it the sum over the map's own summits.
    pure subroutine remark_heights(law, values, uncertainty, heights, curvatures, area, remarks)
       !> The law by the route, with Gaussian heights
       type(normal_properties), intent(in) :: law
@@ -46,7 +44,10 @@ contains
       associate (ssk => values(p_ssk), sku => values(p_sku), u_ssk => uncertainty(p_ssk), &
             u_sku => uncertainty(p_sku))
          if (.not. (is_known(ssk) .and. is_known(sku))) return
-         if (.not. (is_beyond(ssk, u_ssk) .or. is_beyond(sku - 3.0_wp, u_sku))) return
+         text = ''
+         call add_height_effect(text, law, nearer(ssk, u_ssk), 3.0_wp + nearer(sku - 3.0_wp, &
+            u_sku), separations, is_told)
+         if (.not. is_told) return
          text = 'ssk = '//trim(quantity(p_ssk, ssk, u_ssk))//', sku = '// &
             trim(quantity(p_sku, sku, u_sku))//': '
          call add_height_effect(text, law, ssk, sku, separations, is_told)
@@ -56,13 +57,13 @@ contains
       call add_remark(remarks, 'heights', text)
    end subroutine remark_heights
 
-   !> Beyond its uncertainty, if that is known, and beyond rounding.
-   pure logical function is_beyond(value, half_width)
+   !> The value nearest to zero within its uncertainty, if that is known.
+   pure real(wp) function nearer(value, half_width)
       real(wp), intent(in) :: value, half_width
 
-      is_beyond = abs(value) > nothing
-      if (is_known(half_width)) is_beyond = is_beyond .and. abs(value) > half_width
-   end function is_beyond
+      nearer = value
+      if (is_known(half_width)) nearer = sign(max(abs(value) - half_width, 0.0_wp), value)
+   end function nearer
 
    !> Add what heights of a skewness and a kurtosis do to the pressure by Johnson's distribution.
    pure subroutine add_height_effect(text, law, skewness, kurtosis, separations, is_told)

@@ -219,3 +219,21 @@ for command in press 'shear --normal-stress 4.7 --accept-sizes --displacement 1'
    run $command
    check "interaction: told by ${command%% *}" test "$(grep -c '^Real area up to 2[34] %' out)" -eq 1
 done
+
+# Heights: what a kurtosis of Table 2 does to the pressure
+run curve --surface unpolished-cross --separation 0.2 --json c.json
+check 'heights: a surface whose kurtosis matters' has c.json 'surface unpolished-cross has a kurtosis of 3.61: where the Gaussian '
+check 'heights: by these factors' has c.json ' give 4.94 and 2.89 times as much'
+run curve --surface mesh-400-radial --separation 0.2
+check 'heights: one whose kurtosis does not' lacks out 'kurtosis'
+run curve --surface unpolished-cross --height-distribution johnson --separation 0.2
+check 'heights: nothing to say of the law that has it' lacks out 'has a kurtosis'
+run curve --separation 0.2
+check 'heights: nothing of a pair' lacks out 'kurtosis'
+for command in press 'shear --displacement 1' 'tenon --amplitudes 24 --cycles 1'; do
+   # shellcheck disable=SC2086  # several words are meant
+   run $command --surface unpolished-cross
+   check "heights: told by ${command%% *}" test "$(grep -c '^surface unpolished-cross has a kurtosis' out)" -eq 1
+done
+run curve --sweep surface=unpolished-cross,mesh-400-radial --separation 0.2
+check 'heights: told of its case of a sweep' test "$(grep -c '^surface = unpolished-cross: surface unpol' out)" -eq 1

@@ -285,6 +285,11 @@ refuses 'surface: options of a file' 2 '--height-unit: is for files' surface --g
    --height-unit um
 refuses 'surface: a map and --generate' 2 's.sdf: --generate makes a map' surface s.sdf --generate
 refuses 'surface: --mirror without a pair' 2 '--mirror: is for --pair' surface s.sdf --mirror y
+run surface --generate --ssk -0.5 --sku 3.43 --json s.json
+check 'surface: heights by what they do to the pressure' has s.json '"ssk = -0.57'
+check 'surface: beside them the own summits' has s.json ' own summits, each with its own radius, give '
+run surface --generate
+check 'surface: Gaussian heights are not remarked on' lacks out 'own summits, each'
 refuses 'surface: no such kurtosis' 2 '.*sku' surface --generate --ssk 2 --sku 3
 refuses 'surface: half a point' 2 '--map-points: map_points' surface --generate --map-points 64.5
 refuses 'surface: a short correlation length' 2 '--correlation-length: correlation_length|.*corr' \
