@@ -1,8 +1,8 @@
 !> What UINTER and VUINTER check before they compute: sizes that the deck sets, a STATEV that only
 !> they write to, and numbers that a host gone wrong may pass.
 module asperity_abaqus_checks
-   use asperity_abaqus_props_and_statev, only: n_statev, state_largest_closure, &
-      state_overclosure, state_pressure, state_status, state_validity, state_warned
+   use asperity_abaqus_statev, only: n_statev, state_largest_closure, state_overclosure, &
+      state_pressure, state_status, state_validity, state_warned
    use asperity_base_error, only: error_type, fatal_error
    use asperity_base_finite, only: all_below
    use asperity_base_kinds, only: wp

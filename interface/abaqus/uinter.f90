@@ -1,5 +1,5 @@
 !> ABAQUS/Standard user subroutine UINTER for rough contact, the 47 arguments of release 6.12 to
-!> 2025. It reads PROPS and STATEV (see props_and_statev.f90), calls the contact-point
+!> 2025. It reads PROPS and STATEV (see props.f90, statev.f90), calls the contact-point
 !> update and writes every output. It keeps nothing between calls: no SAVE, no COMMON, no I/O, so
 !> any number of threads may call it. Arguments: uinter_signature.f90; deck, signs and slots:
 !> docs/abaqus.md.
@@ -9,9 +9,9 @@ subroutine uinter( &
    slname, msname, props, coords, alocaldir, drot, area, chrlngth, node, ndir, nstatv, npred, &
    nprops, mcrd, kstep, kinc, kit, linper, lopenclose, lstate, lsdi, lprint)
    use asperity_abaqus_checks, only: check_sizes, check_statev, computable, largest
-   use asperity_abaqus_props_and_statev, only: n_statev, properties_from_props, &
-      state_elastic_slip_2, state_from_statev, state_pressure, state_validity, state_warned, &
-      statev_from_state
+   use asperity_abaqus_props, only: properties_from_props
+   use asperity_abaqus_statev, only: n_statev, state_elastic_slip_2, state_from_statev, &
+      state_pressure, state_validity, state_warned, statev_from_state
    use asperity_abaqus_uinter_point, only: uinter_point
    use asperity_base_error, only: error_type
    use asperity_base_finite, only: all_finite, is_finite

@@ -15,7 +15,7 @@ subroutine vuinter( &
    stiffdflt, conddflt, shape, coordslv, coordmst, alocaldir, props, areaslv, tempslv, dtempslv, &
    predefslv, dpredefslv, tempmst, dtempmst, predefmst, dpredefmst)
    use asperity_abaqus_checks, only: check_sizes, check_statev, computable, largest
-   use asperity_abaqus_props_and_statev, only: n_statev, state_elastic_slip_2, state_from_statev, &
+   use asperity_abaqus_statev, only: n_statev, state_elastic_slip_2, state_from_statev, &
       state_pressure, state_warned, statev_from_state
    use asperity_abaqus_vuinter_precision, only: vp
    use asperity_abaqus_vuinter_props, only: read_props

@@ -2,7 +2,8 @@
 !> the values at its start, with every output poisoned beforehand, accepts or cuts back, and keeps
 !> the history of everything that UINTER returned.
 module asperity_replay_abaqus_host
-   use asperity_abaqus_props_and_statev, only: n_statev, props_from_properties, state_from_statev
+   use asperity_abaqus_props, only: props_from_properties
+   use asperity_abaqus_statev, only: n_statev, state_from_statev
    use asperity_abaqus_uinter_signature, only: uinter_interface
    use asperity_base_error, only: computation_error, error_type, fatal_error
    use asperity_base_kinds, only: wp

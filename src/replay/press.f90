@@ -2,7 +2,7 @@
 !> overclosure, to one peak (the paper's Fig. 17) or to several, one after the other.
 module asperity_replay_press
    use, intrinsic :: iso_fortran_env, only: int64
-   use asperity_abaqus_props_and_statev, only: state_from_statev
+   use asperity_abaqus_statev, only: state_from_statev
    use asperity_abaqus_uinter_signature, only: uinter_interface
    use asperity_base_checks, only: check_positive
    use asperity_base_error, only: computation_error, error_type, fatal_error

@@ -3,8 +3,8 @@
 !> closure under load is what the normal law says.
 module asperity_replay_shear_box
    use, intrinsic :: iso_fortran_env, only: int64
-   use asperity_abaqus_props_and_statev, only: state_elastic_slip_1, state_from_statev, &
-      state_normal_energy, state_pressure_coupling
+   use asperity_abaqus_statev, only: state_elastic_slip_1, state_from_statev, state_normal_energy, &
+      state_pressure_coupling
    use asperity_abaqus_uinter_signature, only: uinter_interface
    use asperity_base_error, only: computation_error, error_type, fatal_error
    use asperity_base_kinds, only: wp

@@ -3,8 +3,9 @@ module test_abaqus_memory
    use abaqus_stubs, only: forget_calls, last_message, messages
    use asperity, only: contact_properties, contact_response, contact_state, error_type, &
       no_rotation, unloading_elastic, unloading_stiffness, update_contact_point, wp
-   use asperity_abaqus_props_and_statev, only: n_props, n_statev, props_from_properties, &
-      state_largest_closure, state_normal_energy, state_overclosure
+   use asperity_abaqus_props, only: n_props, props_from_properties
+   use asperity_abaqus_statev, only: n_statev, state_largest_closure, state_normal_energy, &
+      state_overclosure
    use asperity_abaqus_uinter_signature, only: uinter_interface
    use asperity_replay_abaqus_host, only: accept_increment, host_point, host_response, &
       new_host_point, try_increment

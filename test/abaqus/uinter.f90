@@ -6,9 +6,10 @@ module test_abaqus_uinter
       evaluate_normal_law, no_opposite_surface, no_rotation, normal_response, &
       roughness_number_low, rule_dissipative, slip_backward_euler, status_open, status_slip, &
       status_stick, update_contact_point, wp
-   use asperity_abaqus_props_and_statev, only: n_props, n_statev, props_from_properties, &
-      properties_from_props, state_elastic_slip_1, state_elastic_slip_2, state_from_statev, &
-      state_overclosure, state_pressure, state_status, state_validity, state_warned
+   use asperity_abaqus_props, only: n_props, props_from_properties, properties_from_props
+   use asperity_abaqus_statev, only: n_statev, state_elastic_slip_1, state_elastic_slip_2, &
+      state_from_statev, state_overclosure, state_pressure, state_status, state_validity, &
+      state_warned
    use asperity_abaqus_uinter_signature, only: uinter_interface
    use asperity_base_number_text, only: to_text
    use asperity_replay_abaqus_host, only: accept_increment, host_point, new_host_point, &

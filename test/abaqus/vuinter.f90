@@ -6,9 +6,9 @@ module test_abaqus_vuinter
    use abaqus_stubs, only: exits, forget_calls, last_level, last_message, messages, warnings
    use asperity, only: contact_properties, contact_response, contact_state, error_type, &
       no_opposite_surface, no_rotation, status_open, status_stick, update_contact_point, wp
-   use asperity_abaqus_props_and_statev, only: n_props, n_statev, props_from_properties, &
-      properties_from_props, state_dissipation, state_from_statev, state_status, state_validity, &
-      state_warned
+   use asperity_abaqus_props, only: n_props, props_from_properties, properties_from_props
+   use asperity_abaqus_statev, only: n_statev, state_dissipation, state_from_statev, state_status, &
+      state_validity, state_warned
    use asperity_abaqus_vuinter_precision, only: vp
    use contact_cases, only: pair_properties
    use funit, only: anyExceptions, assertEqual, assertFalse, assertGreaterThan, assertLessThan, &

@@ -2,9 +2,10 @@
 module test_abaqus_vuinter_agreement
    use, intrinsic :: iso_fortran_env, only: int64
    use asperity, only: contact_properties, error_type, no_opposite_surface, wp
-   use asperity_abaqus_props_and_statev, only: n_statev, properties_from_props, state_dissipation, &
-      state_elastic_slip_1, state_elastic_slip_2, state_largest_closure, state_normal_energy, &
-      state_overclosure, state_pressure, state_pressure_coupling, state_status, state_validity
+   use asperity_abaqus_props, only: properties_from_props
+   use asperity_abaqus_statev, only: n_statev, state_dissipation, state_elastic_slip_1, &
+      state_elastic_slip_2, state_largest_closure, state_normal_energy, state_overclosure, &
+      state_pressure, state_pressure_coupling, state_status, state_validity
    use asperity_abaqus_uinter_signature, only: uinter_interface
    use asperity_abaqus_vuinter_precision, only: vp
    use asperity_replay_abaqus_host, only: accept_increment, host_point, new_host_point, &

@@ -3,7 +3,8 @@
 module vuinter_host
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite, ieee_is_nan, ieee_quiet_nan, ieee_value
    use asperity, only: contact_properties, no_rotation, wp
-   use asperity_abaqus_props_and_statev, only: n_statev, props_from_properties
+   use asperity_abaqus_props, only: props_from_properties
+   use asperity_abaqus_statev, only: n_statev
    use asperity_abaqus_vuinter_precision, only: vp
    use asperity_abaqus_vuinter_signature, only: vuinter_interface
    implicit none

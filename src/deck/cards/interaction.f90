@@ -1,8 +1,9 @@
 !> Contact as decks say it: UINTER with its properties, the law as a table, or hard contact, each
 !> for ABAQUS and for CalculiX.
 module asperity_deck_cards_interaction
-   use asperity_abaqus_props_and_statev, only: n_props, n_statev, prop_accept_unphysical, &
-      properties_from_props, props_from_properties
+   use asperity_abaqus_props, only: n_props, prop_accept_unphysical, properties_from_props, &
+      props_from_properties
+   use asperity_abaqus_statev, only: n_statev
    use asperity_base_error, only: error_type, fatal_error
    use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text

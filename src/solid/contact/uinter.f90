@@ -1,6 +1,6 @@
 !> The rough law through UINTER, called as ABAQUS calls it.
 module asperity_solid_contact_uinter
-   use asperity_abaqus_props_and_statev, only: statev_from_state
+   use asperity_abaqus_statev, only: statev_from_state
    use asperity_abaqus_uinter_signature, only: uinter_interface
    use asperity_base_error, only: error_type
    use asperity_base_kinds, only: wp

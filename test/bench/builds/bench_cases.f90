@@ -3,8 +3,8 @@
 module bench_cases
    use asperity, only: contact_properties, contact_response, contact_state, no_rotation, &
       rule_abaqus, slip_exact, status_slip, status_stick, update_contact_point, wp
-   use asperity_abaqus_props_and_statev, only: n_props, n_statev, props_from_properties, &
-      state_warned, statev_from_state
+   use asperity_abaqus_props, only: n_props, props_from_properties
+   use asperity_abaqus_statev, only: n_statev, state_warned, statev_from_state
    use asperity_base_constants, only: pi
    use asperity_law_validity, only: all_flags
    use contact_cases, only: pair_properties, random_contact

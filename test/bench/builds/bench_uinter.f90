@@ -2,7 +2,8 @@
 !> VUINTER as ABAQUS/Explicit does, all points of a pair in one call through its 49.
 module bench_uinter
    use asperity, only: contact_properties, error_type, no_rotation, wp
-   use asperity_abaqus_props_and_statev, only: n_props, n_statev, properties_from_props
+   use asperity_abaqus_props, only: n_props, properties_from_props
+   use asperity_abaqus_statev, only: n_statev
    use asperity_abaqus_uinter_signature, only: uinter_interface
    use asperity_abaqus_vuinter_signature, only: vuinter_interface
    use bench_cases, only: contact_set

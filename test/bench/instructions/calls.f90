@@ -5,9 +5,8 @@
 !>     calls stick|slip|nodes POINTS
 program calls
    use abaqus_stubs, only: messages
-   use asperity, only: contact_properties, contact_response, contact_state, error_type, &
-      no_rotation, update_contact_point, wp
-   use asperity_abaqus_props_and_statev, only: n_statev, properties_from_props, statev_from_state
+   use asperity, only: contact_properties, contact_response, contact_state, error_type, find_pair, &
+      new_contact_properties, no_rotation, pair_preset, update_contact_point, wp
    use asperity_abaqus_uinter_signature, only: uinter_interface
    use asperity_abaqus_vuinter_signature, only: vuinter_interface
    implicit none
@@ -15,6 +14,8 @@ program calls
    procedure(vuinter_interface) :: vuinter
    real(wp), parameter :: props(12) = [0.5_wp, 0.31_wp, 206.0_wp, 297.0_wp, 3.14159265_wp, &
       0.1477_wp, 24.53_wp, 0.4_wp, 0.0593_wp, 0.2372_wp, 1.0_wp, 1.0_wp]
+   !> DEPVAR of UINTER with plain friction
+   integer, parameter :: n_statev = 11
    real(wp), parameter :: h_min = 1.0_wp, h_max = 5.0_wp, golden = 0.6180339887498949_wp
    character(len=80), parameter :: wood = 'WOOD', slave = 'SLAVE', master = 'MASTER'
    character(len=16) :: word
@@ -43,10 +44,12 @@ contains
       real(wp), intent(in) :: slip
       type(contact_properties) :: properties
       type(contact_response) :: response
+      type(pair_preset) :: pair
       type(error_type), allocatable :: error
       integer :: i
 
-      call properties_from_props(props, properties, error)
+      call find_pair('transverse-tangential', pair, error)
+      if (.not. allocated(error)) call new_contact_properties(properties, pair, error)
       if (allocated(error)) error stop 'the properties are refused'
       statev = 0.0_wp
       associate (p => properties)
@@ -57,7 +60,11 @@ contains
             motion(:, i) = [0.01_wp*p%normal%sigma, slip*p%critical_slip, 0.0_wp]
             call update_contact_point(p, contact_state(), position(1, i) - motion(1, i), &
                position(2:, i), no_rotation, response)
-            call statev_from_state(response%state, statev(:, i))
+            associate (s => response%state)
+               statev(:, i) = [real(s%status, wp), s%overclosure, s%pressure, s%normal_energy, &
+                  s%elastic_slip, s%largest_closure, s%dissipation, s%pressure_coupling, &
+                  real(s%validity, wp), 0.0_wp]
+            end associate
             position(2, i) = position(2, i) + motion(2, i)
          end do
       end associate

@@ -1,7 +1,7 @@
 ! The law in rows, linear between them within one per cent
 program deck
    use asperity, only: contact_properties, error_type, wp
-   use asperity_abaqus_props_and_statev, only: properties_from_props
+   use asperity_abaqus_props, only: properties_from_props
    use asperity_deck_law_rows, only: law_table, new_law_table
    implicit none
    real(wp), parameter :: pi = acos(-1.0_wp), &

@@ -1,7 +1,7 @@
 ! Press a point through UINTER: the ramp's top is the pressure asked for
 program joint
    use asperity, only: contact_properties, error_type, wp
-   use asperity_abaqus_props_and_statev, only: properties_from_props
+   use asperity_abaqus_props, only: properties_from_props
    use asperity_replay_press, only: press_loop, press_settings, press_step, run_press
    implicit none
    real(wp), parameter :: pi = acos(-1.0_wp), &

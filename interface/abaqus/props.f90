@@ -1,6 +1,6 @@
-!> What stands where in PROPS and STATEV of UINTER and VUINTER, and nothing else: every reader and
-!> writer of the two arrays uses these names.
-module asperity_abaqus_props_and_statev
+!> What stands where in PROPS of UINTER and VUINTER, and nothing else: every reader and writer of it
+!> uses these names.
+module asperity_abaqus_props
    use asperity_base_constants, only: pi
    use asperity_base_error, only: error_type, fatal_error
    use asperity_base_finite, only: all_finite, is_finite
@@ -8,12 +8,10 @@ module asperity_abaqus_props_and_statev
    use asperity_base_number_text, only: to_text
    use asperity_contact_properties, only: complete_contact_properties, contact_properties, &
       rule_abaqus, slip_exact
-   use asperity_contact_state, only: contact_state
    use asperity_law_normal_properties, only: new_normal_properties
    implicit none
    private
-   public :: properties_from_props, props_from_properties, state_from_statev, statev_from_state, &
-      near_pi
+   public :: properties_from_props, props_from_properties, near_pi
 
    !> Slots of PROPS, N-mm-MPa
    enum, bind(c)
@@ -43,27 +41,6 @@ module asperity_abaqus_props_and_statev
    integer, parameter, public :: n_props = prop_unloading
    !> Largest value of each option
    integer, parameter :: option_max(prop_friction_rule:n_props) = [2, 2, 1, 1]
-
-   !> Slots of STATEV; all zero is a fresh point
-   enum, bind(c)
-      !> 0 never called, 1 open, 2 stick, 3 slip
-      enumerator :: state_status = 1
-      !> Overclosure, mm; pressure, MPa; stored normal energy, N/mm
-      enumerator :: state_overclosure, state_pressure, state_normal_energy
-      !> Elastic slip in the two slip directions, mm
-      enumerator :: state_elastic_slip_1, state_elastic_slip_2
-      !> Largest overclosure reached, mm: the memory of elastic unloading
-      enumerator :: state_largest_closure
-      !> Frictional dissipation and pressure coupling since the start, N/mm
-      enumerator :: state_dissipation, state_pressure_coupling
-      !> Sum of the validity flags reached, and of those already warned about
-      enumerator :: state_validity, state_warned
-   end enum
-   public :: state_status, state_overclosure, state_pressure, state_normal_energy, &
-      state_elastic_slip_1, state_elastic_slip_2, state_largest_closure, state_dissipation, &
-      state_pressure_coupling, state_validity, state_warned
-   !> DEPVAR that UINTER and VUINTER need
-   integer, parameter, public :: n_statev = state_warned
 
    !> How far PROPS(5) may be from pi: 3.14 passes
    real(wp), parameter :: pi_tolerance = 0.01_wp
@@ -143,44 +120,6 @@ contains
       props(prop_unloading) = properties%normal%unloading
    end function props_from_properties
 
-   !> State of a point from STATEV.
-   pure subroutine state_from_statev(statev, state)
-      !> At least `n_statev` numbers
-      real(wp), intent(in) :: statev(:)
-      !> State of the point; all of it is set
-      type(contact_state), intent(inout) :: state
-
-      state%status = int(statev(state_status))
-      state%overclosure = statev(state_overclosure)
-      state%pressure = statev(state_pressure)
-      state%normal_energy = statev(state_normal_energy)
-      state%elastic_slip(1) = statev(state_elastic_slip_1)
-      state%elastic_slip(2) = statev(state_elastic_slip_2)
-      state%largest_closure = statev(state_largest_closure)
-      state%dissipation = statev(state_dissipation)
-      state%pressure_coupling = statev(state_pressure_coupling)
-      state%validity = int(statev(state_validity))
-   end subroutine state_from_statev
-
-   !> Write a state to STATEV; the slot of warnings is left alone.
-   pure subroutine statev_from_state(state, statev)
-      !> State of the point
-      type(contact_state), intent(in) :: state
-      !> At least `n_statev` numbers
-      real(wp), intent(inout) :: statev(:)
-
-      statev(state_status) = state%status
-      statev(state_overclosure) = state%overclosure
-      statev(state_pressure) = state%pressure
-      statev(state_normal_energy) = state%normal_energy
-      statev(state_elastic_slip_1) = state%elastic_slip(1)
-      statev(state_elastic_slip_2) = state%elastic_slip(2)
-      statev(state_largest_closure) = state%largest_closure
-      statev(state_dissipation) = state%dissipation
-      statev(state_pressure_coupling) = state%pressure_coupling
-      statev(state_validity) = state%validity
-   end subroutine statev_from_state
-
    !> Is it pi as PROPS(5) holds it?
    pure logical function near_pi(value)
       !> A property, or a number that may be none
@@ -246,4 +185,4 @@ contains
          to_text(prop_sigma)//' to '//to_text(n_props)//remedy)
    end subroutine refuse_length
 
-end module asperity_abaqus_props_and_statev
+end module asperity_abaqus_props
