@@ -69,7 +69,7 @@ endif()
 # are not those of the library
 set(single_sources support/abaqus_stubs support/contact_cases support/extremes support/random_inputs
    support/run_suites support/threads abaqus/abaqus_utilities abaqus/vuinter_host abaqus/vuinter
-   abaqus/vuinter_agreement single/main)
+   abaqus/vuinter_agreement abaqus/vuinter_friction single/main)
 if(NOT PFUNIT_FOUND)
    list(APPEND single_sources support/funit support/funit_assert)
 endif()

@@ -8,10 +8,10 @@ subroutine uinter( &
    svd, scd, pnewdt, rdisp, drdisp, temp, dtemp, predef, dpred, time, dtime, freqr, ciname, &
    slname, msname, props, coords, alocaldir, drot, area, chrlngth, node, ndir, nstatv, npred, &
    nprops, mcrd, kstep, kinc, kit, linper, lopenclose, lstate, lsdi, lprint)
-   use asperity_abaqus_checks, only: check_sizes, check_statev, computable, largest
+   use asperity_abaqus_checks, only: check_sizes, check_statev, computable, sizes_are_computable
    use asperity_abaqus_props, only: properties_from_props
-   use asperity_abaqus_statev, only: n_statev, state_elastic_slip_2, state_from_statev, &
-      state_pressure, state_validity, state_warned, statev_from_state
+   use asperity_abaqus_statev, only: state_from_statev, state_validity, state_warned, &
+      statev_from_state, statev_needed
    use asperity_abaqus_uinter_point, only: uinter_point
    use asperity_base_error, only: error_type
    use asperity_base_finite, only: all_finite, is_finite
@@ -56,12 +56,14 @@ subroutine uinter( &
    integer, parameter :: warning = -1, fatal = -3
    type(uinter_point) :: point
    type(error_type), allocatable :: error
-   real(wp) :: slip(2), rotation(2, 2), overclosure, moved(7), tangent(3, 3)
+   real(wp) :: slip(2), rotation(2, 2), overclosure, moved(8), tangent(3, 3)
+   !> Slots of STATEV that the properties need
+   integer :: slots
    !> Whether STATEV and the position are numbers that can be computed with
    logical :: known
 
-   associate (u1 => temp, u2 => dtemp, u3 => predef, u4 => dpred, u5 => time, u6 => dtime, &
-         u7 => freqr, u8 => coords, u9 => alocaldir, u10 => area, u11 => chrlngth, &
+   associate (u1 => temp, u2 => dtemp, u3 => predef, u4 => dpred, u5 => time, u7 => freqr, &
+         u8 => coords, u9 => alocaldir, u10 => area, u11 => chrlngth, &
          u12 => slname, u13 => msname, u14 => kstep, u15 => kinc, u16 => lsdi, u17 => lprint)
       ! arguments of the interface that the law does not need
    end associate
@@ -88,14 +90,13 @@ subroutine uinter( &
       return
    end if
 
-   if (known) known = is_finite(rdisp(1)) &
-      .and. all(abs(statev(state_pressure:state_elastic_slip_2)) < largest)
+   if (known) known = is_finite(rdisp(1)) .and. sizes_are_computable(statev(:slots))
    if (.not. known) then
       ddsddr = 0.0_wp
       pnewdt = cut_back
       return
    end if
-   call state_from_statev(statev, point%start)
+   call state_from_statev(statev(:slots), point%start)
 
    if (linper == 1) then
       tangent = contact_tangent(point%properties, point%start)
@@ -121,6 +122,7 @@ subroutine uinter( &
       moved(2:3) = slip
       moved(4:5) = rotation(:, 1)
       moved(6:7) = rotation(:, 2)
+      moved(8) = dtime
       if (.not. computable(moved)) then
          ddsddr = 0.0_wp
          pnewdt = cut_back
@@ -130,7 +132,7 @@ subroutine uinter( &
 
    associate (response => point%response)
       call update_contact_point(point%properties, point%start, overclosure, slip, rotation, &
-         response)
+         response, dtime)
       stress = response%traction(:ndir)
       ddsddr = response%tangent(:ndir, :ndir)
       sed = response%normal_energy + response%tangential_energy
@@ -139,7 +141,7 @@ subroutine uinter( &
       lopenclose = merge(0, 1, response%status == status_open)
       lstate = response%status
       call warn_once(response%validity)
-      call statev_from_state(response%state, statev)
+      call statev_from_state(response%state, statev(:slots))
    end associate
 
 contains
@@ -156,11 +158,12 @@ contains
    subroutine check_state(error)
       type(error_type), allocatable, intent(out) :: error
 
-      call check_sizes(nstatv, ndir, error)
+      slots = statev_needed(point%properties)
+      call check_sizes(nstatv, slots, ndir, error)
       if (allocated(error)) return
       ! not finite is no error of the deck: the increment is cut
-      known = all_finite(statev(:n_statev))
-      if (known) call check_statev(statev, error)
+      known = all_finite(statev(:slots))
+      if (known) call check_statev(statev(:slots), error)
    end subroutine check_state
 
    !> Warn, in the first iteration of an increment, of flags not yet warned of at this point:

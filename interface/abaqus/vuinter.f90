@@ -14,9 +14,9 @@ subroutine vuinter( &
    jconmstid, timstep, timglb, dtimcur, surfint, surfslv, surfmst, rdisp, drdisp, drot, &
    stiffdflt, conddflt, shape, coordslv, coordmst, alocaldir, props, areaslv, tempslv, dtempslv, &
    predefslv, dpredefslv, tempmst, dtempmst, predefmst, dpredefmst)
-   use asperity_abaqus_checks, only: check_sizes, check_statev, computable, largest
-   use asperity_abaqus_statev, only: n_statev, state_elastic_slip_2, state_from_statev, &
-      state_pressure, state_warned, statev_from_state
+   use asperity_abaqus_checks, only: check_sizes, check_statev, computable, sizes_are_computable
+   use asperity_abaqus_statev, only: most_statev, state_from_statev, state_warned, &
+      statev_from_state, statev_needed
    use asperity_abaqus_vuinter_precision, only: vp
    use asperity_abaqus_vuinter_props, only: read_props
    use asperity_base_error, only: error_type, fatal_error
@@ -71,10 +71,10 @@ subroutine vuinter( &
    type(contact_response) :: response
    type(error_type), allocatable :: error
    logical :: pressure_is_rounded
-   integer :: node, faulty, first_to_warn, n_to_warn, flags_to_warn
+   integer :: node, slots, faulty, first_to_warn, n_to_warn, flags_to_warn
 
    associate (u1 => kstep, u2 => kinc, u3 => nsurfdir, u4 => ntemp, u5 => jmstuid, &
-         u6 => jconmstid, u7 => timstep, u8 => timglb, u9 => dtimcur, u10 => surfslv, &
+         u6 => jconmstid, u7 => timstep, u8 => timglb, u10 => surfslv, &
          u11 => surfmst, u12 => stiffdflt, u13 => conddflt, u14 => shape, u15 => coordslv, &
          u16 => coordmst, u17 => alocaldir, u18 => areaslv, u19 => tempslv, u20 => dtempslv, &
          u21 => predefslv, u22 => dpredefslv, u23 => tempmst, u24 => dtempmst, &
@@ -91,7 +91,9 @@ subroutine vuinter( &
       return
    end if
 
-   call check_sizes(nstatevar, ndir, error)
+   slots = statev_needed(properties)
+   call check_sizes(nstatevar, slots, ndir, error)
+   if (.not. allocated(error)) call check_time(error)
    flags_to_warn = 0
    n_to_warn = 0
    first_to_warn = 0
@@ -167,7 +169,8 @@ contains
 
       call gather(node, start, overclosure, slip, rotation, error)
       if (allocated(error)) return
-      call update_contact_point(properties, start, overclosure, slip, rotation, response)
+      call update_contact_point(properties, start, overclosure, slip, rotation, response, &
+         real(dtimcur, wp))
       call scatter(node, response, error)
    end subroutine advance
 
@@ -177,22 +180,22 @@ contains
       type(contact_state), intent(inout) :: state
       real(wp), intent(out) :: overclosure, slip(2), rotation(2, 2)
       type(error_type), allocatable, intent(out) :: error
-      real(wp) :: slots(n_statev), moved(7)
+      real(wp) :: kept(most_statev), moved(7)
       logical :: is_known
 
       overclosure = no_opposite_surface
       slip = 0.0_wp
       rotation = no_rotation
-      slots = real(statev(:n_statev, node), wp)
-      is_known = all_finite(slots)
-      if (is_known) is_known = all(abs(slots(state_pressure:state_elastic_slip_2)) < largest)
+      kept(:slots) = real(statev(:slots, node), wp)
+      is_known = all_finite(kept(:slots))
+      if (is_known) is_known = sizes_are_computable(kept(:slots))
       if (.not. is_known) then
          call fatal_error(error, 'STATEV holds no number, or one above 1e30 in size')
          return
       end if
-      call check_statev(slots, error)
+      call check_statev(kept(:slots), error)
       if (allocated(error)) return
-      call state_from_statev(slots, state)
+      call state_from_statev(kept(:slots), state)
       if (pressure_is_rounded) call restore_pressure(state)
 
       if (.not. is_finite(real(rdisp(1, node), wp))) then
@@ -217,6 +220,14 @@ contains
       state%pressure = contact_pressure(properties, state)
    end subroutine restore_pressure
 
+   !> A time that is no number must not reach the law.
+   subroutine check_time(error)
+      type(error_type), allocatable, intent(out) :: error
+
+      if (.not. computable([real(dtimcur, wp)])) call fatal_error(error, 'DTIMCUR = '// &
+         to_text(real(dtimcur, wp))//' is no number or above 1e30 in size')
+   end subroutine check_time
+
    subroutine refuse_motion(node, error)
       integer, intent(in) :: node
       type(error_type), allocatable, intent(out) :: error
@@ -230,26 +241,25 @@ contains
       integer, intent(in) :: node
       type(contact_response), intent(in) :: response
       type(error_type), allocatable, intent(out) :: error
-      real(wp) :: slots(n_statev), energy
+      real(wp) :: kept(most_statev), energy
       integer :: warned, fresh
 
       associate (r => response)
-         slots = 0.0_wp
          warned = int(statev(state_warned, node))
          fresh = iand(r%state%validity, not(warned))
-         call statev_from_state(r%state, slots)
-         slots(state_warned) = ior(warned, r%state%validity)
+         call statev_from_state(r%state, kept(:slots))
+         kept(state_warned) = ior(warned, r%state%validity)
          energy = r%normal_energy + r%tangential_energy
          ! in double precision nothing is
          if (vp /= wp) then
-            if (any(abs([slots, r%traction, energy, r%dissipation, r%plastic_dissipation]) &
+            if (any(abs([kept(:slots), r%traction, energy, r%dissipation, r%plastic_dissipation]) &
                   > real(huge(1.0_vp), wp))) then
                call fatal_error(error, 'pressure = '//to_text(r%state%pressure)//' or its '// &
                   'energy is beyond the precision of the run: the motion has diverged')
                return
             end if
          end if
-         statev(:n_statev, node) = real(slots, vp)
+         statev(:slots, node) = real(kept(:slots), vp)
          stress(:, node) = real(r%traction(:ndir), vp)
          sed(node) = real(energy, vp)
          sfd(node) = real(r%dissipation, vp)

@@ -2,7 +2,8 @@
 !> another precision than the file that was compiled.
 module asperity_abaqus_vuinter_props
    use, intrinsic :: iso_fortran_env, only: real32, real64
-   use asperity_abaqus_props, only: near_pi, prop_pi, prop_sigma, properties_from_props
+   use asperity_abaqus_prop_slots, only: prop_pi, prop_sigma
+   use asperity_abaqus_props, only: near_pi, properties_from_props
    use asperity_abaqus_vuinter_precision, only: vp
    use asperity_base_error, only: error_type, fatal_error
    use asperity_base_kinds, only: wp

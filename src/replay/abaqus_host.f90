@@ -3,7 +3,7 @@
 !> the history of everything that UINTER returned.
 module asperity_replay_abaqus_host
    use asperity_abaqus_props, only: props_from_properties
-   use asperity_abaqus_statev, only: n_statev, state_from_statev
+   use asperity_abaqus_statev, only: state_from_statev, statev_needed
    use asperity_abaqus_uinter_signature, only: uinter_interface
    use asperity_base_error, only: computation_error, error_type, fatal_error
    use asperity_base_kinds, only: wp
@@ -68,7 +68,7 @@ contains
       point%props = props_from_properties(properties)
       if (present(props)) point%props = props
       if (present(ndir)) point%ndir = ndir
-      n = n_statev
+      n = statev_needed(properties)
       if (present(nstatv)) n = nstatv
       call new_host_record(point%start, point%ndir, n)
       point%trial = point%start

@@ -2,11 +2,13 @@
 program test_abaqus
    use funit, only: TestSuite
    use run_suites, only: run_suite
+   use test_abaqus_friction, only: suite_abaqus_friction
    use test_abaqus_limits, only: suite_limits
    use test_abaqus_memory, only: suite_abaqus_memory
    use test_abaqus_uinter, only: suite_uinter
    use test_abaqus_vuinter, only: suite_vuinter
    use test_abaqus_vuinter_agreement, only: suite_vuinter_agreement
+   use test_abaqus_vuinter_friction, only: suite_vuinter_friction
    implicit none
    type(TestSuite) :: suite
 
@@ -16,5 +18,7 @@ program test_abaqus
    call suite%addTest(suite_vuinter_agreement())
    call suite%addTest(suite_limits())
    call suite%addTest(suite_abaqus_memory())
+   call suite%addTest(suite_abaqus_friction())
+   call suite%addTest(suite_vuinter_friction())
    call run_suite(suite)
 end program test_abaqus

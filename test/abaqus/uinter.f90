@@ -6,7 +6,8 @@ module test_abaqus_uinter
       evaluate_normal_law, no_opposite_surface, no_rotation, normal_response, &
       roughness_number_low, rule_dissipative, slip_backward_euler, status_open, status_slip, &
       status_stick, update_contact_point, wp
-   use asperity_abaqus_props, only: n_props, props_from_properties, properties_from_props
+   use asperity_abaqus_prop_slots, only: n_props
+   use asperity_abaqus_props, only: props_from_properties, properties_from_props
    use asperity_abaqus_statev, only: n_statev, state_elastic_slip_1, state_elastic_slip_2, &
       state_from_statev, state_overclosure, state_pressure, state_status, state_validity, &
       state_warned
@@ -210,7 +211,7 @@ contains
       props = props_from_properties(p)
       call expect_error(props(:8), 'lack sigma')
       call expect_error(props(:5), 'PROPERTIES = 5')
-      call expect_error([props, 1.0_wp], 'PROPERTIES = 15')
+      call expect_error([props, 1.0_wp], 'PROPERTIES = 32')
       call expect_error([props(2:9), 1.0_wp], 'must be pi')
       props(3) = -206.0_wp
       call expect_error(props, 'eta = -206.0')

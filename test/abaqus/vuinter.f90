@@ -6,7 +6,8 @@ module test_abaqus_vuinter
    use abaqus_stubs, only: exits, forget_calls, last_level, last_message, messages, warnings
    use asperity, only: contact_properties, contact_response, contact_state, error_type, &
       no_opposite_surface, no_rotation, status_open, status_stick, update_contact_point, wp
-   use asperity_abaqus_props, only: n_props, props_from_properties, properties_from_props
+   use asperity_abaqus_prop_slots, only: n_props
+   use asperity_abaqus_props, only: props_from_properties, properties_from_props
    use asperity_abaqus_statev, only: n_statev, state_dissipation, state_from_statev, state_status, &
       state_validity, state_warned
    use asperity_abaqus_vuinter_precision, only: vp
@@ -253,7 +254,7 @@ contains
       props = real(props_from_properties(pair_properties()), vp)
       call expect_error(props(:8), 'lack sigma')
       call expect_error(props(:5), 'PROPERTIES = 5')
-      call expect_error([props, 1.0_vp], 'PROPERTIES = 15')
+      call expect_error([props, 1.0_vp], 'PROPERTIES = 32')
       call expect_error([props(2:9), 1.0_vp], 'must be pi')
       call expect_error([props(2:9), 1.0_vp], 'or the run has another precision')
       changed = props

@@ -4,7 +4,7 @@ module vuinter_host
    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite, ieee_is_nan, ieee_quiet_nan, ieee_value
    use asperity, only: contact_properties, no_rotation, wp
    use asperity_abaqus_props, only: props_from_properties
-   use asperity_abaqus_statev, only: n_statev
+   use asperity_abaqus_statev, only: n_statev, statev_needed
    use asperity_abaqus_vuinter_precision, only: vp
    use asperity_abaqus_vuinter_signature, only: vuinter_interface
    implicit none
@@ -14,6 +14,8 @@ module vuinter_host
 
    procedure(vuinter_interface) :: vuinter
    integer, parameter :: guard = 16
+   !> Time of every increment, s
+   real(vp), parameter, public :: time_increment = 0.1_vp
    real(vp), parameter :: guard_value = 8191.5_vp
 
    !> The arrays of one contact pair. Values count from 1, guard cells lie outside; arrays of
@@ -45,6 +47,7 @@ contains
 
       nodes%n_nodes = n_nodes
       if (present(n_dir)) nodes%n_dir = n_dir
+      nodes%n_statev = statev_needed(properties)
       if (present(n_slots)) nodes%n_statev = n_slots
       nodes%props = real(props_from_properties(properties), vp)
       if (present(props)) nodes%props = props
@@ -107,7 +110,7 @@ contains
          nodes%sfd(1), nodes%scd(1), nodes%spd(1), nodes%svd(1), nodes%stress(1), &
          nodes%flux_slave(1), nodes%flux_master(1), nodes%sed(1), nodes%statev(1), 1, 1, 0, n, 0, &
          d, d, nodes%n_statev, size(nodes%props), 0, 0, 0, nodes%labels, nodes%labels, &
-         nodes%labels, 0.1_vp, 0.1_vp, 0.1_vp, surfint, surfslv, surfmst, rdisp, drdisp, drot, &
+         nodes%labels, time_increment, time_increment, time_increment, surfint, surfslv, surfmst, rdisp, drdisp, drot, &
          unused, unused, unused, unused, unused, unused, nodes%props, unused, unused, unused, &
          unused, unused, unused, unused, unused, unused)
    end subroutine advance_nodes

@@ -5,6 +5,7 @@ program test_single
    use run_suites, only: run_suite
    use test_abaqus_vuinter, only: suite_vuinter
    use test_abaqus_vuinter_agreement, only: suite_vuinter_agreement
+   use test_abaqus_vuinter_friction, only: suite_vuinter_friction
    implicit none
    type(TestSuite) :: all_suites
 
@@ -12,5 +13,6 @@ program test_single
    all_suites = TestSuite('asperity in single precision')
    call all_suites%addTest(suite_vuinter())
    call all_suites%addTest(suite_vuinter_agreement())
+   call all_suites%addTest(suite_vuinter_friction())
    call run_suite(all_suites)
 end program test_single

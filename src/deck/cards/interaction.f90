@@ -1,9 +1,10 @@
 !> Contact as decks say it: UINTER with its properties, the law as a table, or hard contact, each
 !> for ABAQUS and for CalculiX.
 module asperity_deck_cards_interaction
-   use asperity_abaqus_props, only: n_props, prop_accept_unphysical, properties_from_props, &
-      props_from_properties
-   use asperity_abaqus_statev, only: n_statev
+   use asperity_abaqus_prop_slots, only: n_props, prop_accept_unphysical, prop_names, &
+      prop_slip_integration
+   use asperity_abaqus_props, only: properties_from_props, props_from_properties
+   use asperity_abaqus_statev, only: statev_needed
    use asperity_base_error, only: error_type, fatal_error
    use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
@@ -15,7 +16,6 @@ module asperity_deck_cards_interaction
       friction_rows
    use asperity_deck_options, only: deck_choice, for_calculix
    use asperity_law_normal_inverse, only: separation_for_pressure
-   use asperity_law_normal_properties, only: unloading_reversible
    implicit none
    private
    public :: interaction_type, new_interaction, overclosure_for, write_interaction, write_pair
@@ -125,11 +125,11 @@ contains
       class(writer_type), intent(inout) :: deck
       type(deck_choice), intent(in) :: choice
       type(interaction_type), intent(in) :: interaction
-      real(wp) :: props(n_props)
+      real(wp) :: props(n_props + 2*interaction%properties%friction%friction_points)
       type(contact_properties) :: read_back
       type(error_type), allocatable :: refused
       character(len=:), allocatable :: counts, names
-      integer :: n
+      integer :: n, i
 
       props = props_from_properties(interaction%properties)
       ! what is unphysical is accepted only where UINTER would refuse it, and what is zero at the
@@ -137,15 +137,14 @@ contains
       props(prop_accept_unphysical) = 0.0_wp
       call properties_from_props(props, read_back, refused)
       if (allocated(refused)) props(prop_accept_unphysical) = 1.0_wp
-      names = 'mu, gcrit (mm), eta (1/mm^2), E* (MPa), pi, R (mm), H (MPa), k, sigma (mm), '// &
-         'd0 (mm), friction rule, slip integration'
-      n = n_props
-      if (interaction%properties%normal%unloading == unloading_reversible) then
-         n = prop_accept_unphysical - merge(0, 1, allocated(refused))
-      else
-         names = names//', accept unphysical, unloading'
-      end if
-      counts = 'PROPERTIES='//to_text(n)//', DEPVAR='//to_text(n_statev)
+      n = max(prop_slip_integration, findloc(abs(props) > 0.0_wp, .true., dim=1, back=.true.))
+      names = trim(prop_names(1))
+      do i = 2, min(n, n_props)
+         names = names//', '//trim(prop_names(i))
+      end do
+      if (n > n_props) names = names//', a pressure (MPa) and a factor for each of them'
+      counts = 'PROPERTIES='//to_text(n)//', DEPVAR='// &
+         to_text(statev_needed(interaction%properties))
       call deck%comment('UINTER of asperity: '//names//'. Separation of the mean planes = d0 - '// &
          'overclosure of the mesh faces.')
       if (for_calculix(choice)) then

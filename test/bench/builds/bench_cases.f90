@@ -3,7 +3,8 @@
 module bench_cases
    use asperity, only: contact_properties, contact_response, contact_state, no_rotation, &
       rule_abaqus, slip_exact, status_slip, status_stick, update_contact_point, wp
-   use asperity_abaqus_props, only: n_props, props_from_properties
+   use asperity_abaqus_prop_slots, only: prop_unloading
+   use asperity_abaqus_props, only: props_from_properties
    use asperity_abaqus_statev, only: n_statev, state_warned, statev_from_state
    use asperity_base_constants, only: pi
    use asperity_law_validity, only: all_flags
@@ -43,7 +44,7 @@ contains
       integer :: i, wanted
 
       stream%state = 19640213
-      allocate (set%properties(sets), set%props(n_props, sets), set%which(points), &
+      allocate (set%properties(sets), set%props(prop_unloading, sets), set%which(points), &
          set%state(points), set%statev(n_statev, points), set%position(3, points), &
          set%motion(3, points))
       if (sets == 1) then
@@ -54,7 +55,10 @@ contains
          end do
       end if
       do i = 1, sets
-         set%props(:, i) = props_from_properties(set%properties(i))
+         ! of plain friction, so that the rest of the list is zeros
+         associate (full => props_from_properties(set%properties(i)))
+            set%props(:, i) = full(:prop_unloading)
+         end associate
       end do
       do i = 1, points
          set%which(i) = 1 + mod(i - 1, sets)

@@ -2,7 +2,8 @@
 !> VUINTER as ABAQUS/Explicit does, all points of a pair in one call through its 49.
 module bench_uinter
    use asperity, only: contact_properties, error_type, no_rotation, wp
-   use asperity_abaqus_props, only: n_props, properties_from_props
+   use asperity_abaqus_prop_slots, only: prop_unloading
+   use asperity_abaqus_props, only: properties_from_props
    use asperity_abaqus_statev, only: n_statev
    use asperity_abaqus_uinter_signature, only: uinter_interface
    use asperity_abaqus_vuinter_signature, only: vuinter_interface
@@ -70,7 +71,7 @@ contains
                statev, sed, sfd, spd, svd, scd, pnewdt, set%position(:, i), set%motion(:, i), &
                none, none, fields, fields, none, 1.0_wp, 0.0_wp, wood, slave, master, &
                set%props(:, set%which(i)), axes(:, 1), axes, no_rotation, 1.0_wp, 1.0_wp, i, 3, &
-               n_statev, 1, n_props, 3, 1, 1, 0, 0, lopenclose, lstate, lsdi, 0)
+               n_statev, 1, prop_unloading, 3, 1, 1, 0, 0, lopenclose, lstate, lsdi, 0)
          end associate
          this%checksum = this%checksum + stress(1) + ddsddr(3, 2) + sed + sfd + statev(1)
       end do
@@ -114,8 +115,8 @@ contains
       this%statev = this%set%statev
       call vuinter(this%energy(:, 1), this%energy(:, 2), this%energy(:, 3), this%energy(:, 4), &
          this%stress, this%flux(:, 1), this%flux(:, 2), this%energy(:, 5), this%statev, 1, 1, 4, &
-         this%points, 1, 1, 3, n_statev, n_props, 0, 1, 1, this%number, [1], this%facet, 1.0_wp, &
-         1.0_wp, 1.0_wp, wood, slave, master, this%set%position, this%set%motion, this%rotation, &
+         this%points, 1, 1, 3, n_statev, prop_unloading, 0, 1, 1, this%number, [1], this%facet, &
+         1.0_wp, 1.0_wp, 1.0_wp, wood, slave, master, this%set%position, this%set%motion, this%rotation, &
          this%per_point, this%per_point, this%per_facet, this%place, this%place(:, :1), &
          this%axes, this%set%props(:, 1), this%per_point, this%per_point, this%per_point, &
          this%per_field, this%per_field, one, one, one_field, one_field)

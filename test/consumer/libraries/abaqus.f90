@@ -1,6 +1,7 @@
 ! UINTER is linked with what its host supplies; PROPS that are too few are refused
 program abaqus
-   use asperity_abaqus_props, only: n_props, properties_from_props
+   use asperity_abaqus_prop_slots, only: n_props
+   use asperity_abaqus_props, only: properties_from_props
    use asperity, only: contact_properties, error_type, wp
    use asperity_abaqus_uinter_signature, only: uinter_interface
    implicit none
