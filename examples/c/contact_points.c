@@ -43,8 +43,8 @@ int main(void)
       slip[1][i] = 0.0;
    }
    for (step = 1; step <= 4; step++) {
-      asperity_states_update(law, states, n, overclosure, slip[0], NULL, traction[0], NULL, NULL,
-                             NULL, NULL, NULL, NULL, &error);
+      asperity_states_update(law, states, n, overclosure, slip[0], NULL, 0.0, traction[0], NULL,
+                             NULL, NULL, NULL, NULL, NULL, &error);
       check(&error);
       printf("%.2f mm: shear stress", 0.12 * step);
       for (i = 0; i < n; i++)
@@ -53,8 +53,8 @@ int main(void)
    }
 
    /* an error is a code and a message, never the end of the program */
-   if (asperity_states_update(law, states, n + 1, overclosure, slip[0], NULL, traction[0], NULL,
-                              NULL, NULL, NULL, NULL, NULL, &error) != ASPERITY_OK)
+   if (asperity_states_update(law, states, n + 1, overclosure, slip[0], NULL, 0.0, traction[0],
+                              NULL, NULL, NULL, NULL, NULL, NULL, &error) != ASPERITY_OK)
       printf("error %d: %s\n", error.code, error.message);
 
    asperity_states_free(&states, &error);

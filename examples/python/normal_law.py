@@ -32,7 +32,15 @@ class Properties(ctypes.Structure):
             "friction_coefficient", "critical_slip", "initial_separation")]
         + [(name, c_int) for name in (
             "friction_rule", "slip_integration", "accept_unphysical", "compiled",
-            "unloading")])
+            "unloading")]
+        + [("plastic_ratio", c_double), ("height_distribution", c_int), ("skewness", c_double),
+           ("kurtosis", c_double), ("static_friction_coefficient", c_double),
+           ("decay_slip", c_double), ("decay_slip_rate", c_double),
+           ("friction_coefficient_across", c_double), ("grain_angle", c_double),
+           ("slip_direction", c_int), ("pressure_exponent", c_double),
+           ("reference_pressure", c_double), ("shear_limit", c_double), ("stick", c_int),
+           ("stick_elements", c_int), ("shear_modulus", c_double), ("friction_points", c_int),
+           ("friction_pressures", c_double * 8), ("friction_factors", c_double * 8)])
 
 
 class AsperityError(Exception):
@@ -55,7 +63,8 @@ def load(file):
             ("law_separation", c_void_p, c_double, doubles),
             ("states_new", pointer, c_int),
             ("states_free", pointer),
-            ("states_update", c_void_p, c_void_p, c_int, *[doubles] * 9, ints)):
+            ("states_update", c_void_p, c_void_p, c_int, *[doubles] * 3, c_double, *[doubles] * 6,
+             ints)):
         function = getattr(library, "asperity_" + name)
         function.argtypes = [*arguments, POINTER(Error)]
         function.restype = c_int
@@ -99,7 +108,7 @@ def main():
         call("law_separation", law, 0.2, byref(separation))
         closure = array([4.0 * pair.sigma - separation.value])
         for step in 0.4, -0.4, -0.4, 0.4:
-            call("states_update", law, states, 1, closure, array([step, 0.0]), None, traction,
+            call("states_update", law, states, 1, closure, array([step, 0.0]), None, 0.0, traction,
                  None, None, None, None, None, None)
             print(f"slip {step:+.1f} mm: shear stress {traction[1]:+.4f} MPa")
 

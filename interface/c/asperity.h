@@ -99,6 +99,29 @@ enum asperity_roughness_rule {
    ASPERITY_ROUGHNESS_FACE_2 = 3
 };
 
+/** How summit heights are distributed. */
+enum asperity_height_distribution {
+   ASPERITY_HEIGHTS_GAUSSIAN = 0,
+   /** By Johnson's distribution of a skewness and a kurtosis. */
+   ASPERITY_HEIGHTS_JOHNSON = 1
+};
+
+/** Where a point slips to whose friction depends on direction. */
+enum asperity_slip_direction {
+   /** Normal to the ellipse of shear stresses: the most dissipation. */
+   ASPERITY_SLIP_ASSOCIATED = 0,
+   /** Along the shear stress. */
+   ASPERITY_SLIP_OF_STRESS = 1
+};
+
+/** What sticks before it slides. */
+enum asperity_stick {
+   /** The point, up to one critical slip. */
+   ASPERITY_STICK_CRITICAL_SLIP = 0,
+   /** Its summits, each as Mindlin's theory has it. */
+   ASPERITY_STICK_SUMMITS = 1
+};
+
 /** Contact status of a point. */
 enum asperity_status {
    /** Never updated: nothing is known of the point's past. */
@@ -130,6 +153,12 @@ enum asperity_validity {
 
 /** asperity_properties::initial_separation that stands for 4 sigma. */
 #define ASPERITY_FOUR_SIGMA 1.0e300
+
+/** Most points of friction over pressure. */
+#define ASPERITY_MOST_FRICTION_POINTS 8
+
+/** Most elements of #ASPERITY_STICK_SUMMITS. */
+#define ASPERITY_MOST_STICK_ELEMENTS 16
 
 /** How a call ended. */
 typedef struct asperity_error {
@@ -197,6 +226,45 @@ typedef struct asperity_properties {
    int compiled;
    /** An #asperity_unloading; #ASPERITY_UNLOADING_REVERSIBLE unless set. */
    int unloading;
+   /** Plastic ratio w2/w1, 10 to 1000; 110, that of metals and of the paper, unless set. */
+   double plastic_ratio;
+   /** An #asperity_height_distribution; #ASPERITY_HEIGHTS_GAUSSIAN unless set. */
+   int height_distribution;
+   /** Skewness and kurtosis of Johnson's heights; 0 and 3 unless set. */
+   double skewness, kurtosis;
+   /** Friction coefficient at rest; 0, unless set, stands for friction_coefficient, that in
+    * motion. Needs decay_slip or decay_slip_rate. */
+   double static_friction_coefficient;
+   /** Slip over which the excess at rest falls to 1/e, mm; 0, not by slip, unless set. */
+   double decay_slip;
+   /** Slip rate at which it is down to 1/e, mm/s; 0, not by rate, unless set. */
+   double decay_slip_rate;
+   /** Friction coefficient across the grain; 0, unless set, stands for friction_coefficient, that
+    * along it. */
+   double friction_coefficient_across;
+   /** Angle from the first slip direction to the grain at the start, degrees; 0 unless set. */
+   double grain_angle;
+   /** An #asperity_slip_direction; #ASPERITY_SLIP_ASSOCIATED unless set. */
+   int slip_direction;
+   /** All coefficients times (p/reference_pressure)^pressure_exponent; 0 unless set. */
+   double pressure_exponent;
+   /** Pressure at which the coefficients hold, MPa; needed with an exponent. */
+   double reference_pressure;
+   /** Largest shear stress at rest along the grain, MPa; 0, none, unless set. */
+   double shear_limit;
+   /** An #asperity_stick; #ASPERITY_STICK_CRITICAL_SLIP unless set. */
+   int stick;
+   /** Elements of #ASPERITY_STICK_SUMMITS, 4 to 16; 0, unless set, stands for 8. */
+   int stick_elements;
+   /** Equivalent shear modulus G*, 1/G* = (2 - nu1)/G1 + (2 - nu2)/G2, MPa; needed for
+    * #ASPERITY_STICK_SUMMITS. */
+   double shear_modulus;
+   /** How many of the points after it count; 0 unless set. */
+   int friction_points;
+   /** Pressures, MPa, rising, and factors on all coefficients there; straight in between, constant
+    * outside. */
+   double friction_pressures[ASPERITY_MOST_FRICTION_POINTS];
+   double friction_factors[ASPERITY_MOST_FRICTION_POINTS];
 } asperity_properties;
 
 /** State of one contact point, for a restart. All zero is a fresh point. */
@@ -219,6 +287,12 @@ typedef struct asperity_state {
    double dissipation;
    /** Pressure coupling per area since the start, N/mm. */
    double pressure_coupling;
+   /** How far friction has gone from rest, 0, to motion, 1; by slip alone. */
+   double motion_share;
+   /** Angle by which slip directions have turned over the grain since the start, radians. */
+   double grain_turn;
+   /** Elastic slips of the elements of #ASPERITY_STICK_SUMMITS in the two slip directions, mm. */
+   double summit_slip[ASPERITY_MOST_STICK_ELEMENTS][2];
 } asperity_state;
 
 /**
@@ -431,6 +505,8 @@ int asperity_states_set(asperity_states *states, int point, const asperity_state
  * @param rotation       [2][2][n] rotation of the slip directions in the increment, which makes
  *                       w = R v of a vector v: R(row, column) of point i is
  *                       rotation[column][row][i], as Fortran has it; NULL for none
+ * @param time_increment time of the increment, s, for friction with a decay_slip_rate; 0 where there
+ *                       is no time: nothing decays by rate then
  * @param traction       [3][n] receives the pressure and two shear stresses at the end, MPa
  * @param tangent        [3][3][n] receives derivatives, MPa/mm: tangent[column][row][i] is that of
  *                       traction[row][i] by the overclosure (column 0) or a slip (1, 2);
@@ -447,8 +523,8 @@ int asperity_states_set(asperity_states *states, int point, const asperity_state
  */
 int asperity_states_update(const asperity_law *law, asperity_states *states, int n,
                            const double *overclosure, const double *slip_increment,
-                           const double *rotation, double *traction, double *tangent,
-                           double *tangential_energy, double *dissipation,
+                           const double *rotation, double time_increment, double *traction,
+                           double *tangent, double *tangential_energy, double *dissipation,
                            double *plastic_dissipation, double *pressure_coupling, int *validity,
                            asperity_error *error);
 

@@ -7,6 +7,7 @@ module asperity_c_law
    use asperity_c_contents, only: content_at
    use asperity_c_properties, only: view_properties
    use asperity_c_types, only: code_input, error_struct, four_sigma, properties_struct, tag_law
+   use asperity_contact_friction_settings, only: friction_settings
    use asperity_contact_properties, only: contact_properties, new_contact_properties
    use asperity_law_normal_properties, only: new_normal_properties, normal_properties
    implicit none
@@ -78,13 +79,18 @@ contains
       call law_of(problem, law, content)
       call view_properties(problem, properties, p, size)
       if (.not. allocated(problem)) then
-         associate (c => content, n => content%normal)
+         associate (c => content, n => content%normal, f => content%friction)
             ! a law that exists has been accepted
             p = properties_struct(size, n%eta, n%modulus, n%radius, n%hardness, n%yield_factor, &
                n%sigma, c%friction_coefficient, c%critical_slip, c%initial_separation, &
                c%friction_rule, c%slip_integration, 1, &
                merge(1, 0, allocated(c%compiled) .or. allocated(c%compiled_unloading)), &
-               n%unloading)
+               n%unloading, n%plastic_ratio, n%height_distribution, n%skewness, n%kurtosis, &
+               f%static_friction_coefficient, f%decay_slip, f%decay_slip_rate, &
+               f%friction_coefficient_across, f%grain_angle, f%slip_direction, &
+               f%pressure_exponent, f%reference_pressure, f%shear_limit, f%stick, &
+               f%stick_elements, f%shear_modulus, f%friction_points, f%friction_pressures, &
+               f%friction_factors)
          end associate
       end if
       code = answer(problem, error)
@@ -146,18 +152,31 @@ contains
       call check_switch(problem, 'compiled', p%compiled)
       if (allocated(problem)) return
       call new_normal_properties(normal, p%eta, p%modulus, p%radius, p%hardness, &
-         p%yield_factor, p%sigma, problem, p%accept_unphysical == 1, p%unloading)
+         p%yield_factor, p%sigma, problem, p%accept_unphysical == 1, p%unloading, &
+         p%plastic_ratio, p%height_distribution, p%skewness, p%kurtosis)
       if (allocated(problem)) return
       if (transfer(p%initial_separation, p%size) == transfer(four_sigma, p%size)) then
          call new_contact_properties(content, normal, p%friction_coefficient, p%critical_slip, &
             problem, friction_rule=p%friction_rule, slip_integration=p%slip_integration, &
-            compiled=p%compiled == 1, accept_unphysical=p%accept_unphysical == 1)
+            compiled=p%compiled == 1, accept_unphysical=p%accept_unphysical == 1, &
+            friction=friction_of(p))
       else
          call new_contact_properties(content, normal, p%friction_coefficient, p%critical_slip, &
             problem, p%initial_separation, p%friction_rule, p%slip_integration, p%compiled == 1, &
-            p%accept_unphysical == 1)
+            p%accept_unphysical == 1, friction_of(p))
       end if
    end subroutine build
+
+   !> Friction beyond one coefficient and one critical slip.
+   pure function friction_of(p) result(friction)
+      type(properties_struct), intent(in) :: p
+      type(friction_settings) :: friction
+
+      friction = friction_settings(p%static_friction_coefficient, p%decay_slip, &
+         p%decay_slip_rate, p%friction_coefficient_across, p%grain_angle, p%slip_direction, &
+         p%pressure_exponent, p%reference_pressure, p%friction_points, p%friction_pressures, &
+         p%friction_factors, p%shear_limit, p%stick, p%stick_elements, p%shear_modulus)
+   end function friction_of
 
    subroutine check_switch(problem, name, value)
       type(error_type), allocatable, intent(inout) :: problem

@@ -6,8 +6,9 @@ module asperity_c_restart
    use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
    use asperity_c_checks, only: answer, check_pointer
-   use asperity_c_states, only: states_of
+   use asperity_c_states, only: make_room, states_of
    use asperity_c_types, only: code_input, code_length, error_struct, state_struct
+   use asperity_contact_friction_settings, only: most_stick_elements
    use asperity_contact_points, only: contact_states, get_contact_state, set_contact_state
    use asperity_contact_state, only: contact_state, status_slip, status_unset
    use asperity_law_validity, only: all_flags, valid
@@ -41,7 +42,7 @@ contains
          associate (s => get_contact_state(content, point + 1))
             place = state_struct(s%status, s%validity, s%overclosure, s%pressure, &
                s%normal_energy, s%elastic_slip, s%largest_closure, s%dissipation, &
-               s%pressure_coupling)
+               s%pressure_coupling, s%motion_share, s%grain_turn, s%summit_slip)
          end associate
       end if
       code = answer(problem, error)
@@ -61,13 +62,18 @@ contains
       type(contact_states), pointer :: content
       type(state_struct), pointer :: s
       type(error_type), allocatable :: problem
+      logical :: starved
 
+      starved = .false.
       call view_point(problem, states, point, state, content, s)
       if (.not. allocated(problem)) call check_state(problem, s)
-      if (.not. allocated(problem)) call set_contact_state(content, point + 1, &
+      if (.not. allocated(problem)) call make_room(content, starved, &
+         max(abs(s%motion_share), abs(s%grain_turn)) > 0.0_wp, any(abs(s%summit_slip) > 0.0_wp))
+      if (.not. (allocated(problem) .or. starved)) call set_contact_state(content, point + 1, &
          contact_state(s%status, s%overclosure, s%pressure, s%normal_energy, s%elastic_slip, &
-         s%largest_closure, s%dissipation, s%pressure_coupling, s%validity))
-      code = answer(problem, error)
+         s%largest_closure, s%dissipation, s%pressure_coupling, s%validity, s%motion_share, &
+         s%grain_turn, s%summit_slip))
+      code = answer(problem, error, starved)
    end function asperity_states_set
 
    !> The states and the caller's struct, unless a handle, the struct or the point is not there.
@@ -94,6 +100,7 @@ contains
    subroutine check_state(problem, state)
       type(error_type), allocatable, intent(inout) :: problem
       type(state_struct), intent(in) :: state
+      integer :: i, j
 
       call check_size(problem, 'overclosure', state%overclosure, largest_length)
       call check_size(problem, 'pressure', state%pressure, largest_energy)
@@ -103,6 +110,14 @@ contains
       call check_size(problem, 'largest_closure', state%largest_closure, largest_length)
       call check_size(problem, 'dissipation', state%dissipation, largest_energy)
       call check_size(problem, 'pressure_coupling', state%pressure_coupling, largest_energy)
+      call check_size(problem, 'motion_share', state%motion_share, 1.0_wp)
+      call check_size(problem, 'grain_turn', state%grain_turn, largest_length)
+      do j = 1, most_stick_elements
+         do i = 1, 2
+            call check_size(problem, 'summit_slip['//to_text(j - 1)//']['//to_text(i - 1)//']', &
+               state%summit_slip(i, j), largest_length)
+         end do
+      end do
       if (allocated(problem)) return
       if (state%status < status_unset .or. state%status > status_slip) then
          call fatal_error(problem, 'status = '//to_text(state%status)//' of the state is not '// &
@@ -118,6 +133,9 @@ contains
          call fatal_error(problem, 'largest_closure = '//to_text(state%largest_closure)// &
             ' mm of the state is not allowed: it must be the overclosure, '// &
             to_text(state%overclosure)//' mm, or more', code_input)
+      else if (state%motion_share < 0.0_wp) then
+         call fatal_error(problem, 'motion_share = '//to_text(state%motion_share)//' of the '// &
+            'state is not allowed: it must be 0, at rest, to 1, in motion', code_input)
       end if
    end subroutine check_state
 

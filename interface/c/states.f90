@@ -2,17 +2,19 @@
 module asperity_c_states
    use, intrinsic :: iso_c_binding, only: c_f_pointer, c_int, c_loc, c_ptr
    use asperity_base_error, only: error_type, fatal_error
+   use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
    use asperity_c_checks, only: answer, check_pointer, check_points, clear_handle, content_of, &
       free_handle, wrap
    use asperity_c_contents, only: content_at
    use asperity_c_types, only: code_length, error_struct, tag_states
+   use asperity_contact_friction_settings, only: most_stick_elements
    use asperity_contact_points, only: contact_states, set_contact_state
    use asperity_contact_state, only: contact_state
    implicit none
    private
    public :: asperity_states_new, asperity_states_free, asperity_states_copy, &
-      asperity_states_count, states_of
+      asperity_states_count, make_room, states_of
 
 contains
 
@@ -70,7 +72,9 @@ contains
       type(error_struct), intent(inout), optional :: error
       type(contact_states), pointer :: source, target
       type(error_type), allocatable :: problem
+      logical :: starved
 
+      starved = .false.
       call states_of(problem, 'from', from, source)
       call states_of(problem, 'to', to, target)
       if (.not. allocated(problem)) then
@@ -79,10 +83,12 @@ contains
                ' points, to has '//to_text(size(target%status))//': only equal numbers are '// &
                'copied', code_length)
          else if (.not. associated(source, target)) then
-            call copy_states(source, target)
+            call make_room(target, starved, allocated(source%motion_share), &
+               allocated(source%summit_slip))
+            if (.not. starved) call copy_states(source, target)
          end if
       end if
-      code = answer(problem, error)
+      code = answer(problem, error, starved)
    end function asperity_states_copy
 
    !> Number of points.
@@ -151,6 +157,29 @@ contains
       if (.not. starved) call clear_states(states)
    end subroutine make_states
 
+   !> Room for what friction that is not plain remembers, zeros at first, where there is none yet.
+   subroutine make_room(states, starved, for_friction, for_summits)
+      !> States of a number of points
+      type(contact_states), intent(inout) :: states
+      !> There was no memory
+      logical, intent(out) :: starved
+      !> For the motion share and the turn of the grain, and for the elastic slips of summits
+      logical, intent(in) :: for_friction, for_summits
+      integer :: status
+
+      status = 0
+      associate (n => size(states%status))
+         if (for_friction .and. .not. allocated(states%motion_share)) then
+            allocate (states%grain_turn(n), source=0.0_wp, stat=status)
+            if (status == 0) allocate (states%motion_share(n), source=0.0_wp, stat=status)
+            if (status /= 0 .and. allocated(states%grain_turn)) deallocate (states%grain_turn)
+         end if
+         if (status == 0 .and. for_summits .and. .not. allocated(states%summit_slip)) &
+            allocate (states%summit_slip(n, 2, most_stick_elements), source=0.0_wp, stat=status)
+      end associate
+      starved = status /= 0
+   end subroutine make_room
+
    pure subroutine clear_states(states)
       type(contact_states), intent(inout) :: states
       integer :: i
@@ -174,6 +203,18 @@ contains
       to%dissipation(:) = from%dissipation
       to%pressure_coupling(:) = from%pressure_coupling
       to%validity(:) = from%validity
+      if (allocated(from%motion_share)) then
+         to%motion_share(:) = from%motion_share
+         to%grain_turn(:) = from%grain_turn
+      else if (allocated(to%motion_share)) then
+         to%motion_share(:) = 0.0_wp
+         to%grain_turn(:) = 0.0_wp
+      end if
+      if (allocated(from%summit_slip)) then
+         to%summit_slip(:, :, :) = from%summit_slip
+      else if (allocated(to%summit_slip)) then
+         to%summit_slip(:, :, :) = 0.0_wp
+      end if
    end subroutine copy_states
 
 end module asperity_c_states

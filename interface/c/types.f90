@@ -3,8 +3,11 @@
 module asperity_c_types
    use, intrinsic :: iso_c_binding, only: c_char, c_double, c_int, c_int64_t, c_ptr, c_size_t
    use asperity_base_error, only: computation_error, input_error
+   use asperity_contact_friction_settings, only: most_friction_points, most_stick_elements, &
+      slip_direction_associated, stick_critical_slip
    use asperity_contact_properties, only: rule_abaqus, slip_exact
-   use asperity_law_normal_properties, only: unloading_reversible
+   use asperity_law_normal_properties, only: default_plastic_ratio, heights_gaussian, &
+      unloading_reversible
    implicit none
    private
    public :: error_struct, handle_object, properties_struct, state_struct
@@ -50,6 +53,22 @@ module asperity_c_types
       integer(c_int) :: accept_unphysical = 0_c_int, compiled = 0_c_int
       !> As in `normal_properties`
       integer(c_int) :: unloading = unloading_reversible
+      !> As in `normal_properties`
+      real(c_double) :: plastic_ratio = default_plastic_ratio
+      integer(c_int) :: height_distribution = heights_gaussian
+      real(c_double) :: skewness = 0.0_c_double, kurtosis = 3.0_c_double
+      !> As in `friction_settings`
+      real(c_double) :: static_friction_coefficient = 0.0_c_double, decay_slip = 0.0_c_double, &
+         decay_slip_rate = 0.0_c_double, friction_coefficient_across = 0.0_c_double, &
+         grain_angle = 0.0_c_double
+      integer(c_int) :: slip_direction = slip_direction_associated
+      real(c_double) :: pressure_exponent = 0.0_c_double, reference_pressure = 0.0_c_double, &
+         shear_limit = 0.0_c_double
+      integer(c_int) :: stick = stick_critical_slip, stick_elements = 0_c_int
+      real(c_double) :: shear_modulus = 0.0_c_double
+      integer(c_int) :: friction_points = 0_c_int
+      real(c_double) :: friction_pressures(most_friction_points) = 0.0_c_double, &
+         friction_factors(most_friction_points) = 0.0_c_double
    end type properties_struct
 
    !> struct asperity_state: `contact_state`
@@ -58,7 +77,8 @@ module asperity_c_types
       integer(c_int) :: status, validity
       !> As in `contact_state`
       real(c_double) :: overclosure, pressure, normal_energy, elastic_slip(2), largest_closure, &
-         dissipation, pressure_coupling
+         dissipation, pressure_coupling, motion_share, grain_turn, &
+         summit_slip(2, most_stick_elements)
    end type state_struct
 
    !> What a handle points to

@@ -44,6 +44,7 @@ void test_law(void);
 void test_update(void);
 void test_unloading(void);
 void test_restart(void);
+void test_friction(void);
 void test_arguments(void);
 void test_values(void);
 void test_faces(void);

@@ -109,6 +109,7 @@ int main(int argc, char **argv)
    test_update();
    test_unloading();
    test_restart();
+   test_friction();
    test_arguments();
    test_values();
    test_faces();

@@ -113,9 +113,9 @@ static void evaluate_arguments(int compiled)
 static int update(const asperity_law *law, asperity_states *states, int points, double **arrays,
                   int *validity)
 {
-   return asperity_states_update(law, states, points, arrays[0], arrays[1], arrays[2], arrays[3],
-                                 arrays[4], arrays[5], arrays[6], arrays[7], arrays[8], validity,
-                                 &error);
+   return asperity_states_update(law, states, points, arrays[0], arrays[1], arrays[2], 0.0,
+                                 arrays[3], arrays[4], arrays[5], arrays[6], arrays[7], arrays[8],
+                                 validity, &error);
 }
 
 /* The states are those of fresh points. */
@@ -210,8 +210,8 @@ static void update_arguments(int compiled)
    CHECK(memcmp(&a, &fresh, sizeof a) == 0);
    memset(arrays, 0, sizeof arrays);
    CHECK_CODE(update(law, none, 0, arrays, NULL), ASPERITY_OK);
-   CHECK(asperity_states_update(law, states, n, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL,
-                                NULL, NULL, NULL) == ASPERITY_NULL_ARGUMENT);
+   CHECK(asperity_states_update(law, states, n, NULL, NULL, NULL, 0.0, NULL, NULL, NULL, NULL,
+                                NULL, NULL, NULL, NULL) == ASPERITY_NULL_ARGUMENT);
    asperity_states_free(&states, NULL);
    asperity_states_free(&clean, NULL);
    asperity_states_free(&none, NULL);

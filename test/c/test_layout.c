@@ -18,13 +18,33 @@ typedef struct guarded_properties {
    double after;
 } guarded_properties;
 
+/* What stands for the law of before. */
+static void defaults(const asperity_properties *p)
+{
+   int i;
+
+   CHECK(p->plastic_ratio == 110.0 && p->height_distribution == ASPERITY_HEIGHTS_GAUSSIAN);
+   CHECK(p->skewness == 0.0 && p->kurtosis == 3.0);
+   CHECK(p->static_friction_coefficient == 0.0 && p->decay_slip == 0.0);
+   CHECK(p->decay_slip_rate == 0.0 && p->friction_coefficient_across == 0.0);
+   CHECK(p->grain_angle == 0.0 && p->slip_direction == ASPERITY_SLIP_ASSOCIATED);
+   CHECK(p->pressure_exponent == 0.0 && p->reference_pressure == 0.0 && p->shear_limit == 0.0);
+   CHECK(p->stick == ASPERITY_STICK_CRITICAL_SLIP && p->stick_elements == 0);
+   CHECK(p->shear_modulus == 0.0 && p->friction_points == 0);
+   for (i = 0; i < ASPERITY_MOST_FRICTION_POINTS; i++)
+      CHECK(p->friction_pressures[i] == 0.0 && p->friction_factors[i] == 0.0);
+}
+
 static void properties(void)
 {
-   guarded_properties g = {1.25, {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}, 2.5};
+   guarded_properties g;
    asperity_properties p;
    asperity_law *law;
    asperity_error error;
 
+   memset(&g, 0, sizeof g);
+   g.before = 1.25;
+   g.after = 2.5;
    CHECK_CODE(asperity_properties_init(&g.p, sizeof g.p, &error), ASPERITY_OK);
    CHECK(g.before == 1.25 && g.after == 2.5);
    CHECK(g.p.size == sizeof(asperity_properties));
@@ -36,6 +56,7 @@ static void properties(void)
    CHECK(g.p.slip_integration == ASPERITY_SLIP_EXACT);
    CHECK(g.p.accept_unphysical == 0 && g.p.compiled == 0);
    CHECK(g.p.unloading == ASPERITY_UNLOADING_REVERSIBLE);
+   defaults(&g.p);
 
    /* distinct values go to the library and come back each from its own member */
    p = wood(1);
@@ -65,6 +86,7 @@ static void properties(void)
    /* the last member and what may pad the struct behind it */
    CHECK(memcmp(&g.p, &p, offsetof(asperity_properties, unloading)) == 0);
    CHECK(g.p.unloading == ASPERITY_UNLOADING_REVERSIBLE);
+   defaults(&g.p);
    CHECK_CODE(asperity_properties_from_pair(&p, sizeof p, "tangential-tangential", &error),
               ASPERITY_OK);
    CHECK(p.eta == 134.0 && p.modulus == 263.0 && p.radius == 0.1142 && p.hardness == 12.14);
@@ -84,11 +106,17 @@ static void properties(void)
 
 static void state(void)
 {
-   const asperity_state given = {ASPERITY_SLIP, 37, -0.25, 1.5, 2.5, {3.5, -4.5}, 5.5, 6.5, -7.5};
+   asperity_state given = {ASPERITY_SLIP, 37, -0.25, 1.5, 2.5, {3.5, -4.5}, 5.5, 6.5, -7.5, 0.75,
+                           -8.5, {{0.0, 0.0}}};
    guarded_state g;
    asperity_states *states = fresh_states(3);
    asperity_error error;
+   int i;
 
+   for (i = 0; i < ASPERITY_MOST_STICK_ELEMENTS; i++) {
+      given.summit_slip[i][0] = 0.5 + i;
+      given.summit_slip[i][1] = -0.25 - i;
+   }
    CHECK_CODE(asperity_states_set(states, 1, &given, &error), ASPERITY_OK);
    memset(&g, 0x5a, sizeof g);
    g.before = 1.25;
@@ -101,6 +129,8 @@ static void state(void)
    CHECK(g.state.elastic_slip[0] == 3.5 && g.state.elastic_slip[1] == -4.5);
    CHECK(g.state.largest_closure == 5.5);
    CHECK(g.state.dissipation == 6.5 && g.state.pressure_coupling == -7.5);
+   CHECK(g.state.motion_share == 0.75 && g.state.grain_turn == -8.5);
+   CHECK(memcmp(g.state.summit_slip, given.summit_slip, sizeof given.summit_slip) == 0);
    asperity_states_free(&states, NULL);
 }
 

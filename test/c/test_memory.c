@@ -61,10 +61,12 @@ static void without_memory(void)
 {
    struct rlimit before, limited;
    asperity_properties p = wood(1);
-   asperity_law *law;
-   asperity_states *states;
+   asperity_law *law, *summits;
+   asperity_states *states, *points;
    asperity_error error;
+   double closure[1000], slip[2000], t[3000];
    void *taken;
+   int i;
 
    if (getrlimit(RLIMIT_AS, &before) != 0)
       return;
@@ -78,8 +80,19 @@ static void without_memory(void)
    /* some arrays fit, not all */
    CHECK_CODE(asperity_states_new(&states, 40000000, &error), ASPERITY_NO_MEMORY);
    CHECK(states == NULL);
+   p.compiled = 0;
+   p.stick = ASPERITY_STICK_SUMMITS;
+   p.shear_modulus = 31.6;
+   CHECK_CODE(asperity_law_new(&summits, &p, &error), ASPERITY_OK);
+   CHECK_CODE(asperity_states_new(&points, 1000, &error), ASPERITY_OK);
+   for (i = 0; i < 1000; i++)
+      closure[i] = slip[i] = slip[1000 + i] = 0.1;
+   p = wood(1);
    /* some KiB are left for what a call needs on its way */
    taken = take_all(4096);
+   /* the slips of summits need memory when they are first asked for */
+   CHECK_CODE(asperity_states_update(summits, points, 1000, closure, slip, NULL, 0.0, t, NULL, NULL,
+                                     NULL, NULL, NULL, NULL, &error), ASPERITY_NO_MEMORY);
    law = (asperity_law *)&p;
    CHECK_CODE(asperity_law_new(&law, &p, &error), ASPERITY_NO_MEMORY);
    CHECK(law == NULL);
@@ -91,6 +104,10 @@ static void without_memory(void)
    CHECK_CODE(asperity_law_free(&law, &error), ASPERITY_OK);
    CHECK_CODE(asperity_states_new(&states, 1000, &error), ASPERITY_OK);
    CHECK_CODE(asperity_states_free(&states, &error), ASPERITY_OK);
+   CHECK_CODE(asperity_states_update(summits, points, 1000, closure, slip, NULL, 0.0, t, NULL, NULL,
+                                     NULL, NULL, NULL, NULL, &error), ASPERITY_OK);
+   CHECK_CODE(asperity_states_free(&points, &error), ASPERITY_OK);
+   CHECK_CODE(asperity_law_free(&summits, &error), ASPERITY_OK);
    setrlimit(RLIMIT_AS, &before);
 }
 

@@ -17,8 +17,8 @@ static void step(const asperity_law *law, asperity_states *states, int i, double
       slip[0][k] = 0.02 * (k + 1) - 0.05 * (i % 3);
       slip[1][k] = 0.03 * (i % 4) - 0.01 * k;
    }
-   CHECK_CODE(asperity_states_update(law, states, n, closure, slip[0], NULL, t[0], NULL, NULL, NULL,
-                                     NULL, NULL, NULL, &error), ASPERITY_OK);
+   CHECK_CODE(asperity_states_update(law, states, n, closure, slip[0], NULL, 0.0, t[0], NULL, NULL,
+                                     NULL, NULL, NULL, NULL, &error), ASPERITY_OK);
 }
 
 void test_restart(void)

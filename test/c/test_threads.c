@@ -36,13 +36,13 @@ static void *run(void *argument)
          slip[1][k] = 0.02 * (i % 3) - 0.01 * (k % 4);
          d[k] = 0.2 - closure[k];
       }
-      t->errors += asperity_states_update(t->law, states, points, closure, slip[0], NULL,
+      t->errors += asperity_states_update(t->law, states, points, closure, slip[0], NULL, 0.0,
                                           t->traction[i][0], NULL, NULL, NULL, NULL, NULL, NULL,
                                           &error);
       t->errors += asperity_law_evaluate(t->law, points, d, t->pressure[i], s, NULL, NULL, NULL,
                                          NULL, &error);
       /* errors of one thread do not show in the other */
-      t->errors += asperity_states_update(t->law, states, -1 - t->number, closure, slip[0], NULL,
+      t->errors += asperity_states_update(t->law, states, -1 - t->number, closure, slip[0], NULL, 0.0,
                                           t->traction[i][0], NULL, NULL, NULL, NULL, NULL, NULL,
                                           &error)
                    != ASPERITY_WRONG_LENGTH;

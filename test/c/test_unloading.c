@@ -104,8 +104,8 @@ static void cycle(void)
    double from = 0.0, closure = 0.0, slip[2] = {0.0, 0.0}, t[3], last, first, f, work = 0.0, flat = 0.0;
    int leg, i;
 
-   CHECK_CODE(asperity_states_update(law, states, 1, &closure, slip, NULL, t, NULL, NULL, NULL, &f,
-                                     NULL, NULL, &error), ASPERITY_OK);
+   CHECK_CODE(asperity_states_update(law, states, 1, &closure, slip, NULL, 0.0, t, NULL, NULL, NULL,
+                                     &f, NULL, NULL, &error), ASPERITY_OK);
    last = t[0];
    asperity_states_get(states, 0, &state, NULL);
    first = state.normal_energy;
@@ -113,8 +113,8 @@ static void cycle(void)
       for (i = 1; i <= steps; i++) {
          double before = closure;
          closure = from + (to[leg] - from) * i / steps;
-         if (asperity_states_update(law, states, 1, &closure, slip, NULL, t, NULL, NULL, NULL, &f,
-                                    NULL, NULL, &error) != ASPERITY_OK)
+         if (asperity_states_update(law, states, 1, &closure, slip, NULL, 0.0, t, NULL, NULL, NULL,
+                                    &f, NULL, NULL, &error) != ASPERITY_OK)
             break;
          work += 0.5 * (t[0] + last) * (closure - before);
          flat += f;
@@ -134,7 +134,8 @@ static void refused(void)
    enum { n = 2 };
    asperity_law *law = law_with_memory(0), *reversible = wood_law(0);
    asperity_properties properties = wood(0);
-   asperity_state state = {ASPERITY_STICK, 0, 0.1, 1.0, 0.0, {0.0, 0.0}, 0.09, 0.0, 0.0};
+   asperity_state state = {ASPERITY_STICK, 0, 0.1, 1.0, 0.0, {0.0, 0.0}, 0.09, 0.0, 0.0, 0.0, 0.0,
+                           {{0.0, 0.0}}};
    asperity_states *states = fresh_states(1);
    asperity_error error;
    double d[n] = {0.1, 0.2}, u[n] = {0.001, NAN}, p[n] = {9.0, 9.0}, s[n] = {9.0, 9.0};

@@ -16,9 +16,9 @@ typedef struct result {
 static int update(const asperity_law *law, asperity_states *states, double closure[points],
                   double slip[2][points], const double *rotation, result *r, asperity_error *error)
 {
-   return asperity_states_update(law, states, points, closure, slip[0], rotation, r->traction[0],
-                                 r->tangent[0][0], r->energy, r->dissipation, r->plastic,
-                                 r->coupling, r->validity, error);
+   return asperity_states_update(law, states, points, closure, slip[0], rotation, 0.0,
+                                 r->traction[0], r->tangent[0][0], r->energy, r->dissipation,
+                                 r->plastic, r->coupling, r->validity, error);
 }
 
 /* Three different points in one call give, bit by bit, what each gives alone. */
@@ -50,8 +50,8 @@ static void layout(int compiled)
          }
          asperity_states_get(before, i, &state, NULL);
          asperity_states_set(one, 0, &state, NULL);
-         CHECK_CODE(asperity_states_update(law, one, 1, &closure[i], s, q[0], t, k[0], &e, &d, &f,
-                                           &c, &v, &error), ASPERITY_OK);
+         CHECK_CODE(asperity_states_update(law, one, 1, &closure[i], s, q[0], 0.0, t, k[0], &e, &d,
+                                           &f, &c, &v, &error), ASPERITY_OK);
          asperity_states_get(one, 0, &expected, NULL);
          asperity_states_get(all, i, &state, NULL);
          CHECK(memcmp(&state, &expected, sizeof state) == 0);
@@ -255,8 +255,8 @@ static void energies(int rule)
       closure = 0.09 + 0.03 * sin(3.0 * angle);
       slip[0] = i == 0 ? 0.0 : 1e-4 * cos(angle);
       slip[1] = i == 0 ? 0.0 : 2e-4 * sin(2.0 * angle);
-      if (asperity_states_update(law, states, 1, &closure, slip, NULL, t, NULL, &e, &d, NULL, &c,
-                                 NULL, &error) != ASPERITY_OK)
+      if (asperity_states_update(law, states, 1, &closure, slip, NULL, 0.0, t, NULL, &e, &d, NULL,
+                                 &c, NULL, &error) != ASPERITY_OK)
          break;
       asperity_states_get(states, 0, &state, NULL);
       if (i == 0) {

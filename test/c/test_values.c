@@ -156,8 +156,8 @@ static void motions(int compiled)
          memcpy(motion, good, sizeof good);
          motion[i] = bad(k);
          t[0] = 9.0;
-         CHECK_CODE(asperity_states_update(law, states, n, motion, motion + n, motion + 3 * n, t,
-                                           NULL, NULL, NULL, NULL, NULL, NULL, &error),
+         CHECK_CODE(asperity_states_update(law, states, n, motion, motion + n, motion + 3 * n, 0.0,
+                                           t, NULL, NULL, NULL, NULL, NULL, NULL, &error),
                     ASPERITY_BAD_INPUT);
          CHECK_MESSAGE(i < n ? "overclosure of point" : i < 3 * n ? "slip_increment of point"
                                                                   : "rotation of point");
@@ -175,8 +175,8 @@ static void motions(int compiled)
       motion[2] = 1e30;
       motion[3] = -1e30;
       motion[6] = 1e30;
-      CHECK_CODE(asperity_states_update(law, states, n, motion, motion + n, motion + 3 * n, t, NULL,
-                                        NULL, NULL, NULL, NULL, NULL, &error), ASPERITY_OK);
+      CHECK_CODE(asperity_states_update(law, states, n, motion, motion + n, motion + 3 * n, 0.0, t,
+                                        NULL, NULL, NULL, NULL, NULL, NULL, &error), ASPERITY_OK);
       CHECK(isfinite(t[0]) && isfinite(t[1]) && isfinite(t[2 * n]) && isfinite(t[2 * n + 1]));
       /* and what an update leaves behind may be set again */
       asperity_states_get(states, i % 2, &state, NULL);
