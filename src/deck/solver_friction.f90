@@ -4,7 +4,7 @@ module asperity_deck_solver_friction
    use asperity_base_error, only: error_type, fatal_error
    use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
-   use asperity_contact_friction_settings, only: stick_summits
+   use asperity_contact_friction_settings, only: slip_direction_of_stress, stick_summits
    use asperity_contact_friction_strength, only: find_friction_factor
    use asperity_contact_properties, only: contact_properties
    implicit none
@@ -40,6 +40,18 @@ contains
                (f%friction_coefficient_across > 0.0_wp .or. varies(properties))) then
             call refuse(error, 'friction of ABAQUS that decays has one coefficient in all '// &
                'directions, at any pressure', 'static_friction_coefficient')
+         else if (f%static_friction_coefficient > 0.0_wp .and. .not. f%decay_slip_rate > 0.0_wp) then
+            call refuse(error, 'friction of ABAQUS that decays needs decay_slip_rate', &
+               'static_friction_coefficient')
+         else if (f%shear_limit > 0.0_wp .and. max(f%static_friction_coefficient, &
+               f%friction_coefficient_across) > 0.0_wp) then
+            ! the law's falls with the coefficient as motion begins and across the grain
+            call refuse(error, 'the shear limit of ABAQUS is one for rest and motion and for '// &
+               'all directions: shear_limit = '//to_text(f%shear_limit)//' MPa', 'shear_limit')
+         else if (f%friction_coefficient_across > 0.0_wp .and. &
+               f%slip_direction == slip_direction_of_stress) then
+            call refuse(error, 'friction of ABAQUS with two coefficients slips normal to the '// &
+               'ellipse: slip_direction = stress', 'slip_direction')
          else if (f%friction_coefficient_across > 0.0_wp .and. abs(f%grain_angle) > 0.0_wp) then
             call refuse(error, 'friction of ABAQUS has its two coefficients along the slip '// &
                'directions: grain_angle = '//to_text(f%grain_angle)//' degrees', 'grain_angle')

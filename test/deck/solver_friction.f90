@@ -1,6 +1,7 @@
 !> Friction beyond one coefficient as ABAQUS has it, and what no solver's own friction can be.
 module test_deck_solver_friction
-   use asperity, only: contact_properties, error_type, friction_settings, stick_summits, wp
+   use asperity, only: contact_properties, error_type, friction_settings, &
+      slip_direction_of_stress, stick_summits, wp
    use asperity_deck_solver_friction, only: check_solver_friction, friction_parameters, &
       friction_rows
    use friction_cases, only: friction_properties
@@ -24,8 +25,9 @@ contains
       type(friction_settings) :: points
 
       call check(friction_settings(), '', [0.5_wp], 1)
-      call check(friction_settings(static_friction_coefficient=0.6_wp, decay_slip_rate=4.0_wp, &
-         shear_limit=2.5_wp), ', EXPONENTIAL DECAY, TAUMAX=2.5', [0.6_wp, 0.5_wp, 0.25_wp], 1)
+      call check(friction_settings(static_friction_coefficient=0.6_wp, decay_slip_rate=4.0_wp), &
+         ', EXPONENTIAL DECAY', [0.6_wp, 0.5_wp, 0.25_wp], 1)
+      call check(friction_settings(shear_limit=2.5_wp), ', TAUMAX=2.5', [0.5_wp], 1)
       points = friction_settings(friction_points=2, friction_coefficient_across=0.2_wp)
       points%friction_pressures(:2) = [1.0_wp, 2.0_wp]
       points%friction_factors(:2) = [1.0_wp, 0.5_wp]
@@ -82,6 +84,14 @@ contains
          friction_coefficient_across=0.2_wp), .false., 'in all directions')
       call refused(friction_settings(friction_coefficient_across=0.2_wp, grain_angle=30.0_wp), &
          .false., 'grain_angle = 30.0 degrees')
+      call refused(friction_settings(static_friction_coefficient=0.6_wp, decay_slip_rate=1.0_wp, &
+         shear_limit=2.5_wp), .false., 'shear_limit = 2.5 MPa')
+      call refused(friction_settings(friction_coefficient_across=0.2_wp, shear_limit=2.5_wp), &
+         .false., 'shear_limit = 2.5 MPa')
+      call refused(friction_settings(static_friction_coefficient=0.5_wp), .false., &
+         'needs decay_slip_rate')
+      call refused(friction_settings(friction_coefficient_across=0.2_wp, &
+         slip_direction=slip_direction_of_stress), .false., 'slip_direction = stress')
    end subroutine test_refused
 
    subroutine refused(settings, is_calculix, text)

@@ -38,7 +38,8 @@ KEYWORDS = {
     "SURFACE BEHAVIOR": (BOTH, False, {
         "PRESSURE-OVERCLOSURE": "UINTER|TABULAR|LINEAR|HARD", "PROPERTIES": COUNT,
         "DEPVAR": COUNT, "SEARCHDISTANCE": NUMBER}, ("PRESSURE-OVERCLOSURE",)),
-    "FRICTION": (BOTH, False, {"ELASTICSLIP": NUMBER}, ()),
+    "FRICTION": (BOTH, False, {"ELASTICSLIP": NUMBER, "EXPONENTIALDECAY": NONE,
+                               "ANISOTROPIC": NONE, "TAUMAX": NUMBER}, ()),
     "CONTACT PAIR": (BOTH, False, {"INTERACTION": NAME, "TYPE": "NODETOSURFACE"},
                      ("INTERACTION", "TYPE")),
     "EQUATION": (BOTH, False, {}, ()),
@@ -259,9 +260,11 @@ class Checker:
     def check_properties(self, parameters, data):
         found = lists(data, 8)
         need(len(found) == int(parameters["PROPERTIES"]), "PROPERTIES is not the number of numbers")
-        need(len(found) in (12, 13), "UINTER takes 12 or 13 properties here")
+        need(12 <= len(found) <= 47, "UINTER takes 12 to 47 properties here")
         need(abs(found[4] - 3.14159265358979) < 1e-6, "the fifth property is not pi")
-        need(int(parameters["DEPVAR"]) == 11, "DEPVAR is not 11")
+        plain = not any(found[18:22] + found[24:28] + found[30:])
+        stick = 2*int(found[28] or 8) if found[27:28] == [1] else 0
+        need(int(parameters["DEPVAR"]) == (11 if plain else 13 + stick), "DEPVAR does not fit")
         self.interactions[self.interaction] = {"BEHAVIOR": "UINTER", "FRICTION": "UINTER"}
 
     def card_surface_behavior(self, parameters, data):
@@ -289,14 +292,19 @@ class Checker:
         here["BEHAVIOR"] = kind
 
     def card_friction(self, parameters, data):
-        need(len(data) == 1, "one data line")
         here = self.interactions[self.interaction]
         need("FRICTION" not in here, "a second friction")
+        decays, directions = "EXPONENTIALDECAY" in parameters, 1 + ("ANISOTROPIC" in parameters)
+        need(len(data) == 1 or self.solver == "abaqus" and not decays, "one data line")
         if self.solver == "calculix":
             need(not parameters, "CalculiX has no elastic slip")
             need(min(numbers(data[0], [2])) > 0, "not above zero")
         else:
-            need(numbers(data[0], [1])[0] > 0, "not above zero")
+            # by pressure: coefficients, slip rate, pressure
+            counts = [3] if decays else [directions] if len(data) == 1 else [directions + 2]
+            rows = [numbers(line, counts) for line in data]
+            need(all(row[0] > 0 for row in rows), "not above zero")
+            need(all(a[-1] < b[-1] for a, b in zip(rows, rows[1:])), "pressures do not rise")
         here["FRICTION"] = True
 
     def card_contact_pair(self, parameters, data):

@@ -80,6 +80,31 @@ check 'deck: the blank line of UINTER in ABAQUS' sh -c \
 run deck shear case.nml "${discs[@]}" --unloading elastic --inp memory.inp
 check 'deck: PROPS with memory' sh -c 'grep -q "UINTER, PROPERTIES=14, DEPVAR=11, SEARCH" memory.inp \
    && grep -q "^0.05, 0.18, 1.0, 1.0, 0.0, 1.0$" memory.inp && tr -d "\n*" <memory.inp | grep -q "accept unphysical, unloading"'
+# With friction beyond one coefficient: as many PROPS and STATEV as it needs; ABAQUS' own friction where it can
+while read -r name properties depvar options; do
+   run deck shear case.nml "${discs[@]}" $options --inp $name.calculix.inp
+   check "deck: PROPS and STATEV with $name" has $name.calculix.inp \
+      "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=UINTER, PROPERTIES=$properties, DEPVAR=$depvar, SEARCH DISTANCE=3.0"
+   run deck shear case.nml "${discs[@]}" $options --solver abaqus --inp $name.abaqus.inp
+   for solver in calculix abaqus; do
+      check "deck $name.$solver: syntax" python3 -B "$here/commands/check_deck.py" $solver $name.$solver.inp
+   done
+done <<'LIST'
+decay 20 13 --static-friction-coefficient 0.6 --decay-slip 0.05
+ellipse 23 13 --friction-coefficient-across 0.2 --grain-angle 30
+points 35 13 --friction-points 0.1,1.2,2.0,0.6
+summits 30 29 --stick summits
+LIST
+while read -r name card options; do
+   run deck shear case.nml "${discs[@]}" $options --contact table --solver abaqus --inp $name.abaqus.inp
+   check "deck: ABAQUS' own friction, $name" has $name.abaqus.inp "*FRICTION, ELASTIC SLIP=0.25$(tr -d - <<<"${card//_/ }")"
+   check "deck $name.abaqus: syntax" python3 -B "$here/commands/check_deck.py" abaqus $name.abaqus.inp
+done <<'LIST'
+rate ,_EXPONENTIAL_DECAY --static-friction-coefficient 0.6 --decay-slip-rate 4
+grain ,_ANISOTROPIC --friction-coefficient-across 0.2
+limit ,_TAUMAX=2.5 --shear-limit 2.5
+pressure - --friction-points 0.1,1.2,2.0,0.6
+LIST
 for model in shear tenon; do
    refuses "deck $model: a table cannot unload" 2 \
       '--unloading: unloading = elastic is not allowed with the law as a table' deck $model case.nml \
