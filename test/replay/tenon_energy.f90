@@ -96,11 +96,12 @@ contains
       call assertLessThan(mismatch(2), 3.0e-5_wp, 'shoulders on the way')
    end subroutine test_rules
 
-   !> Rest and motion, grain, pressure and limit, and summits that stick: the work is found.
+   !> Rest and motion, grain, pressure and limit, and summits that stick: the work is found, and
+   !> UINTER gives the same joint.
    subroutine test_friction()
       type(friction_settings) :: kinds(3)
       type(tenon_settings) :: s
-      type(tenon_step), allocatable :: steps(:)
+      type(tenon_step), allocatable :: steps(:), through(:)
       type(contact_properties) :: faces
       integer :: i, j
 
@@ -119,6 +120,11 @@ contains
             call assertGreaterThanOrEqual(minval(steps(1:)%friction - steps(:ubound(steps, 1) &
                - 1)%friction), 0.0_wp, 'friction never gives back')
          end do
+         s%through_uinter = .true.
+         call run_joint(s, through, faces=faces)
+         if (anyExceptions()) return
+         call assertLessThan(maxval(abs(through%moment - steps%moment)) &
+            /maxval(abs(steps%moment)), 1.0e-8_wp, 'through UINTER')
       end do
    end subroutine test_friction
 

@@ -200,7 +200,8 @@ contains
          associate (key => report%keys%rows(i))
             if (.not. key%is_input()) cycle
             left = '  '//trim(key%name)// &
-               repeat(' ', max(1, value_column - 2 - len_trim(key%name)))//input_text(key)//' '//trim(key%unit)
+               repeat(' ', max(1, value_column - 2 - len_trim(key%name)))// &
+               input_text(key)//' '//trim(key%unit)
             call buffer%line(wrapped(left//repeat(' ', max(1, column - len(left)))// &
                key%source, width, value_column))
          end associate
