@@ -156,7 +156,8 @@ check 'shear, rest and motion: peak and decay' csv f.csv '
    t = c["shear_stress"]; l = c["slip"] - t*0.31/0.048
    if (c["slip"] <= 0.31) { if (far(t, c["slip"]*0.048/0.31, 1e-9)) fail("stick " t) }
    else if (far(t, 0.2*(0.17 + 0.07*exp(-l/0.5)), 1e-9)) fail("decay " t)'
-check 'shear, rest and motion: peak of the summary' test "$(summary peak_nominal | cut -c-5)" = 0.047
+check 'shear, rest and motion: peak of the summary' awk -v a="$(summary peak_nominal)" \
+   'BEGIN { exit !(a > 0.0476 && a < 0.048) }'
 # across the grain, at a limit: 0.3/0.5 of 0.08 MPa
 run shear --friction-coefficient-across 0.3 --grain-angle 90 --shear-limit 0.08 --normal-stress 0.2 \
    --no-shrinking-overlap --csv f.csv
