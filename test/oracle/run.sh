@@ -135,6 +135,10 @@ all_cases() {
       --csv sweep.csv --json sweep.json
    keep tenon-sweep-outcomes tenon "${few[@]}" --sweep gap=mean_plane,first_touch \
       --sweep clearance=0.5,20 --csv -
+   keep curve-single curve --single --unloading elastic --csv summit.csv --plot summit.svg
+   keep curve-sweep curve --sweep sigma=0.04,0.06 --sweep unloading=reversible,elastic \
+      --csv sweep.csv --json sweep.json --plot sweep.svg
+   keep press-sweep press --sweep pair=transverse-tangential,tangential-tangential --csv sweep.csv
    keep tenon-print-case tenon examples/tenon_joint/base.nml --amplitudes 1,4 --cycles 1,2 --print-case
 
    # Decks

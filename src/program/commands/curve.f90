@@ -61,8 +61,8 @@ contains
       self%name = 'curve'
       self%summary = 'pressure and real area against separation'
       self%usage = '[CASE.nml] [options]'
-      self%purpose = 'Pressure, stiffness, real area and energy of rough faces against separation, '// &
-         'or force, area and mean pressure of one summit (--single; Fig. 5).'
+      self%purpose = 'Pressure, stiffness, real area and energy of rough faces against '// &
+         'separation, or force, area and mean pressure of one summit (--single; Fig. 5).'
    end subroutine describe
 
    !> Faces and separations.

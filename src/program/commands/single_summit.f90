@@ -71,8 +71,8 @@ contains
       if (.not. allocated(error) .and. report%is_drawn()) call draw_summit(report, properties, n)
    end subroutine report_summit
 
-   !> Deformations from the largest one, mm, to where contact is lost, evenly spaced; the last one is
-   !> past it by more than rounding.
+   !> Deformations from the largest one, mm, to where contact is lost, evenly spaced; the last one
+   !> is past it by more than rounding.
    pure function way_back(properties, largest) result(w)
       type(normal_properties), intent(in) :: properties
       real(wp), intent(in) :: largest

@@ -19,7 +19,8 @@ module asperity_surface_remarks_on_heights
 
    !> Pressures of the Gaussian law at which heights are compared, MPa: joints of wood at work
    real(wp), parameter :: pressures(2) = [0.05_wp, 0.2_wp]
-   !> Factor on the pressure from which it is told: the law at its best is as near an elastic solution
+   !> Factor on the pressure from which it is told: the law at its best is as near an elastic
+   !> solution
    real(wp), parameter :: least_factor = 1.2_wp
 
 contains

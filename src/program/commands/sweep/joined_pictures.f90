@@ -59,8 +59,8 @@ contains
    end function without_series
 
    !> Add the series of a case. Bands would hide those of others. Solid lines of one case are told
-   !> apart by what stands before the comma in their legend; lines that are not solid take the colour
-   !> of the solid one before them, and the first one says what they are.
+   !> apart by what stands before the comma in their legend; lines that are not solid take the
+   !> colour of the solid one before them, and the first one says what they are.
    pure subroutine add_case(panel, own, legend, of_first)
       type(panel_type), intent(inout) :: panel
       type(panel_type), intent(in) :: own
@@ -78,7 +78,8 @@ contains
          if (is_solid(i)) then
             colour = colour + 1
             series%legend = legend
-            if (count(is_solid) > 1) series%legend = legend//', '//before_comma(own%series(i)%legend)
+            if (count(is_solid) > 1) &
+               series%legend = legend//', '//before_comma(own%series(i)%legend)
          else if (.not. of_first .or. colour > 1) then
             series%legend = ''
          else if (count(is_solid) > 1) then
@@ -102,7 +103,7 @@ contains
       part = text(:index(text//',', ',') - 1)
    end function before_comma
 
-   !> The lower (sign -1) or the higher (sign 1) of two ends of an axis, of which either may be none.
+   !> The lower (sign -1) or the higher (sign 1) of two ends of an axis; either may be none.
    pure real(wp) function outer(a, b, sign)
       real(wp), intent(in) :: a, b, sign
 

@@ -36,6 +36,8 @@ contains
       type(key_list) :: keys
       integer :: i, n
 
+      ! gfortran warns otherwise of what is intent(out) anyway
+      allocate (axes(0))
       call new_axes(axes, command%sweep, report%keys, error)
       if (allocated(error)) return
       keys = report%keys
