@@ -26,6 +26,8 @@ module asperity_abaqus_props
 
    !> How far PROPS(5) may be from pi: 3.14 passes
    real(wp), parameter :: pi_tolerance = 0.01_wp
+   !> Defaults of the normal law
+   type(normal_properties), parameter :: unset = normal_properties()
 
 contains
 
@@ -76,13 +78,12 @@ contains
       logical, intent(in) :: accepted
       type(normal_properties), intent(inout) :: normal
       type(error_type), allocatable, intent(out) :: error
-      type(normal_properties), parameter :: default = normal_properties()
       real(wp) :: ratio, kurtosis
 
       ratio = value_of(props, prop_plastic_ratio)
       if (.not. abs(ratio) > 0.0_wp) ratio = default_plastic_ratio
       kurtosis = value_of(props, prop_kurtosis)
-      if (.not. abs(kurtosis) > 0.0_wp) kurtosis = default%kurtosis
+      if (.not. abs(kurtosis) > 0.0_wp) kurtosis = unset%kurtosis
       call new_normal_properties(normal, props(prop_eta), props(prop_modulus), &
          props(prop_radius), props(prop_hardness), props(prop_yield_factor), props(prop_sigma), &
          error, accepted, option_of(props, prop_unloading), ratio, &
