@@ -279,7 +279,7 @@ contains
       call expect(26, -1.0_wp, 'reference_pressure = -1', none)
       call expect(27, -1.0_wp, 'shear_limit = -1', none)
       call expect(28, 2.0_wp, 'PROPS(28) = 2.0 is not allowed: what sticks', none)
-      call expect(28, 1.0_wp, 'shear_modulus = 0', none)
+      call expect(28, 1.0_wp, 'needs shear_modulus', none)
       call expect(29, 17.0_wp, 'PROPS(29) = 17.0 is not allowed: there are up to 16', none)
       call expect(29, 2.5_wp, 'PROPS(29) = 2.5 is not allowed', none)
       call expect(31, 9.0_wp, 'PROPS(31) = 9.0 is not allowed', none)

@@ -192,7 +192,7 @@ static void refused(void)
    REFUSED(pressure_exponent, 0.5, "reference_pressure");
    REFUSED(shear_limit, -1.0, "shear_limit = -1");
    REFUSED(stick, 2, "stick = 2 is unknown");
-   REFUSED(stick, ASPERITY_STICK_SUMMITS, "shear_modulus = 0");
+   REFUSED(stick, ASPERITY_STICK_SUMMITS, "needs shear_modulus");
    REFUSED(friction_points, 9, "friction_points = 9");
    REFUSED(friction_points, -1, "friction_points = -1");
    REFUSED(friction_points, 1, "of friction_points");
