@@ -143,7 +143,7 @@ contains
          'pressure', 'stiffness', 'area_fraction', 'energy', 'elastic_share', &
          'elastoplastic_share', 'plastic_share', 'status', 'validity']
       if (self%faces%has_memory) report%shown_columns = [report%shown_columns, &
-         [character(len=24) :: 'plastic_dissipation']]
+         [character(len=len(report%shown_columns)) :: 'plastic_dissipation']]
       report%summary = loops_table(loops, trim(merge('mm ', 'MPa', &
          self%press%control == 'overclosure')))
       report%faces = self%faces%words()

@@ -144,7 +144,7 @@ contains
          'shear_stress_nominal', 'shear_stress', 'area_fraction', 'dissipation', 'status', &
          'validity']
       if (self%faces%has_memory) report%shown_columns = [report%shown_columns, &
-         [character(len=24) :: 'plastic_dissipation']]
+         [character(len=len(report%shown_columns)) :: 'plastic_dissipation']]
       if (.not. report%is_drawn()) return
       if (self%has_summits()) then
          call draw_shear(report, self%properties, [(beside(i)%steps%shear_stress_nominal, &

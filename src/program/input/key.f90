@@ -9,7 +9,7 @@ module asperity_program_input_key
    private
    public :: key_type, assign_words, option_name, forget
 
-   integer, parameter, public :: name_length = 32
+   integer, parameter, public :: name_length = 34
 
    !> Kinds of values
    enum, bind(c)

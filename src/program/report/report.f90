@@ -1,7 +1,7 @@
 !> What a run has to say: its input, its results, which rows deserve to be shown.
 module asperity_program_report_report
    use asperity_base_kinds, only: wp
-   use asperity_program_input_key, only: given_nowhere, kind_picture
+   use asperity_program_input_key, only: given_nowhere, kind_picture, name_length
    use asperity_program_input_key_list, only: key_list
    use asperity_program_plot_figure, only: figure_type
    use asperity_program_report_table, only: table_type
@@ -64,7 +64,7 @@ module asperity_program_report_report
       !> One row per run, no columns when there is none
       type(table_type) :: summary
       !> Names of the columns of `table` that the terminal shows; all when not allocated
-      character(len=24), allocatable :: shown_columns(:)
+      character(len=name_length), allocatable :: shown_columns(:)
       !> First row of each run, and one past the last row
       integer, allocatable :: first_rows(:)
       !> Rows that are shown however long the table is: ends and turning points

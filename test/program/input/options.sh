@@ -53,7 +53,7 @@ check 'completion' is_quiet
 cp out asperity.bash
 check 'completion: bash takes it' bash -n asperity.bash
 run help tenon
-sed -n 's/^  --\(\[no-\]\)\{0,1\}\([a-z-]*\).*/  --\2/p' out | sort >options
+sed -n 's/^  --\(\[no-\]\)\{0,1\}\([a-z0-9-]*\).*/  --\2/p' out | sort >options
 bash -c '. ./asperity.bash; COMP_WORDS=(asperity tenon --); COMP_CWORD=2; _asperity
    printf "  %s\n" "${COMPREPLY[@]}"' | sort >offered
 check 'completion offers every option of a command' \

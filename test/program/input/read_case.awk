@@ -51,7 +51,7 @@ END {
    each("LOGICAL", "if (pass == 2 .and. NAME) print '(a)', 'NAME true'")
    each("LOGICAL", "if (pass == 1 .and. .not. NAME) print '(a)', 'NAME false'")
    print "end do"
-   each("NUMBER", "if (NAME > unset) print '(a, 1x, es24.16e3)', 'NAME', NAME")
+   each("NUMBER", "if (NAME > unset) print '(a, 1x, es24.16e3)', &\n'NAME', NAME")
    each("LIST", "if (NAME(1) > unset) print '(a, *(1x, es24.16e3))', &\n'NAME', NAME(:count(NAME > unset))")
    each("COUNT", "if (NAME /= -huge(1)) print '(a, 1x, i0)', 'NAME', NAME")
    each("NAME", "if (NAME /= '') print '(2a)', 'NAME ', trim(NAME)")

@@ -34,8 +34,8 @@ contains
       do j = 1, size(report%more)
          report%more(j)%table = stacked([(reports(i)%more(j)%table, i=1, size(tests))], tests)
       end do
-      report%shown_columns = [character(len=24) :: (tests(1)%conditions(i)%name, &
-         i=1, size(tests(1)%conditions)), report%shown_columns]
+      report%shown_columns = [character(len=len(report%shown_columns)) :: &
+         (tests(1)%conditions(i)%name, i=1, size(tests(1)%conditions)), report%shown_columns]
       deallocate (report%first_rows, report%important)
       allocate (report%first_rows(size(tests) + 1), source=1)
       do i = 1, size(tests)

@@ -10,7 +10,7 @@ module asperity_program_commands_sweep_runs
    use asperity_program_commands_sweep_columns, only: case_words, hide_swept
    use asperity_program_commands_sweep_joined_pictures, only: join_pictures
    use asperity_program_commands_sweep_joined_tables, only: join_tables
-   use asperity_program_input_key, only: given_nowhere
+   use asperity_program_input_key, only: given_nowhere, name_length
    use asperity_program_input_key_list, only: key_list
    use asperity_program_report_report, only: report_type
    use asperity_program_system_strings, only: string_type
@@ -113,7 +113,7 @@ contains
       end do
       widest = maxloc(cases%table%set, 1)
       if (allocated(cases(widest)%shown_columns)) report%shown_columns = &
-         [character(len=24) :: keys%rows(axes%key)%name, cases(widest)%shown_columns]
+         [character(len=name_length) :: keys%rows(axes%key)%name, cases(widest)%shown_columns]
    end subroutine join_rows
 
    !> The remarks of all cases, each with its case.

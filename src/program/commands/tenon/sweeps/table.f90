@@ -8,6 +8,7 @@ module asperity_program_commands_tenon_sweeps_table
    use asperity_program_commands_tenon_compare_models, only: joint_type
    use asperity_program_commands_sweep_cases, only: axis_type
    use asperity_program_commands_sweep_columns, only: add_axes
+   use asperity_program_input_key, only: name_length
    use asperity_program_input_key_list, only: key_list
    use asperity_program_report_table, only: column_counts, column_validity, new_table, table_type
    use asperity_program_report_units, only: joule
@@ -129,9 +130,9 @@ contains
       !> The axes
       type(axis_type), intent(in) :: axes(:)
       !> Names of the columns
-      character(len=24), allocatable, intent(out) :: columns(:)
+      character(len=name_length), allocatable, intent(out) :: columns(:)
 
-      columns = [character(len=24) :: 'case', keys%rows(axes%key)%name, 'ultimate_moment_hard', &
+      columns = [character(len=name_length) :: 'case', keys%rows(axes%key)%name, 'ultimate_moment_hard', &
          'ultimate_moment_rough', 'loop_energy_hard', 'loop_energy_rough', &
          'yield_moment_ratio', 'ultimate_moment_ratio', 'loop_energy_ratio', &
          'largest_pull_out_rough', 'outcome']
