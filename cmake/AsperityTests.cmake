@@ -80,7 +80,8 @@ add_executable(asperity_single_tests
    # of the face of the law, what that file has no need of
    src/base/version.f90 src/base/no_value.f90 src/contact/points.f90 src/wood/properties.f90
    src/wood/values.f90
-   src/wood/check.f90 src/wood/sections.f90 src/faces/nayak.f90 src/faces/face.f90
+   src/wood/check.f90 src/wood/ageing.f90 src/wood/sections.f90 src/faces/nayak.f90
+   src/faces/face.f90 src/faces/aged_pair.f90
    src/faces/two_faces.f90 src/asperity.f90
    interface/abaqus/uinter.f90 interface/abaqus/uinter_point.f90
    interface/abaqus/uinter_signature.f90 interface/abaqus/vuinter_signature.f90

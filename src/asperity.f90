@@ -14,6 +14,7 @@ module asperity
       no_rotation, no_surface_limit, status_open, status_slip, status_stick, status_text, &
       status_unset
    use asperity_contact_stick_elements, only: equivalent_shear_modulus
+   use asperity_faces_aged_pair, only: age_pair
    use asperity_faces_face, only: face, face_of_wood
    use asperity_faces_two_faces, only: hardness_harder, hardness_softer, pair_from_faces, &
       roughness_face_1, roughness_face_2, roughness_moments
@@ -37,12 +38,14 @@ module asperity
       roughness_number_low, stiffer_than_hertz, valid, validity_remark, validity_text
    use asperity_paper_pairs, only: find_pair, find_surface, pair_preset, pairs, surface_preset, &
       surfaces
+   use asperity_wood_ageing, only: aged_wood, ageing_factors, check_ageing
    use asperity_wood_properties, only: wood_properties
    use asperity_wood_sections, only: section_constants, section_radial, section_tangential, &
       section_transverse
    implicit none
    private
-   public :: area_above_nominal, asperity_response, closure_above_half_radius, compiled_law, &
+   public :: age_pair, aged_wood, ageing_factors, area_above_nominal, asperity_response, &
+      check_ageing, closure_above_half_radius, compiled_law, &
       compiled_plastic_dissipation, compiled_unloading_law, computation_error, contact_properties, &
       contact_response, contact_state, contact_states, contact_tangent, elastic_recovery, &
       equivalent_modulus, equivalent_shear_modulus, error_type, evaluate_asperity, &
