@@ -24,7 +24,7 @@ module asperity_program_input_key_rows
       !> The first value that was refused
       type(error_type), allocatable :: error
    contains
-      procedure :: declare, follows, given_by, said_by, needs, unused, means, reads
+      procedure :: declare, follows, given_by, said_by, also, needs, unused, means, reads
       procedure :: find, given, forget_case, refuse, with_place
    end type key_rows
 
@@ -64,6 +64,18 @@ contains
          key%source = trim(self%rows(leader)%name)//' '//self%rows(leader)%text
       end associate
    end subroutine given_by
+
+   !> Unless it is given, something else than its source has a part in the value of the last key.
+   pure subroutine also(self, what)
+      !> The keys
+      class(key_rows), intent(inout) :: self
+      !> What it is
+      character(len=*), intent(in) :: what
+
+      associate (key => self%rows(self%last))
+         if (key%given == given_nowhere) key%source = key%source//', '//what
+      end associate
+   end subroutine also
 
    !> Unless it is given, the last key has a value that was found.
    pure subroutine said_by(self, source)

@@ -81,7 +81,8 @@ contains
       call self%faces%declare_accept(keys)
       call declare_shear(self%box, self%normal_stress, keys, self%has_stress)
       self%wood%criterion = usual_criterion
-      call declare_wood(self%wood, keys, sections=self%faces%two%sections())
+      call declare_wood(self%wood, keys, sections=self%faces%two%sections(), &
+         ageing=self%faces%ageing)
       call declare_law_table(self%choice, self%faces, keys)
       call declare_deck(self%choice, keys)
       call keys%real('disc_height', self%height, 'mm', 'height of each disc')

@@ -65,7 +65,8 @@ contains
       call self%case%declare_hold(keys, is_replay=.false.)
       call declare_column(self%case%joint, keys)
       self%case%joint%wood%criterion = usual_criterion
-      call declare_wood(self%case%joint%wood, keys, sections=self%case%sections())
+      call declare_wood(self%case%joint%wood, keys, sections=self%case%sections(), &
+         ageing=self%case%faces%ageing)
       strength = keys%find('compression_strength_r')
       call self%case%declare_programme(keys)
       self%choice%mesh_size = default_mesh_size(self%case%joint)

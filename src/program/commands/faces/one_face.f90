@@ -7,6 +7,7 @@ module asperity_program_commands_faces_one_face
    use asperity_faces_face, only: face
    use asperity_paper_pairs, only: find_surface, surface_preset, surfaces
    use asperity_program_input_key_list, only: key_list
+   use asperity_wood_ageing, only: aged_wood, ageing_factors
    use asperity_wood_properties, only: wood_properties
    use asperity_wood_sections, only: section_elasticity, section_names
    implicit none
@@ -47,32 +48,35 @@ contains
 
    !> Declare the face. A number goes before the section and the name, and each of the options before
    !> all of the case file.
-   pure subroutine declare(self, keys, prefix, number, wood)
+   pure subroutine declare(self, keys, prefix, number, wood, ageing)
       !> The face
       class(one_face_type), intent(inout) :: self
       !> The keys
       type(key_list), intent(inout) :: keys
       !> What is before the names of the keys, and its number
       character(len=*), intent(in) :: prefix, number
-      !> The wood of its section
+      !> The wood of its section when it is new, and old over new
       type(wood_properties), intent(in) :: wood
+      type(ageing_factors), intent(in) :: ageing
 
       self%prefix = prefix
       self%number = number
       self%own = prefix//'face_'//number
-      call declare_all(self, keys, wood)
+      call declare_all(self, keys, wood, ageing)
       call keys%forget_case(self%name_key, self%keys(of_summits))
       if (any(surfaces%name == self%name)) &
          call keys%forget_case(self%name_key, [self%section_key, self%keys(of_wood)])
       call keys%forget_case(self%section_key, self%keys(of_wood))
-      call declare_all(self, keys, wood)
+      call declare_all(self, keys, wood, ageing)
    end subroutine declare
 
    !> Declare name, section and numbers.
-   pure subroutine declare_all(self, keys, wood)
+   pure subroutine declare_all(self, keys, wood, ageing)
       class(one_face_type), intent(inout) :: self
       type(key_list), intent(inout) :: keys
       type(wood_properties), intent(in) :: wood
+      type(ageing_factors), intent(in) :: ageing
+      real(wp) :: new(n_numbers)
       character(len=10) :: section
       integer :: i
 
@@ -83,6 +87,7 @@ contains
       self%name_key = keys%last
       section = ''
       self%values = none
+      new = none
       if (self%name /= '') call take_name(self, keys, section)
       call keys%choice(self%prefix//'section_'//self%number, section, section_list(), &
          'section of the wood that face '//self%number//' is; as its name says unless given')
@@ -90,9 +95,8 @@ contains
       if (section /= '') call keys%follows(self%name_key, self%own//' '//self%name)
       self%section = findloc(section_names == section, .true., 1)
       if (self%section > 0) then
-         call section_elasticity(wood, self%section, self%values(of_wood(1)), &
-            self%values(of_wood(2)))
-         self%values(face_hardness) = wood%hardnesses(self%section)
+         self%values(of_wood) = of_section(aged_wood(wood, ageing), self%section)
+         new(of_wood) = of_section(wood, self%section)
       end if
       do i = 1, n_numbers
          call keys%real(self%prefix//trim(number_names(i))//'_'//self%number, self%values(i), &
@@ -101,11 +105,22 @@ contains
          if (is_none(self%values(i))) cycle
          if (any(of_wood == i)) then
             call keys%follows(self%section_key, trim(section)//' section')
+            if (abs(self%values(i) - new(i)) > 0.0_wp) call keys%also('aged')
          else
             call keys%follows(self%name_key, self%own//' '//self%name)
          end if
       end do
    end subroutine declare_all
+
+   !> What a section of a wood is, in the order of the numbers.
+   pure function of_section(wood, section) result(numbers)
+      type(wood_properties), intent(in) :: wood
+      integer, intent(in) :: section
+      real(wp) :: numbers(size(of_wood))
+
+      call section_elasticity(wood, section, numbers(1), numbers(2))
+      numbers(3) = wood%hardnesses(section)
+   end function of_section
 
    !> Take what a name gives: summits and, if it is one of the paper, the section.
    pure subroutine take_name(self, keys, section)

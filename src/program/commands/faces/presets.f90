@@ -4,15 +4,19 @@ module asperity_program_commands_faces_presets
    use asperity_base_error, only: error_type
    use asperity_base_kinds, only: wp
    use asperity_base_no_value, only: is_none, none
+   use asperity_faces_aged_pair, only: age_pair
    use asperity_paper_pairs, only: find_pair, find_surface, pair_note, pair_preset, surface_preset
    use asperity_program_commands_faces_heights, only: heights_type
    use asperity_program_commands_faces_properties, only: critical_slip, eta, face_properties, &
       face_property, friction_coefficient, hardness, modulus, n_properties, of_faces, of_surface, &
       pair_values, sigma
    use asperity_program_commands_faces_two_faces, only: two_faces_type
+   use asperity_program_commands_wood_ageing_keys, only: ageing_of_faces => of_faces, &
+      ageing_of_friction => of_friction, declare_ageing
    use asperity_program_commands_wood_keys, only: declare_wood
    use asperity_program_input_key, only: given_as_option, option_name
    use asperity_program_input_key_list, only: key_list
+   use asperity_wood_ageing, only: ageing_factors
    use asperity_wood_properties, only: wood_properties
    use asperity_wood_sections, only: section_transverse
    implicit none
@@ -40,6 +44,11 @@ module asperity_program_commands_faces_presets
       !> Places of the keys of the properties, zero for none, and of the presets
       integer :: keys(n_properties) = 0
       integer :: pair_key = 0, surface_key = 0
+      !> Old over new wood, and the new one
+      type(ageing_factors) :: ageing
+      type(wood_properties), private :: wood
+      !> Properties that age has changed
+      logical, private :: is_aged(n_properties) = .false.
       !> The key that gives each property unless it is given, or `of_two_faces`
       integer, private :: leaders(n_properties) = 0
    contains
@@ -62,6 +71,7 @@ contains
       !> The pair unless all is given; `default_pair` when absent
       character(len=*), intent(in), optional :: usual_pair
       type(error_type), allocatable :: error
+      type(pair_preset) :: pair
       logical :: is_key(n_properties)
       integer, allocatable :: places(:)
       integer :: i
@@ -75,9 +85,12 @@ contains
       self%usual = none
       self%leaders = 0
       self%heights = heights_type()
+      self%is_aged = .false.
       self%pair = ''
       call declare_presets(self, keys)
       call self%declare_values(keys, is_key)
+      call declare_ageing(self%ageing, keys, pack(ageing_of_faces, has_friction .or. &
+         ageing_of_faces /= ageing_of_friction), spread(.true., 1, size(ageing_of_faces)))
       call keys%forget_case(self%pair_key, [self%surface_key, self%two%all_keys(), &
          pack(self%keys, is_key)])
       call declare_presets(self, keys)
@@ -103,7 +116,11 @@ contains
          call keys%refuse(trim(self%prefix)//error%message, trim(self%prefix)//error%subject)
          return
       end if
-      if (self%two%is_given) call take(self, pair_values(self%two%pair), of_two_faces)
+      if (self%two%is_given) then
+         pair = self%two%pair
+         pair%friction_coefficient = pair%friction_coefficient*self%ageing%friction
+         call take(self, pair_values(pair), of_two_faces, new=pair_values(self%two%pair))
+      end if
       call self%declare_values(keys, is_key)
       call check_used(keys, self%surface_key, self%keys)
       call check_used(keys, self%pair_key, self%keys)
@@ -114,7 +131,6 @@ contains
    pure subroutine declare_presets(self, keys)
       class(preset_faces), intent(inout) :: self
       type(key_list), intent(inout) :: keys
-      type(wood_properties) :: wood
 
       keys%of_faces = .true.
       call keys%text(trim(self%prefix)//'pair', self%pair, &
@@ -125,8 +141,8 @@ contains
          'surface of Table 2: its eta, radius and sigma in place of the pair''s')
       self%surface_key = keys%last
       ! the wood stands below the faces in listings
-      if (keys%find('wood') > 0) call declare_wood(wood, keys)
-      call self%two%declare(keys, trim(self%prefix), wood)
+      if (keys%find('wood') > 0) call declare_wood(self%wood, keys)
+      call self%two%declare(keys, trim(self%prefix), self%wood, self%ageing)
    end subroutine declare_presets
 
    !> Declare the properties themselves, whose defaults are those of the presets.
@@ -156,15 +172,17 @@ contains
          else if (self%leaders(i) > 0) then
             call keys%given_by(self%leaders(i))
          end if
+         if (self%is_aged(i)) call keys%also('aged')
       end do
    end subroutine declare_values
 
-   !> Take what a preset gives of some properties, and none before it.
-   pure subroutine take(self, values, leader, places)
+   !> Take what a preset gives of some properties, and none before it; `new` is without its age.
+   pure subroutine take(self, values, leader, places, new)
       type(preset_faces), intent(inout) :: self
       real(wp), intent(in) :: values(n_properties)
       integer, intent(in) :: leader
       integer, intent(in), optional :: places(:)
+      real(wp), intent(in), optional :: new(n_properties)
       logical :: taken(n_properties)
       integer :: i
 
@@ -172,6 +190,7 @@ contains
       if (present(places)) taken = taken .and. [(any(places == i), i=1, n_properties)]
       self%usual = merge(values, self%usual, taken)
       self%leaders = merge(leader, self%leaders, taken)
+      if (present(new)) self%is_aged = self%is_aged .or. (taken .and. abs(values - new) > 0.0_wp)
    end subroutine take
 
    !> Take what the surface gives.
@@ -193,11 +212,15 @@ contains
    pure subroutine take_pair(self, error)
       type(preset_faces), intent(inout) :: self
       type(error_type), allocatable, intent(out) :: error
-      type(pair_preset) :: pair
+      type(pair_preset) :: pair, old
 
       if (self%pair == '') return
       call find_pair(self%pair, pair, error)
-      if (.not. allocated(error)) call take(self, pair_values(pair), self%pair_key)
+      if (allocated(error)) return
+      old = pair
+      call age_pair(old, self%wood, self%ageing, error)
+      if (.not. allocated(error)) &
+         call take(self, pair_values(old), self%pair_key, new=pair_values(pair))
    end subroutine take_pair
 
    !> Say below the input what is to be known of the presets whose values are used.
@@ -206,6 +229,7 @@ contains
       type(key_list), intent(inout) :: keys
       type(pair_preset) :: pair
       type(error_type), allocatable :: error
+      character(len=:), allocatable :: note, as_given
       logical :: used(n_properties)
       integer :: i
 
@@ -214,17 +238,42 @@ contains
          used(i) = .false.
          if (self%keys(i) > 0) used(i) = .not. keys%given(self%keys(i))
       end do
+      note = ''
       if (self%two%is_given) then
-         keys%note = self%two%note(used(modulus), any(used(of_surface)))
-         if (keys%note == '') deallocate (keys%note)
-         return
+         note = self%two%note(used(modulus), any(used(of_surface)))
+      else if (self%pair /= '' .and. any(used .and. self%leaders == self%pair_key)) then
+         call find_pair(self%pair, pair, error)
+         used = used .and. self%leaders == self%pair_key
+         note = 'Pair: '//trim(pair_note(pair, used(eta), used(sigma), used(hardness), &
+            used(modulus)))
       end if
-      used = used .and. self%leaders == self%pair_key
-      if (self%pair == '' .or. .not. any(used)) return
-      call find_pair(self%pair, pair, error)
-      keys%note = 'Pair: '//trim(pair_note(pair, used(eta), used(sigma), used(hardness), &
-         used(modulus)))
+      as_given = as_given_words(self, keys)
+      if (note /= '' .and. as_given /= '') note = note//'. '
+      if (note//as_given /= '') keys%note = note//as_given
    end subroutine tell
+
+   !> Which values that are given some factor of old wood leaves as they are.
+   pure function as_given_words(self, keys) result(text)
+      type(preset_faces), intent(in) :: self
+      type(key_list), intent(in) :: keys
+      character(len=:), allocatable :: text
+      integer, parameter :: places(3) = [modulus, hardness, friction_coefficient]
+      real(wp) :: factors(3)
+      integer :: i
+
+      text = ''
+      associate (a => self%ageing)
+         factors = [merge(a%stiffness_along, a%stiffness_across, &
+            abs(a%stiffness_along - 1.0_wp) > 0.0_wp), a%hardness, a%friction]
+      end associate
+      do i = 1, size(places)
+         if (self%keys(places(i)) == 0 .or. .not. abs(factors(i) - 1.0_wp) > 0.0_wp) cycle
+         if (.not. keys%given(self%keys(places(i)))) cycle
+         if (text /= '') text = text//', '
+         text = text//trim(face_properties(places(i))%name)
+      end do
+      if (text /= '') text = 'Old wood: as given, not aged: '//text
+   end function as_given_words
 
    !> Refuse a pair or surface given as an option of which nothing is used.
    pure subroutine check_used(keys, preset, places)

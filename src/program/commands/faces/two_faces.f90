@@ -12,6 +12,7 @@ module asperity_program_commands_faces_two_faces
    use asperity_program_commands_faces_one_face, only: face_hardness, number_names, of_summits, &
       of_wood, one_face_type
    use asperity_program_input_key_list, only: key_list
+   use asperity_wood_ageing, only: ageing_factors
    use asperity_wood_properties, only: wood_properties
    use asperity_wood_sections, only: section_names
    implicit none
@@ -38,20 +39,21 @@ module asperity_program_commands_faces_two_faces
 contains
 
    !> Declare the faces and, if they are given, make the pair of them.
-   pure subroutine declare(self, keys, prefix, wood)
+   pure subroutine declare(self, keys, prefix, wood, ageing)
       !> The faces
       class(two_faces_type), intent(inout) :: self
       !> The keys
       type(key_list), intent(inout) :: keys
       !> What is before the names of the keys
       character(len=*), intent(in) :: prefix
-      !> The wood of their sections
+      !> The wood of their sections when it is new, and old over new
       type(wood_properties), intent(in) :: wood
+      type(ageing_factors), intent(in) :: ageing
       type(error_type), allocatable :: error
       integer :: i
 
       do i = 1, 2
-         call self%faces(i)%declare(keys, prefix, numbers(i), wood)
+         call self%faces(i)%declare(keys, prefix, numbers(i), wood, ageing)
       end do
       self%is_given = self%faces(1)%is_given(keys) .or. self%faces(2)%is_given(keys)
       self%hardness_rule = hardness_softer

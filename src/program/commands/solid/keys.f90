@@ -43,7 +43,8 @@ contains
       call self%joint%declare_sizes(keys)
       call self%joint%declare_hold(keys, is_replay=.false.)
       call declare_column(self%joint%joint, keys)
-      call declare_wood(self%joint%joint%wood, keys, sections=self%joint%sections())
+      call declare_wood(self%joint%joint%wood, keys, sections=self%joint%sections(), &
+         ageing=self%joint%faces%ageing)
       call self%joint%declare_programme(keys)
       call declare_joint_sizes(self%sizes, self%joint, keys)
       self%mesh%mesh_size = default_mesh_size(self%joint%joint)

@@ -4,6 +4,7 @@ module asperity_program_commands_tenon_bearing_keys
    use asperity_program_commands_wood_keys, only: declare_wood
    use asperity_program_input_key_list, only: key_list
    use asperity_replay_tenon_settings, only: complete_tenon_settings, tenon_settings
+   use asperity_wood_ageing, only: ageing_factors
    implicit none
    private
    public :: declare_column, declare_bearing, declare_points
@@ -22,9 +23,11 @@ contains
    end subroutine declare_column
 
    !> Declare column, wood and its depths, for a replay.
-   pure subroutine declare_bearing(joint, sections, height, keys)
+   pure subroutine declare_bearing(joint, ageing, sections, height, keys)
       !> The joint
       type(tenon_settings), intent(inout) :: joint
+      !> Old over new wood, as the faces have it
+      type(ageing_factors), intent(inout) :: ageing
       !> Sections of the wood whose constants faces take
       logical, intent(in) :: sections(3)
       !> Place of the key of its height
@@ -38,7 +41,7 @@ contains
       associate (t => joint)
          call declare_column(t, keys)
          call declare_wood(t%wood, keys, pressed=[t%column /= 'rigid', .true.], &
-            sections=sections)
+            sections=sections, ageing=ageing)
          t%bearing_depth = usual%bearing_depth
          call keys%real('bearing_depth', t%bearing_depth, 'mm', &
             'depth of wood that the bearing compresses; half of height unless given')

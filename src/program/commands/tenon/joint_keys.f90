@@ -275,7 +275,7 @@ contains
          'largest displacement in one increment')
       call case%declare_sizes(keys)
       call case%declare_hold(keys, is_replay=.true.)
-      call declare_bearing(case%joint, case%sections(), case%height_key, keys)
+      call declare_bearing(case%joint, case%faces%ageing, case%sections(), case%height_key, keys)
       call declare_points(case%joint, keys)
       call case%declare_programme(keys)
       call keys%list('record', case%record, '', &

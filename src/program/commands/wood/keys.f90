@@ -1,9 +1,13 @@
 !> The keys of wood, the same for every command: a preset, nine elastic constants, strengths,
 !> hardening and criterion.
 module asperity_program_commands_wood_keys
+   use asperity_base_error, only: error_type
    use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
+   use asperity_program_commands_wood_ageing_keys, only: declare_ageing, of_wood
    use asperity_program_input_key_list, only: key_list
+   use asperity_wood_ageing, only: aged_wood, ageing_factors, check_aged_wood, first_aged, &
+      last_aged
    use asperity_wood_properties, only: wood_properties
    use asperity_wood_sections, only: section_names
    use asperity_wood_values, only: compression_strength, hardening_across, hardening_along, &
@@ -19,9 +23,10 @@ module asperity_program_commands_wood_keys
 contains
 
    !> Declare the wood. Single values go before the preset, each of the options before all of the
-   !> case file. Hidden is what does not act: with that criterion, or in a replay.
-   pure subroutine declare_wood(wood, keys, pressed, sections)
-      !> The wood; its criterion is a default
+   !> case file, and are those of new wood. Hidden is what does not act: with that criterion, or in
+   !> a replay.
+   pure subroutine declare_wood(wood, keys, pressed, sections, ageing)
+      !> The wood, new or, with `ageing`, old; its criterion is a default
       type(wood_properties), intent(inout) :: wood
       !> The keys
       type(key_list), intent(inout) :: keys
@@ -30,6 +35,8 @@ contains
       logical, intent(in), optional :: pressed(2)
       !> Sections, in L, R and T, whose constants faces take; none when absent
       logical, intent(in), optional :: sections(3)
+      !> Old over new, of which the factors of faces are declared
+      type(ageing_factors), intent(inout), optional :: ageing
       type(wood_properties) :: larch
       character(len=8) :: preset
       real(wp) :: values(n_values)
@@ -69,7 +76,24 @@ contains
       end if
       if (present(sections)) acts = acts .or. of_sections(sections)
       keys%rows(places)%unused = .not. acts
+      if (present(ageing)) call make_old(wood, keys, ageing, acts)
    end subroutine declare_wood
+
+   !> Declare the factors that no face takes, and age the wood.
+   pure subroutine make_old(wood, keys, ageing, acts)
+      type(wood_properties), intent(inout) :: wood
+      type(key_list), intent(inout) :: keys
+      type(ageing_factors), intent(inout) :: ageing
+      logical, intent(in) :: acts(n_values)
+      type(error_type), allocatable :: error
+      integer :: i
+
+      call declare_ageing(ageing, keys, of_wood, &
+         [(any(acts(first_aged(of_wood(i)):last_aged(of_wood(i)))), i=1, size(of_wood))])
+      call check_aged_wood(wood, ageing, error)
+      if (allocated(error)) call keys%refuse(error%message, error%subject)
+      wood = aged_wood(wood, ageing)
+   end subroutine make_old
 
    !> Declare a curve, whose values are pairs.
    pure subroutine declare_curve(keys, name, curve, help)
