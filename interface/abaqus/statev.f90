@@ -1,5 +1,5 @@
-!> What stands where in STATEV of UINTER and VUINTER, and nothing else: every reader and writer of it
-!> uses these names.
+!> What stands where in STATEV of UINTER and VUINTER, and nothing else: every reader and writer
+!> of it uses these names.
 module asperity_abaqus_statev
    use asperity_base_kinds, only: wp
    use asperity_contact_friction_elements, only: stick_number
@@ -24,8 +24,8 @@ module asperity_abaqus_statev
       enumerator :: state_dissipation, state_pressure_coupling
       !> Sum of the validity flags reached, and of those already warned about
       enumerator :: state_validity, state_warned
-      !> Of friction that is not plain: how far it has gone from rest, 0, to motion, 1, and the angle
-      !> by which slip directions have turned over the grain, radians
+      !> Of friction that is not plain: how far it has gone from rest, 0, to motion, 1, and the
+      !> angle by which slip directions have turned over the grain, radians
       enumerator :: state_motion_share, state_grain_turn
       !> Elastic slip of the first of the summits' elements in the two slip directions, mm; the next
       !> ones follow

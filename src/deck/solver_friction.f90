@@ -40,7 +40,8 @@ contains
                (f%friction_coefficient_across > 0.0_wp .or. varies(properties))) then
             call refuse(error, 'friction of ABAQUS that decays has one coefficient in all '// &
                'directions, at any pressure', 'static_friction_coefficient')
-         else if (f%static_friction_coefficient > 0.0_wp .and. .not. f%decay_slip_rate > 0.0_wp) then
+         else if (f%static_friction_coefficient > 0.0_wp &
+               .and. .not. f%decay_slip_rate > 0.0_wp) then
             call refuse(error, 'friction of ABAQUS that decays needs decay_slip_rate', &
                'static_friction_coefficient')
          else if (f%shear_limit > 0.0_wp .and. max(f%static_friction_coefficient, &

@@ -1,5 +1,5 @@
-!> Intervals of h = d/sigma, or of the Gaussian number that belongs to d, that the compiled law has a
-!> polynomial each for.
+!> Intervals of h = d/sigma, or of the Gaussian number that belongs to d, that the compiled law has
+!> a polynomial each for.
 module asperity_law_compiled_intervals
    use asperity_base_kinds, only: wp
    implicit none

@@ -39,6 +39,7 @@ module asperity_law_normal_properties
 
    !> w2/w1 of metals and of the paper, Eq. 11, and the range over which the law is verified
    real(wp), parameter, public :: default_plastic_ratio = 110.0_wp
+   real(wp), parameter :: log_default_ratio = log(default_plastic_ratio)
    real(wp), parameter :: plastic_ratio_min = 10.0_wp, plastic_ratio_max = 1000.0_wp
    !> 3 pi/4 to 32 digits
    type(double_double), parameter :: three_quarters_pi = &
@@ -167,7 +168,9 @@ contains
       properties%yield_factor = yield_factor
       properties%sigma = sigma
       properties%plastic_ratio = ratio
-      log_ratio = log(ratio)
+      ! nearly always that of the paper, in every call of UINTER
+      log_ratio = log_default_ratio
+      if (abs(ratio - default_plastic_ratio) > 0.0_wp) log_ratio = log(ratio)
       b2_less_1 = log(2.0_wp)/log_ratio
       strain = quotient(hardness, modulus)*yield_factor*three_quarters_pi
       yield = strain*strain*radius

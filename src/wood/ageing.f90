@@ -44,11 +44,11 @@ module asperity_wood_ageing
       'ageing_strength_tension_across', 'ageing_strength_shear', 'ageing_friction']
    !> First and last of the wood's values that each acts on, 1 and 0 for none
    integer, parameter, public :: first_aged(n_factors) = [young_modulus, young_modulus + 1, &
-      shear_modulus, section_hardness, compression_strength, compression_strength + 1, tension_strength, &
-      tension_strength + 1, shear_strength, 1], &
-      last_aged(n_factors) = [young_modulus, young_modulus + 2, shear_modulus + 2, section_hardness + 2, &
-      compression_strength, compression_strength + 2, tension_strength, tension_strength + 2, &
-      shear_strength + 2, 0]
+      shear_modulus, section_hardness, compression_strength, compression_strength + 1, &
+      tension_strength, tension_strength + 1, shear_strength, 1], &
+      last_aged(n_factors) = [young_modulus, young_modulus + 2, shear_modulus + 2, &
+      section_hardness + 2, compression_strength, compression_strength + 2, &
+      tension_strength, tension_strength + 2, shear_strength + 2, 0]
 
 contains
 
@@ -111,8 +111,8 @@ contains
       if (allocated(when_new)) return
       call check_wood_properties(aged_wood(wood, ageing), error)
       if (.not. allocated(error)) return
-      error%message = error%message//'; so it is in old wood: take ageing factors of moduli and '// &
-         'of strengths that are closer to each other'
+      error%message = error%message//'; so it is in old wood: take ageing factors of moduli '// &
+         'and of strengths that are closer to each other'
       error%subject = error%subject//' ageing_stiffness_along ageing_stiffness_across '// &
          'ageing_strength_compression_along ageing_strength_compression_across'
    end subroutine check_aged_wood

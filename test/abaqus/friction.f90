@@ -1,5 +1,5 @@
-!> UINTER with friction beyond one coefficient, with summits that stick each for itself, and with the
-!> normal law's own numbers: PROPS(15) on and STATEV(12) on.
+!> UINTER with friction beyond one coefficient, with summits that stick each for itself, and with
+!> the normal law's own numbers: PROPS(15) on and STATEV(12) on.
 module test_abaqus_friction
    use, intrinsic :: iso_fortran_env, only: int64
    use abaqus_stubs, only: forget_calls, last_message, messages
@@ -283,8 +283,8 @@ contains
       call expect(29, 17.0_wp, 'PROPS(29) = 17.0 is not allowed: there are up to 16', none)
       call expect(29, 2.5_wp, 'PROPS(29) = 2.5 is not allowed', none)
       call expect(31, 9.0_wp, 'PROPS(31) = 9.0 is not allowed', none)
-      call expect(31, 2.0_wp, 'PROPERTIES = 32 does not fit PROPS(31) = 2 friction points: give 35', &
-         none)
+      call expect(31, 2.0_wp, 'PROPERTIES = 32 does not fit PROPS(31) = 2 friction points: '// &
+         'give 35', none)
       call expect(31, 1.0_wp, 'pressure 1 of friction_points', [-1.0_wp, 1.0_wp])
       call expect(31, 1.0_wp, 'factor 1 of friction_points', [1.0_wp, 0.0_wp])
       call expect(31, 2.0_wp, 'pressure 2 of friction_points', [1.0_wp, 1.0_wp, 0.5_wp, 1.0_wp])

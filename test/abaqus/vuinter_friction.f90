@@ -71,8 +71,8 @@ contains
       if (kind == kind_of_johnson) then
          associate (n => wood%normal)
             call new_normal_properties(normal, n%eta, n%modulus, n%radius, n%hardness, &
-               n%yield_factor, n%sigma, error, height_distribution=heights_johnson, skewness=0.25_wp, &
-               kurtosis=3.5_wp)
+               n%yield_factor, n%sigma, error, height_distribution=heights_johnson, &
+               skewness=0.25_wp, kurtosis=3.5_wp)
          end associate
          call assertFalse(allocated(error), 'accepted')
       end if

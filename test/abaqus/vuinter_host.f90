@@ -110,7 +110,8 @@ contains
          nodes%sfd(1), nodes%scd(1), nodes%spd(1), nodes%svd(1), nodes%stress(1), &
          nodes%flux_slave(1), nodes%flux_master(1), nodes%sed(1), nodes%statev(1), 1, 1, 0, n, 0, &
          d, d, nodes%n_statev, size(nodes%props), 0, 0, 0, nodes%labels, nodes%labels, &
-         nodes%labels, time_increment, time_increment, time_increment, surfint, surfslv, surfmst, rdisp, drdisp, drot, &
+         nodes%labels, time_increment, time_increment, time_increment, surfint, surfslv, surfmst, &
+         rdisp, drdisp, drot, &
          unused, unused, unused, unused, unused, unused, nodes%props, unused, unused, unused, &
          unused, unused, unused, unused, unused, unused)
    end subroutine advance_nodes

@@ -39,8 +39,8 @@ contains
       call assertEqual([200.0_wp, 0.35_wp*200.0_wp/351.01_wp, 10.0_wp], found, 1.0e-14_wp, 'radial')
    end subroutine test_constants
 
-   !> E* of Eq. 4 by the larch of the paper, each face's 1 - nu^2 over E by hand: 0.8236/3727.12 of the
-   !> transverse one, 0.8775/351.01 of the others, as E_T = E_R there.
+   !> E* of Eq. 4 by the larch of the paper, each face's 1 - nu^2 over E by hand: 0.8236/3727.12 of
+   !> the transverse one, 0.8775/351.01 of the others, as E_T = E_R there.
    subroutine test_pairs()
       real(wp), parameter :: compliances(3) = [0.8236_wp/3727.12_wp, 0.8775_wp/351.01_wp, &
          0.8775_wp/351.01_wp]

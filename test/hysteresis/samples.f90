@@ -204,8 +204,8 @@ contains
       call analyse(loops, result)
       associate (c => result%cycles(1))
          call assertEqual([none, none, none, none, none, none], &
-            [c%secant_stiffness, c%mean_secant_stiffness, c%stiffness_ratio, c%damping, c%pinching, &
-            c%fullness], 0.0_wp, &
+            [c%secant_stiffness, c%mean_secant_stiffness, c%stiffness_ratio, c%damping, &
+            c%pinching, c%fullness], 0.0_wp, &
             'play')
          call assertEqual(0.0_wp, c%energy, 1.0e-10_wp, 'its work')
       end associate
@@ -229,8 +229,8 @@ contains
       do i = 1, 3
          associate (c => result%cycles(i))
             call assertEqual([none, none, none, none, none, none], &
-               [c%secant_stiffness, c%mean_secant_stiffness, c%stiffness_ratio, c%damping, c%pinching, &
-            c%fullness], 0.0_wp, &
+               [c%secant_stiffness, c%mean_secant_stiffness, c%stiffness_ratio, c%damping, &
+            c%pinching, c%fullness], 0.0_wp, &
                'below the floor')
          end associate
       end do

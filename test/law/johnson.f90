@@ -48,7 +48,7 @@ contains
    !> test/data/johnson_reference.csv, by test/reference/johnson_reference.py: d from -6 to 8 sigma,
    !> bounded heights to 0.02 sigma from their end. To 1e-12, and to what an error of the height by
    !> 32 eps max(sigma, |d|) makes: that is more near that end alone, which moves so far where
-   !> moments are rounded, and is not recorded there. Shares below 1e-17 have no digits in the table.
+   !> moments are rounded, and is not recorded there. Shares below 1e-17 have no digits there.
    subroutine test_table()
       character(len=*), parameter :: header = 'skewness,kurtosis,plastic_ratio,sigma,eta,'// &
          'modulus,radius,hardness,yield_factor,separation,pressure,stiffness,area_fraction,'// &

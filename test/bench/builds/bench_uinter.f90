@@ -116,7 +116,8 @@ contains
       call vuinter(this%energy(:, 1), this%energy(:, 2), this%energy(:, 3), this%energy(:, 4), &
          this%stress, this%flux(:, 1), this%flux(:, 2), this%energy(:, 5), this%statev, 1, 1, 4, &
          this%points, 1, 1, 3, n_statev, prop_unloading, 0, 1, 1, this%number, [1], this%facet, &
-         1.0_wp, 1.0_wp, 1.0_wp, wood, slave, master, this%set%position, this%set%motion, this%rotation, &
+         1.0_wp, 1.0_wp, 1.0_wp, wood, slave, master, this%set%position, this%set%motion, &
+         this%rotation, &
          this%per_point, this%per_point, this%per_facet, this%place, this%place(:, :1), &
          this%axes, this%set%props(:, 1), this%per_point, this%per_point, this%per_point, &
          this%per_field, this%per_field, one, one, one_field, one_field)

@@ -46,8 +46,8 @@ module asperity_program_commands_faces_one_face
 
 contains
 
-   !> Declare the face. A number goes before the section and the name, and each of the options before
-   !> all of the case file.
+   !> Declare the face. A number goes before the section and the name, and each of the options
+   !> before all of the case file.
    pure subroutine declare(self, keys, prefix, number, wood, ageing)
       !> The face
       class(one_face_type), intent(inout) :: self

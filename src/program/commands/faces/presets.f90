@@ -6,6 +6,7 @@ module asperity_program_commands_faces_presets
    use asperity_base_no_value, only: is_none, none
    use asperity_faces_aged_pair, only: age_pair
    use asperity_paper_pairs, only: find_pair, find_surface, pair_note, pair_preset, surface_preset
+   use asperity_program_commands_faces_as_given, only: as_given_words
    use asperity_program_commands_faces_heights, only: heights_type
    use asperity_program_commands_faces_properties, only: critical_slip, eta, face_properties, &
       face_property, friction_coefficient, hardness, modulus, n_properties, of_faces, of_surface, &
@@ -161,8 +162,8 @@ contains
       do i = 1, n_properties
          if (.not. is_key(i)) cycle
          property = face_properties(i)
-         call keys%real(trim(self%prefix)//trim(property%name), self%values(i), trim(property%unit), &
-            trim(property%help))
+         call keys%real(trim(self%prefix)//trim(property%name), self%values(i), &
+            trim(property%unit), trim(property%help))
          self%keys(i) = keys%last
          if (self%leaders(i) == of_two_faces .and. any(of_faces == i)) then
             call keys%follows(self%two%faces(1)%name_key, &
@@ -247,33 +248,10 @@ contains
          note = 'Pair: '//trim(pair_note(pair, used(eta), used(sigma), used(hardness), &
             used(modulus)))
       end if
-      as_given = as_given_words(self, keys)
+      as_given = as_given_words(self%ageing, self%keys, keys)
       if (note /= '' .and. as_given /= '') note = note//'. '
       if (note//as_given /= '') keys%note = note//as_given
    end subroutine tell
-
-   !> Which values that are given some factor of old wood leaves as they are.
-   pure function as_given_words(self, keys) result(text)
-      type(preset_faces), intent(in) :: self
-      type(key_list), intent(in) :: keys
-      character(len=:), allocatable :: text
-      integer, parameter :: places(3) = [modulus, hardness, friction_coefficient]
-      real(wp) :: factors(3)
-      integer :: i
-
-      text = ''
-      associate (a => self%ageing)
-         factors = [merge(a%stiffness_along, a%stiffness_across, &
-            abs(a%stiffness_along - 1.0_wp) > 0.0_wp), a%hardness, a%friction]
-      end associate
-      do i = 1, size(places)
-         if (self%keys(places(i)) == 0 .or. .not. abs(factors(i) - 1.0_wp) > 0.0_wp) cycle
-         if (.not. keys%given(self%keys(places(i)))) cycle
-         if (text /= '') text = text//', '
-         text = text//trim(face_properties(places(i))%name)
-      end do
-      if (text /= '') text = 'Old wood: as given, not aged: '//text
-   end function as_given_words
 
    !> Refuse a pair or surface given as an option of which nothing is used.
    pure subroutine check_used(keys, preset, places)

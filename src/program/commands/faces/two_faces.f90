@@ -89,9 +89,9 @@ contains
          call keys%refuse(one%own//' is not given: two faces need both; give '//one%own// &
             ', or sigma, radius and eta of it', '')
       else if (all(is_none(one%values(of_wood)))) then
-         call keys%refuse(one%prefix//'section_'//one%number//' is not given: only the names of '// &
-            'Table 2 say which section they are; give it, or young_modulus, poisson_ratio and '// &
-            'hardness of the face', '')
+         call keys%refuse(one%prefix//'section_'//one%number//' is not given: only the names '// &
+            'of Table 2 say which section they are; give it, or young_modulus, poisson_ratio '// &
+            'and hardness of the face', '')
       end if
       do i = 1, size(one%values)
          if (.not. is_none(one%values(i)) .or. (any(of_summits == i) .and. .not. is_rough)) cycle

@@ -132,8 +132,8 @@ contains
       !> Names of the columns
       character(len=name_length), allocatable, intent(out) :: columns(:)
 
-      columns = [character(len=name_length) :: 'case', keys%rows(axes%key)%name, 'ultimate_moment_hard', &
-         'ultimate_moment_rough', 'loop_energy_hard', 'loop_energy_rough', &
+      columns = [character(len=name_length) :: 'case', keys%rows(axes%key)%name, &
+         'ultimate_moment_hard', 'ultimate_moment_rough', 'loop_energy_hard', 'loop_energy_rough', &
          'yield_moment_ratio', 'ultimate_moment_ratio', 'loop_energy_ratio', &
          'largest_pull_out_rough', 'outcome']
    end subroutine shown_columns
