@@ -45,6 +45,7 @@ contains
       call faces%declare(own, has_friction)
       call faces%declare_separation(own)
       call faces%declare_unloading(own)
+      call faces%heights%declare(own)
       call faces%declare_rules(own)
       call faces%declare_accept(own)
       known = own
