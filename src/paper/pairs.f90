@@ -133,7 +133,7 @@ contains
 
    !> Add a part, with what stands before it, if there is one and it is used.
    pure subroutine add(note, part, used)
-      character(len=*), intent(inout) :: note
+      character(len=note_length), intent(inout) :: note
       character(len=*), intent(in) :: part
       logical, intent(in) :: used
 

@@ -55,6 +55,8 @@ contains
          settings%friction_factors(:2) = [1.25_wp, 0.5_wp]
       case (6)
          settings = friction_settings(stick=stick_summits, shear_modulus=32.0_wp, stick_elements=6)
+      case default
+         settings = friction_settings()
       end select
    end function settings_of
 

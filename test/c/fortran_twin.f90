@@ -54,6 +54,8 @@ contains
       case (5)
          friction = friction_settings(stick=stick_summits, stick_elements=6, &
             shear_modulus=31.6_c_double)
+      case default
+         friction = friction_settings()
       end select
       call new_contact_properties(properties, normal, 0.5_c_double, 0.31_c_double, error, &
          friction_rule=rule_dissipative, friction=friction)

@@ -97,7 +97,7 @@ echo before >keep.csv
 status=$?
 check 'a file larger than allowed' is_refused 3 '--csv: keep.csv cannot be written: File too large$'
 check 'an older file is kept then' test "$(cat keep.csv)" = before
-(ulimit -f 1024; limited "$program" curve --separation 0.1:0.2:100000 --csv - >large 2>err)
+(ulimit -f 1024; limited "$program" curve --separation 0.15:0.2:100000 --csv - >large 2>err)
 status=$?
 : >out
 check 'standard output larger than allowed' is_refused 3 \

@@ -126,7 +126,7 @@ contains
    pure subroutine take_name(self, keys, section)
       class(one_face_type), intent(inout) :: self
       type(key_list), intent(inout) :: keys
-      character(len=*), intent(inout) :: section
+      character(len=10), intent(inout) :: section
       type(surface_preset) :: surface
       type(error_type), allocatable :: error
 

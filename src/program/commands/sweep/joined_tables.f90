@@ -61,7 +61,7 @@ contains
       type(table_type), intent(in) :: parts(:)
       type(column_type), intent(in) :: like
       real(wp) :: values(table%rows)
-      integer :: codes(table%rows), first, i, place
+      integer :: codes(table%rows), first, i, place, row
       character(len=80) :: texts(table%rows)
 
       values = none
@@ -76,7 +76,9 @@ contains
                case (column_numbers)
                   values(first + 1:last) = column%values
                case (column_texts)
-                  call copy_texts(texts(first + 1:last), column)
+                  do row = 1, parts(i)%rows
+                     texts(first + row) = column%texts(row)%text
+                  end do
                case default
                   codes(first + 1:last) = column%codes
                end select
@@ -93,16 +95,5 @@ contains
          call table%add_codes(like%name, like%kind, codes)
       end select
    end subroutine add_column
-
-   !> Texts of a column.
-   pure subroutine copy_texts(texts, column)
-      character(len=*), intent(out) :: texts(:)
-      type(column_type), intent(in) :: column
-      integer :: i
-
-      do i = 1, size(texts)
-         texts(i) = column%texts(i)%text
-      end do
-   end subroutine copy_texts
 
 end module asperity_program_commands_sweep_joined_tables
