@@ -45,7 +45,7 @@ contains
       real(wp) :: separations(2)
       logical :: is_told
 
-      text = ''
+      allocate (text, source='')
       call add_height_effect(text, law, 0.0_wp, kurtosis, separations, is_told)
       call assertTrue(is_told .eqv. expected /= '', 'whether it is told')
       call assertTrue(index(text, expected) > 0, text)
@@ -70,7 +70,7 @@ contains
             low = middle
          end if
       end do
-      text = ''
+      allocate (text, source='')
       call add_height_effect(text, law, 0.0_wp, low - 1.0e-6_wp, separations, is_told)
       call assertFalse(is_told, 'below')
       call add_height_effect(text, law, 0.0_wp, high + 1.0e-6_wp, separations, is_told)

@@ -96,7 +96,7 @@ contains
          pack(self%keys, is_key)])
       call declare_presets(self, keys)
       call keys%forget_case(self%surface_key, [self%two%all_keys(), self%keys(of_surface)])
-      places = self%two%all_keys()
+      allocate (places, source=self%two%all_keys())
       do i = 1, size(places)
          call keys%forget_case(places(i), self%keys(of_faces))
       end do
