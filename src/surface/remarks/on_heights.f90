@@ -32,7 +32,8 @@ contains
       type(normal_properties), intent(in) :: law
       !> Values and the half widths of their 95 % intervals, in the order of the table
       real(wp), intent(in) :: values(n_parameters), uncertainty(n_parameters)
-      !> Heights of the summits above their mean plane, mm, and mean curvatures, 1/mm
+      !> Heights of the summits above their mean plane, mm, and mean curvatures, 1/mm; none where
+      !> the map's are not known
       real(wp), intent(in) :: heights(:), curvatures(:)
       !> Area they were found on, mm^2
       real(wp), intent(in) :: area
@@ -54,7 +55,7 @@ contains
          call add_height_effect(text, law, ssk, sku, separations, is_told)
       end associate
       if (.not. is_told) return
-      call add_own_sums(text, law, heights, curvatures, area, separations)
+      if (size(heights) > 0) call add_own_sums(text, law, heights, curvatures, area, separations)
       call add_remark(remarks, 'heights', text)
    end subroutine remark_heights
 

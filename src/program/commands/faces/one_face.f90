@@ -41,7 +41,7 @@ module asperity_program_commands_faces_one_face
       !> Places of the keys
       integer :: name_key = 0, section_key = 0, keys(n_numbers) = 0
    contains
-      procedure :: declare, is_given, as_face, all_keys
+      procedure :: declare, is_given, has_summits, as_face, all_keys
    end type one_face_type
 
 contains
@@ -178,6 +178,14 @@ contains
       end do
       is_given = is_given .or. keys%given(self%name_key) .or. keys%given(self%section_key)
    end function is_given
+
+   !> Whether its summits are known.
+   pure logical function has_summits(self)
+      !> The face
+      class(one_face_type), intent(in) :: self
+
+      has_summits = .not. any(is_none(self%values(of_summits)))
+   end function has_summits
 
    !> Its numbers for the library; zero where there is none.
    pure type(face) function as_face(self)

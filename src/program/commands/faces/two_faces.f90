@@ -166,7 +166,9 @@ contains
 
       text = ''
       if (modulus) text = 'E* by Eq. 4'
-      if (summits .and. self%roughness_rule == roughness_moments) then
+      ! a face that lacks a number is refused later
+      if (summits .and. self%roughness_rule == roughness_moments &
+         .and. self%faces(1)%has_summits() .and. self%faces(2)%has_summits()) then
          both = sum_of_summits(self%faces(1)%as_face(), self%faces(2)%as_face())
          if (text /= '') text = text//'; '
          text = text//'eta, radius, sigma of the sum of both, as moments add; its alpha '// &

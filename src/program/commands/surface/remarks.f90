@@ -74,8 +74,12 @@ contains
       integer :: i
 
       if (law%height_distribution /= heights_gaussian) return
-      call take_summits(analysis, route, heights, curvatures)
       allocate (found(0))
+      if (allocated(analysis%summits%height)) then
+         call take_summits(analysis, route, heights, curvatures)
+      else
+         allocate (heights(0), curvatures(0))
+      end if
       call remark_heights(law, analysis%values(:, 1), analysis%uncertainty, heights, curvatures, &
          analysis%area, found)
       do i = 1, size(found)

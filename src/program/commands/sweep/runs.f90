@@ -34,7 +34,7 @@ contains
       type(report_type) :: empty
       type(string_type), allocatable :: legends(:)
       type(key_list) :: keys
-      integer :: i, n
+      integer :: i, n, place
 
       ! gfortran warns otherwise of what is intent(out) anyway
       allocate (axes(0))
@@ -42,8 +42,9 @@ contains
       if (allocated(error)) return
       keys = report%keys
       ! what is run is one combination
-      keys%rows(keys%find('sweep'))%given = given_nowhere
-      keys%rows(keys%find('sweep'))%text = ''
+      place = keys%find('sweep')
+      keys%rows(place)%given = given_nowhere
+      keys%rows(place)%text = ''
       n = combinations(axes)
       allocate (legends(n))
       ! gfortran warns of its own initial values without a source
