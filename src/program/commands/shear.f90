@@ -3,7 +3,7 @@ module asperity_program_commands_shear
    use, intrinsic :: iso_fortran_env, only: int64
    use asperity_base_error, only: error_type
    use asperity_base_kinds, only: wp
-   use asperity_base_memory, only: check_work
+   use asperity_base_memory, only: check_room, check_work
    use asperity_base_no_value, only: none
    use asperity_base_number_text, only: to_text
    use asperity_contact_friction_settings, only: fewest_stick_elements, stick_summits
@@ -116,6 +116,9 @@ contains
          call run_sweep(self, report, error)
          return
       end if
+      ! each run is small, and not looked at for itself
+      call check_room('shear', 0_int64, error)
+      if (allocated(error)) return
       call progress%start('shear')
       settings = self%box
       do i = 1, size(runs)
