@@ -182,7 +182,7 @@ def knee(program):
                        "--displacement-increment", "0.005")["data"]["shear_stress"]
     parts = ", ".join(f"{100.0*bent[i]/max(bent):.0f}" for i in (1, 2, 4))
     return verdict(between > 3), f"{between} of {len(slopes)} increments between the two slopes; with " \
-        f"stick = summits {parts} % of the plateau after 0.005, 0.01, 0.02 mm"
+        f"stick = summits at 0.05 MPa {parts} % of the plateau after 0.005, 0.01, 0.02 mm"
 
 
 def programme(program):
