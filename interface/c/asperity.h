@@ -68,7 +68,7 @@ enum asperity_unloading {
    /** Unloading follows loading: the paper's law. */
    ASPERITY_UNLOADING_REVERSIBLE = 0,
    /** Every yielded summit recovers as an elastic one of the radius that its largest deformation
-    * left; not below a yield factor of 0.1907. */
+    * left; not below a yield factor of 2/sqrt(plastic_ratio). */
    ASPERITY_UNLOADING_ELASTIC = 1
 };
 
