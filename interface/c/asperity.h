@@ -505,8 +505,8 @@ int asperity_states_set(asperity_states *states, int point, const asperity_state
  * @param rotation       [2][2][n] rotation of the slip directions in the increment, which makes
  *                       w = R v of a vector v: R(row, column) of point i is
  *                       rotation[column][row][i], as Fortran has it; NULL for none
- * @param time_increment time of the increment, s, for friction with a decay_slip_rate; 0 where there
- *                       is no time: nothing decays by rate then
+ * @param time_increment time of the increment, s, for friction with a decay_slip_rate; 0 where
+ *                       there is no time: nothing decays by rate then
  * @param traction       [3][n] receives the pressure and two shear stresses at the end, MPa
  * @param tangent        [3][3][n] receives derivatives, MPa/mm: tangent[column][row][i] is that of
  *                       traction[row][i] by the overclosure (column 0) or a slip (1, 2);
