@@ -87,6 +87,8 @@ contains
       self%leaders = 0
       self%heights = heights_type()
       self%is_aged = .false.
+      ! the wood stands below the faces in listings; no preset changes it
+      if (keys%find('wood') > 0) call declare_wood(self%wood, keys)
       self%pair = ''
       call declare_presets(self, keys)
       call self%declare_values(keys, is_key)
@@ -141,8 +143,6 @@ contains
       call keys%text(trim(self%prefix)//'surface', self%surface, &
          'surface of Table 2: its eta, radius and sigma in place of the pair''s')
       self%surface_key = keys%last
-      ! the wood stands below the faces in listings
-      if (keys%find('wood') > 0) call declare_wood(self%wood, keys)
       call self%two%declare(keys, trim(self%prefix), self%wood, self%ageing)
    end subroutine declare_presets
 
