@@ -4,7 +4,6 @@ module asperity_program_commands_interaction
    use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
    use asperity_program_report_report, only: report_type
-   use asperity_program_system_strings, only: string_type
    implicit none
    private
    public :: interaction_remark, remark_interaction
@@ -40,14 +39,12 @@ contains
       !> With its table
       type(report_type), intent(inout) :: report
       integer :: place
-      type(string_type) :: line
+      character(len=:), allocatable :: text
 
       place = report%table%find('area_fraction')
       if (place == 0) return
-      line%text = interaction_remark(maxval(report%table%columns(place)%values))
-      if (line%text == '') return
-      if (.not. allocated(report%remarks)) allocate (report%remarks(0))
-      report%remarks = [report%remarks, line]
+      text = interaction_remark(maxval(report%table%columns(place)%values))
+      if (text /= '') call report%add_remark(text)
    end subroutine remark_interaction
 
    !> A fraction as a whole number of percent.

@@ -80,6 +80,8 @@ module asperity_program_report_report
       procedure :: validity
       !> What is to be said when there are none
       procedure :: valid_text
+      !> Say something more of the results
+      procedure :: add_remark
    end type report_type
 
 contains
@@ -182,5 +184,21 @@ contains
       if (.not. self%has_contact) &
          text = 'the faces touch in no step, so that the law was not used.'
    end function valid_text
+
+   !> Say something more of the results.
+   pure subroutine add_remark(self, text)
+      !> The report
+      class(report_type), intent(inout) :: self
+      !> A line
+      character(len=*), intent(in) :: text
+      type(string_type) :: line
+
+      line%text = text
+      if (allocated(self%remarks)) then
+         self%remarks = [self%remarks, line]
+      else
+         self%remarks = [line]
+      end if
+   end subroutine add_remark
 
 end module asperity_program_report_report

@@ -1,4 +1,4 @@
-!> What the commands that write input decks have in common: keys, table, remarks.
+!> What the commands that write input decks have in common: keys and table.
 module asperity_program_commands_deck_parts
    use asperity_base_kinds, only: wp
    use asperity_deck_mesh_hexahedra, only: hex_mesh, mesh_volume
@@ -9,10 +9,9 @@ module asperity_program_commands_deck_parts
    use asperity_program_input_key_list, only: key_list
    use asperity_program_report_report, only: report_type
    use asperity_program_report_table, only: column_counts, new_table
-   use asperity_program_system_strings, only: string_type
    implicit none
    private
-   public :: declare_law_table, declare_deck, fill_table, remark
+   public :: declare_law_table, declare_deck, fill_table
 
    !> Criterion of yield of a deck unless given: no solver has a card for that of `wood_properties`,
    !> and Mises' or Hill's, taken without asking, would pass for it
@@ -85,21 +84,5 @@ contains
       report%first_rows = [1, size(parts) + 1]
       allocate (report%important(size(parts)), source=.true.)
    end subroutine fill_table
-
-   !> Add a remark.
-   pure subroutine remark(report, text)
-      !> The report
-      type(report_type), intent(inout) :: report
-      !> The remark
-      character(len=*), intent(in) :: text
-      type(string_type) :: line
-
-      line%text = text
-      if (allocated(report%remarks)) then
-         report%remarks = [report%remarks, line]
-      else
-         report%remarks = [line]
-      end if
-   end subroutine remark
 
 end module asperity_program_commands_deck_parts

@@ -10,7 +10,7 @@ module asperity_program_commands_deck_shear
    use asperity_paper_shear_test, only: disc_height, disc_mesh_size
    use asperity_program_commands_command, only: command_type
    use asperity_program_commands_deck_parts, only: declare_deck, declare_law_table, fill_table, &
-      remark, usual_criterion
+      usual_criterion
    use asperity_program_commands_faces_friction_keys, only: declare_friction
    use asperity_program_commands_faces_type, only: faces_type
    use asperity_program_commands_shear_keys, only: declare_shear
@@ -130,7 +130,7 @@ contains
       call write_shear_deck(model, report%decks(1)%text, error)
       if (allocated(error)) return
       call fill_table(report, ['lower disc', 'upper disc'], [model%lower, model%upper])
-      call remark(report, 'normal stress '//to_text(self%box%normal_stress, 6)// &
+      call report%add_remark('normal stress '//to_text(self%box%normal_stress, 6)// &
          ' MPa; the meshes overlap by '//to_text(model%overclosure, 6)// &
          ' mm, where contact carries it')
    end subroutine run

@@ -9,7 +9,7 @@ module asperity_program_commands_deck_tenon
    use asperity_deck_tenon_text, only: write_tenon_deck
    use asperity_program_commands_command, only: command_type
    use asperity_program_commands_deck_parts, only: declare_deck, declare_law_table, fill_table, &
-      remark, usual_criterion
+      usual_criterion
    use asperity_program_commands_tenon_bearing_keys, only: declare_column
    use asperity_program_commands_tenon_history, only: follow_history, history_type, read_history
    use asperity_program_commands_tenon_joint_keys, only: tenon_case
@@ -119,12 +119,12 @@ contains
       call write_tenon_deck(model, report%decks(1)%text, error)
       if (allocated(error)) return
       call fill_table(report, ['column', 'beam  '], [model%column, model%beam])
-      call remark(report, 'half model: forces are half of those of the joint')
-      call remark(report, trim(merge('2 steps of load and fit', '1 step of load         ', &
+      call report%add_remark('half model: forces are half of those of the joint')
+      call report%add_remark(trim(merge('2 steps of load and fit', '1 step of load         ', &
          model%swelling > 0.0_wp))//', then '//to_text(size(model%turns) - 1)//' strokes')
-      call remark(report, 'the meshes are '//to_text(model%sizes%gap_above, 6)// &
+      call report%add_remark('the meshes are '//to_text(model%sizes%gap_above, 6)// &
          ' mm apart above and '//to_text(model%sizes%gap_below, 6)//' mm below the beam')
-      if (model%has_sides) call remark(report, 'interference at each side '// &
+      if (model%has_sides) call report%add_remark('interference at each side '// &
          to_text(model%sizes%side_interference, 6)//' mm')
    end subroutine run
 

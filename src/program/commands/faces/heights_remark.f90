@@ -5,7 +5,6 @@ module asperity_program_commands_faces_heights_remark
    use asperity_law_normal_properties, only: normal_properties
    use asperity_program_commands_faces_heights, only: heights_type
    use asperity_program_report_report, only: report_type
-   use asperity_program_system_strings, only: string_type
    use asperity_surface_remarks_on_heights, only: add_height_effect
    implicit none
    private
@@ -21,16 +20,14 @@ contains
       type(heights_type), intent(in) :: heights
       !> The law
       type(normal_properties), intent(in) :: law
-      type(string_type) :: line
+      character(len=:), allocatable :: text
       real(wp) :: separations(2)
       logical :: is_told
 
       if (heights%is_johnson .or. .not. allocated(heights%surface)) return
-      line%text = heights%surface//' has a kurtosis of '//to_text(heights%usual_kurtosis)//': '
-      call add_height_effect(line%text, law, 0.0_wp, heights%usual_kurtosis, separations, is_told)
-      if (.not. is_told) return
-      if (.not. allocated(report%remarks)) allocate (report%remarks(0))
-      report%remarks = [report%remarks, line]
+      text = heights%surface//' has a kurtosis of '//to_text(heights%usual_kurtosis)//': '
+      call add_height_effect(text, law, 0.0_wp, heights%usual_kurtosis, separations, is_told)
+      if (is_told) call report%add_remark(text)
    end subroutine remark_surface_heights
 
 end module asperity_program_commands_faces_heights_remark

@@ -153,7 +153,7 @@ contains
       beside_paper = is_paper_joint(self%case%joint)
       call fill_report(report, outcomes, self%case%joint%faces%has_memory, beside_paper, error)
       if (allocated(error)) return
-      if (line%text /= '') report%remarks = [report%remarks, line]
+      if (line%text /= '') call report%add_remark(line%text)
       if (self%page /= '') report%page = page_of(self, report, beside_paper)
    end subroutine report_models
 

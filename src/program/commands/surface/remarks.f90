@@ -70,7 +70,6 @@ contains
       character(len=*), intent(in) :: route
       type(remark_type), allocatable :: found(:)
       real(wp), allocatable :: heights(:), curvatures(:)
-      type(string_type) :: line
       integer :: i
 
       if (law%height_distribution /= heights_gaussian) return
@@ -83,8 +82,7 @@ contains
       call remark_heights(law, analysis%values(:, 1), analysis%uncertainty, heights, curvatures, &
          analysis%area, found)
       do i = 1, size(found)
-         line%text = found(i)%text
-         report%remarks = [report%remarks, line]
+         call report%add_remark(found(i)%text)
       end do
    end subroutine add_heights_remark
 

@@ -122,15 +122,13 @@ contains
       type(report_type), intent(inout) :: report
       type(report_type), intent(in) :: cases(:)
       type(string_type), intent(in) :: legends(:)
-      type(string_type) :: line
       integer :: i, j
 
       allocate (report%remarks(0))
       do i = 1, size(cases)
          if (.not. allocated(cases(i)%remarks)) cycle
          do j = 1, size(cases(i)%remarks)
-            line%text = legends(i)%text//': '//cases(i)%remarks(j)%text
-            report%remarks = [report%remarks, line]
+            call report%add_remark(legends(i)%text//': '//cases(i)%remarks(j)%text)
          end do
       end do
    end subroutine join_remarks
