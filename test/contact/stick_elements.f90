@@ -15,6 +15,7 @@ module test_contact_stick_elements
       assertTrue, TestMethod, TestSuite
    use measurements, only: record
    use random_inputs, only: properties_with, random_properties, random_stream
+   use reference_table, only: open_table
    implicit none
    private
    public :: suite_stick_elements
@@ -49,15 +50,10 @@ contains
       type(normal_properties) :: p
       type(stick_elements) :: elements
       type(error_type), allocatable :: error
-      character(len=1024) :: folder, line
       real(wp) :: row(11), share_error, stiffness_error
       integer :: unit, status, n
 
-      call get_environment_variable('ASPERITY_TEST_DATA', folder, status=status)
-      if (status /= 0) folder = 'test/data'
-      open (newunit=unit, file=trim(folder)//'/stick_reference.csv', status='old', action='read')
-      read (unit, '(a)') line
-      call assertEqual(header, trim(line))
+      call open_table('stick_reference.csv', header, unit)
       share_error = 0.0_wp
       stiffness_error = 0.0_wp
       n = 0

@@ -17,6 +17,7 @@ module test_law_johnson
    use funit, only: assertEqual, assertFail, assertLessThan, assertRelativelyEqual, assertTrue, &
       TestMethod, TestSuite
    use measurements, only: record
+   use reference_table, only: open_table
    implicit none
    private
    public :: suite_johnson
@@ -56,7 +57,7 @@ contains
       character(len=19), parameter :: columns(8) = [character(len=19) :: 'pressure', &
          'stiffness', 'area_fraction', 'contact_density', 'energy', 'elastic_share', &
          'elastoplastic_share', 'plastic_share']
-      character(len=1024) :: line, path
+      character(len=1024) :: line
       character(len=12) :: label
       type(normal_properties) :: p
       type(normal_response) :: r
@@ -64,13 +65,7 @@ contains
       real(wp) :: v(18), found(8), relative, rounding, worst(8)
       integer :: unit, status, rows, j
 
-      call get_environment_variable('ASPERITY_TEST_DATA', path, status=status)
-      if (status /= 0) path = 'test/data'
-      open (newunit=unit, file=trim(path)//'/johnson_reference.csv', status='old', &
-         action='read', iostat=status)
-      if (status /= 0) error stop 'no johnson_reference.csv (ASPERITY_TEST_DATA is its folder)'
-      read (unit, '(a)') line
-      call assertEqual(header, trim(line), 'columns')
+      call open_table('johnson_reference.csv', header, unit)
       worst = 0.0_wp
       rows = 0
       do

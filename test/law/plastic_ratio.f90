@@ -20,6 +20,7 @@ module test_law_plastic_ratio
    use funit, only: assertEqual, assertFail, assertLessThan, assertLessThanOrEqual, &
       assertRelativelyEqual, assertTrue, TestMethod, TestSuite
    use measurements, only: record
+   use reference_table, only: open_table
    implicit none
    private
    public :: suite_plastic_ratio
@@ -50,7 +51,7 @@ contains
       character(len=19), parameter :: columns(9) = [character(len=19) :: 'pressure', &
          'stiffness', 'area_fraction', 'contact_density', 'energy', 'plastic_dissipation', &
          'elastic_share', 'elastoplastic_share', 'plastic_share']
-      character(len=1024) :: line, path
+      character(len=1024) :: line
       character(len=12) :: label
       type(normal_properties) :: p
       type(normal_response) :: r
@@ -58,13 +59,7 @@ contains
       real(wp) :: v(18), found(9), relative, worst(9, 2)
       integer :: unit, status, rows, kind, j
 
-      call get_environment_variable('ASPERITY_TEST_DATA', path, status=status)
-      if (status /= 0) path = 'test/data'
-      open (newunit=unit, file=trim(path)//'/plastic_ratio_reference.csv', status='old', &
-         action='read', iostat=status)
-      if (status /= 0) error stop 'no such table (ASPERITY_TEST_DATA is its folder)'
-      read (unit, '(a)') line
-      call assertEqual(header, trim(line), 'columns')
+      call open_table('plastic_ratio_reference.csv', header, unit)
       worst = 0.0_wp
       rows = 0
       do

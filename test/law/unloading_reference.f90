@@ -10,6 +10,7 @@ module test_law_unloading_reference
    use funit, only: assertEqual, assertFail, assertLessThan, assertLessThanOrEqual, TestMethod, &
       TestSuite
    use measurements, only: record
+   use reference_table, only: open_table
    implicit none
    private
    public :: suite_unloading_reference
@@ -122,19 +123,5 @@ contains
          values(6), error, accept_unphysical=.true., unloading=unloading_elastic)
       if (allocated(error)) call assertFail(error%message)
    end subroutine set_properties
-
-   subroutine open_table(name, header, unit)
-      character(len=*), intent(in) :: name, header
-      integer, intent(out) :: unit
-      character(len=1024) :: line, path
-      integer :: status
-
-      call get_environment_variable('ASPERITY_TEST_DATA', path, status=status)
-      if (status /= 0) path = 'test/data'
-      open (newunit=unit, file=trim(path)//'/'//name, status='old', action='read', iostat=status)
-      if (status /= 0) error stop 'no such table (ASPERITY_TEST_DATA is its folder)'
-      read (unit, '(a)') line
-      call assertEqual(header, trim(line), 'columns of '//name)
-   end subroutine open_table
 
 end module test_law_unloading_reference

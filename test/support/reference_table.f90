@@ -1,11 +1,13 @@
-!> Reads test/data/normal_law_reference.csv: inputs, and the law's values in 30 digits.
+!> Opens tables of test/data, and reads normal_law_reference.csv: inputs, and the law's values in 30
+!> digits.
 module reference_table
    use asperity_base_error, only: error_type
    use asperity_base_kinds, only: wp
    use asperity_law_normal_properties, only: new_normal_properties, normal_properties
+   use funit, only: assertEqual
    implicit none
    private
-   public :: reference_row, read_reference
+   public :: open_table, reference_row, read_reference
 
    integer, parameter, public :: n_columns = 8
    !> Names of the values, as the library names them
@@ -76,5 +78,22 @@ contains
       end do
       close (unit)
    end subroutine read_reference
+
+   !> Open a table of test/data, with these columns, before its first row.
+   subroutine open_table(name, header, unit)
+      !> Its name, and its first line
+      character(len=*), intent(in) :: name, header
+      !> The unit it is open on
+      integer, intent(out) :: unit
+      character(len=1024) :: line, path
+      integer :: status
+
+      call get_environment_variable('ASPERITY_TEST_DATA', path, status=status)
+      if (status /= 0) path = 'test/data'
+      open (newunit=unit, file=trim(path)//'/'//name, status='old', action='read', iostat=status)
+      if (status /= 0) error stop 'no such table (ASPERITY_TEST_DATA is its folder)'
+      read (unit, '(a)') line
+      call assertEqual(header, trim(line), 'columns of '//name)
+   end subroutine open_table
 
 end module reference_table
