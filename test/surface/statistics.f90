@@ -12,7 +12,7 @@ module test_surface_statistics
       p_m4_along, p_peak_mean, p_peak_sigma, p_radius_nayak, p_radius_paper, p_sa, p_sdq, &
       p_sigma_nayak, p_sku, p_sp, p_spc, p_spd, p_sq, p_ssk, p_summit_density, p_summit_plane, &
       p_sv, p_sz
-   use asperity_surface_parameters_student, only: student_factor, student_share
+   use asperity_base_student, only: student_factor, student_share
    use asperity_surface_parameters_tile_sums, only: surface_sums_type
    use asperity_surface_parameters_uncertainty, only: jackknife, uncertainties
    use extremes, only: largest_of, worsen

@@ -13,7 +13,7 @@ module asperity_surface_pair_equivalent_surface
    use asperity_surface_parameters_parameters, only: n_parameters, p_eta_paper, p_peak_mean, &
       p_peak_sigma, p_radius_paper, p_sa, p_sku, p_sp, p_spc, p_spd, p_ssk, p_summit_curvature, &
       p_summit_density, p_summit_mean, p_summit_sigma, p_sv, p_sz
-   use asperity_surface_parameters_student, only: student_factor
+   use asperity_base_student, only: student_factor
    use asperity_surface_parameters_tile_sums, only: summed, surface_sums_type
    use asperity_surface_parameters_uncertainty, only: confidence, jackknife
    implicit none

@@ -6,7 +6,7 @@ module asperity_surface_parameters_uncertainty
    use asperity_base_no_value, only: is_none, none
    use asperity_surface_parameters_from_sums, only: parameters_of
    use asperity_surface_parameters_parameters, only: n_parameters, p_direction, p_sp, p_sv, p_sz
-   use asperity_surface_parameters_student, only: student_factor
+   use asperity_base_student, only: student_factor
    use asperity_surface_parameters_tile_sums, only: summed, surface_sums_type
    implicit none
    private

@@ -1,5 +1,5 @@
 !> Student's t for whole degrees of freedom, by the finite sums of its distribution.
-module asperity_surface_parameters_student
+module asperity_base_student
    use asperity_base_constants, only: pi
    use asperity_base_kinds, only: wp
    implicit none
@@ -56,4 +56,4 @@ contains
       student_factor = 0.5_wp*(low + high)
    end function student_factor
 
-end module asperity_surface_parameters_student
+end module asperity_base_student
