@@ -5,11 +5,12 @@ module asperity_program_command_line
    use asperity_program_commands_registry, only: command_entry, find_command, &
       list_commands, n_commands, owners
    use asperity_program_help, only: usage_text
-   use asperity_program_input_key, only: given_as_option, option_name
+   use asperity_program_input_key, only: given_as_option, kind_paths, option_name
    use asperity_program_input_key_list, only: key_list
    use asperity_program_input_nearest_key, only: nearest_key
    use asperity_program_input_options, only: parse_option
-   use asperity_program_system_strings, only: nearest_name, quoted, starts_with, string_type
+   use asperity_program_system_strings, only: nearest_name, newline, quoted, starts_with, &
+      string_type
    implicit none
    private
    public :: command_line_type, parse_command_line
@@ -259,23 +260,27 @@ contains
       do i = 1, line%keys%n
          if (.not. line%keys%rows(i)%is_argument) cycle
          last = i
-         if (.not. line%keys%given(i)) exit
+         if (.not. line%keys%given(i) .or. line%keys%rows(i)%kind == kind_paths) exit
       end do
       if (last == 0) then
          call refuse_argument(trim(line%command%name), path, error)
          return
       end if
       associate (key => line%keys%rows(last))
-         if (line%keys%given(last)) then
+         if (line%keys%given(last) .and. key%kind /= kind_paths) then
             call fatal_error(error, quoted(path)//': there is already the '//trim(key%reads)// &
                ' '//quoted(key%text)//', no further one is taken')
          else if (path == '') then
             call fatal_error(error, 'the name of the '//trim(key%reads)//' is empty')
          else
+            if (line%keys%given(last)) then
+               key%text = key%text//newline//path
+            else
+               key%text = path
+            end if
             key%given = given_as_option
             key%has_value = .true.
             key%source = 'argument'
-            key%text = path
          end if
       end associate
    end subroutine take_file

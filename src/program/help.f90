@@ -5,8 +5,8 @@ module asperity_program_help
    use asperity_program_commands_command, only: command_type
    use asperity_program_commands_registry, only: command_entry, list_commands, n_commands
    use asperity_program_input_key, only: key_type, kind_choice, kind_counts, kind_file, &
-      kind_integer, kind_list, kind_logical, kind_picture, kind_place, kind_real, kind_sweep, &
-      kind_text, option_name
+      kind_integer, kind_list, kind_logical, kind_paths, kind_picture, kind_place, kind_real, &
+      kind_sweep, kind_text, option_name
    use asperity_program_input_key_list, only: key_list
    use asperity_program_system_strings, only: escaped, newline, starts_with, wrapped
    implicit none
@@ -174,6 +174,8 @@ contains
          text = text//' COUNT'
       case (kind_list, kind_counts)
          text = text//' LIST'
+      case (kind_paths)
+         text = text//' FILES'
       case (kind_file, kind_picture)
          text = text//' FILE'
       case (kind_place)

@@ -17,6 +17,7 @@ module asperity_program_outputs
    use asperity_program_system_environment, only: output_width
    use asperity_program_system_files, only: standard_error, write_text
    use asperity_program_system_path, only: resolved_path
+   use asperity_program_system_strings, only: split_lines, string_type
    use asperity_program_system_utf8, only: make_utf8, utf8_text
    implicit none
    private
@@ -90,7 +91,8 @@ contains
       type(output_file), intent(in) :: files(:)
       type(key_list), intent(in) :: keys
       type(error_type), allocatable, intent(out) :: error
-      integer :: i
+      type(string_type), allocatable :: paths(:)
+      integer :: i, k
 
       associate (last => files(size(files)))
          if (last%is_device) return
@@ -102,8 +104,12 @@ contains
          call check_input(last, keys%case_path, 'case file', error)
          do i = 1, keys%n
             associate (key => keys%rows(i))
-               if (key%reads /= '' .and. .not. allocated(error)) &
-                  call check_input(last, key%text, trim(key%reads), error)
+               if (key%reads == '') cycle
+               call split_lines(key%text, paths)
+               do k = 1, size(paths)
+                  if (.not. allocated(error)) &
+                     call check_input(last, paths(k)%text, trim(key%reads), error)
+               end do
             end associate
          end do
       end associate

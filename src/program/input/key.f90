@@ -4,7 +4,7 @@ module asperity_program_input_key
    use asperity_base_kinds, only: wp
    use asperity_program_input_ranges, only: longest_list
    use asperity_program_input_values, only: read_integer, read_logical, read_real, refuse, word_type
-   use asperity_program_system_strings, only: escaped, lower_case, quoted
+   use asperity_program_system_strings, only: escaped, lower_case, newline, quoted
    implicit none
    private
    public :: key_type, assign_words, option_name, forget
@@ -27,6 +27,8 @@ module asperity_program_input_key
       enumerator :: kind_list
       !> Whole numbers of at least zero
       enumerator :: kind_counts
+      !> Paths of files that are read
+      enumerator :: kind_paths
       !> Path of a file that is written; an option only, as all that follow
       enumerator :: kind_file
       !> Path of a file that gnuplot draws
@@ -39,7 +41,7 @@ module asperity_program_input_key
       enumerator :: kind_sweep
    end enum
    public :: kind_text, kind_choice, kind_real, kind_integer, kind_logical, kind_list, &
-      kind_counts, kind_file, kind_picture, kind_place, kind_request, kind_sweep
+      kind_counts, kind_paths, kind_file, kind_picture, kind_place, kind_request, kind_sweep
 
    !> Where a value was given
    enum, bind(c)
@@ -87,7 +89,7 @@ module asperity_program_input_key
       logical :: unused = .false.
       !> Where the value comes from, such as `case.nml:4`, `--sigma` or `default`
       character(len=:), allocatable :: source
-      !> Value of a text, a choice or a file; sweeps, separated by blanks
+      !> Value of a text, a choice or a file; sweeps, separated by blanks; paths, by line breaks
       character(len=:), allocatable :: text
       !> Values of a list, value of a real number
       real(wp), allocatable :: values(:)
@@ -129,11 +131,12 @@ contains
       integer, intent(in) :: given
       !> Set when the words do not fit the key
       type(error_type), allocatable, intent(out) :: error
+      integer :: i
 
       key%given = given
       key%has_value = .true.
       key%source = words(1)%source
-      if (key%kind /= kind_list .and. key%kind /= kind_counts .and. size(words) > 1) then
+      if (all(key%kind /= [kind_list, kind_counts, kind_paths]) .and. size(words) > 1) then
          call refuse(error, words(2), trim(key%name)//' takes one value, found also '// &
             quoted(words(2)%text))
          return
@@ -142,6 +145,10 @@ contains
       select case (key%kind)
       case (kind_text, kind_choice, kind_file, kind_picture, kind_place)
          call assign_text(key, words(1), error)
+      case (kind_paths)
+         do i = 1, size(words)
+            if (.not. allocated(error)) call add_path(key, words(i), error)
+         end do
       case (kind_real, kind_list, kind_counts)
          call assign_numbers(key, words, error)
       case (kind_integer)
@@ -196,6 +203,18 @@ contains
          call refuse(error, word, trim(key%name)//' is empty')
       end if
    end subroutine assign_text
+
+   !> One path more.
+   pure subroutine add_path(key, word, error)
+      type(key_type), intent(inout) :: key
+      type(word_type), intent(in) :: word
+      type(error_type), allocatable, intent(out) :: error
+      character(len=:), allocatable :: before
+
+      before = key%text
+      call assign_text(key, word, error)
+      if (before /= '') key%text = before//newline//key%text
+   end subroutine add_path
 
    !> Take the value that the user gave away.
    pure subroutine forget(key)

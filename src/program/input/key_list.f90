@@ -12,9 +12,10 @@ module asperity_program_input_key_list
    use asperity_base_no_value, only: is_none
    use asperity_base_number_text, only: to_text
    use asperity_program_input_key, only: given_nowhere, kind_choice, kind_counts, kind_integer, &
-      kind_list, kind_logical, kind_real, kind_request, kind_text
+      kind_list, kind_logical, kind_paths, kind_real, kind_request, kind_text
    use asperity_program_input_key_rows, only: add_choices, key_rows, word_of
    use asperity_program_input_ranges, only: list_text
+   use asperity_program_system_strings, only: split_lines, string_type
    implicit none
    private
    public :: key_list
@@ -22,7 +23,7 @@ module asperity_program_input_key_list
    !> Keys that are bound to variables.
    type, extends(key_rows) :: key_list
    contains
-      procedure :: text, real => real_number, optional_real, whole, switch
+      procedure :: text, paths, real => real_number, optional_real, whole, switch
       procedure, private :: choice_text, choice_place, choice_switch
       generic :: choice => choice_text, choice_place, choice_switch
       procedure, private :: real_list, count_list
@@ -57,6 +58,21 @@ contains
          end if
       end associate
    end subroutine text
+
+   !> Paths of files that are read; the variable has no elements for none.
+   pure subroutine paths(self, name, value, help)
+      !> The keys
+      class(key_list), intent(inout) :: self
+      !> Name of the key
+      character(len=*), intent(in) :: name
+      !> Its variable
+      type(string_type), allocatable, intent(out) :: value(:)
+      !> What they are
+      character(len=*), intent(in) :: help
+
+      call self%declare(name, kind_paths, '', help, '')
+      call split_lines(self%rows(self%last)%text, value)
+   end subroutine paths
 
    !> One of several texts; the variable is blank for none.
    pure subroutine choice_text(self, name, value, choices, help)

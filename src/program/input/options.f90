@@ -3,8 +3,8 @@ module asperity_program_input_options
    use asperity_base_error, only: error_type, fatal_error
    use asperity_base_kinds, only: wp
    use asperity_program_input_key, only: assign_words, given_as_option, key_type, kind_choice, &
-      kind_counts, kind_file, kind_list, kind_logical, kind_picture, kind_place, kind_request, &
-      kind_sweep, kind_text, option_name
+      kind_counts, kind_file, kind_list, kind_logical, kind_paths, kind_picture, kind_place, &
+      kind_request, kind_sweep, kind_text, option_name
    use asperity_program_input_key_list, only: key_list
    use asperity_program_input_ranges, only: read_range, split_words
    use asperity_program_input_values, only: word_type
@@ -34,7 +34,8 @@ contains
       end do
    end subroutine find_option
 
-   !> The option at `arguments(i)`: `--name value`, `--name=value`, `--name` or `--no-name`.
+   !> The option at `arguments(i)`: `--name value`, `--name=value`, `--name` or `--no-name`; paths are
+   !> all up to the next option.
    !> `error` names the option.
    pure subroutine parse_option(keys, arguments, i, is_known, error)
       !> Keys of the command; that of the option takes the value
@@ -63,7 +64,7 @@ contains
       is_known = place > 0
       if (.not. is_known) return
       associate (key => keys%rows(place))
-         if (keys%given(place) .and. key%kind /= kind_sweep) then
+         if (keys%given(place) .and. all(key%kind /= [kind_paths, kind_sweep])) then
             call fatal_error(error, option//': is given twice')
             return
          end if
@@ -86,6 +87,12 @@ contains
             value = arguments(i)%text
          end if
          call assign_option(key, option, value, error)
+         if (key%kind /= kind_paths) return
+         do while (i < size(arguments) .and. .not. allocated(error))
+            if (starts_with(arguments(i + 1)%text, '-')) exit
+            i = i + 1
+            call assign_option(key, option, arguments(i)%text, error)
+         end do
       end associate
    end subroutine parse_option
 
@@ -101,8 +108,8 @@ contains
          allocate (words(1))
          words(1)%text = value
          words(1)%source = option
-         words(1)%in_quotes = any(key%kind == [kind_text, kind_choice, kind_file, kind_picture, &
-            kind_place])
+         words(1)%in_quotes = any(key%kind == [kind_text, kind_choice, kind_paths, kind_file, &
+            kind_picture, kind_place])
          call assign_words(key, words, given_as_option, error)
       else if (index(value, ':') > 0) then
          call read_range(value, trim(key%name), option, values, error)

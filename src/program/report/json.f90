@@ -7,11 +7,11 @@ module asperity_program_report_json
    use asperity_base_version, only: version
    use asperity_law_validity, only: validity_remark
    use asperity_program_input_key, only: key_type, kind_counts, kind_integer, kind_list, &
-      kind_logical, kind_real
+      kind_logical, kind_paths, kind_real
    use asperity_program_report_report, only: report_type
    use asperity_program_report_table, only: column_counts, column_numbers, column_type, &
       full_figures, new_table, table_type
-   use asperity_program_system_strings, only: backslash, string_type
+   use asperity_program_system_strings, only: backslash, split_lines, string_type
    implicit none
    private
    public :: write_json
@@ -195,6 +195,7 @@ contains
       type(key_type), intent(in) :: key
       character(len=:), allocatable :: text
       type(growing_text) :: buffer
+      type(string_type), allocatable :: paths(:)
       integer :: i
 
       select case (key%kind)
@@ -204,6 +205,13 @@ contains
          do i = 1, size(key%values)
             if (i > 1) call buffer%add(', ')
             call buffer%add(full_figures(key%values(i)))
+         end do
+         text = '['//buffer%text()//']'
+      case (kind_paths)
+         call split_lines(key%text, paths)
+         do i = 1, size(paths)
+            if (i > 1) call buffer%add(', ')
+            call buffer%add(json_string(paths(i)%text))
          end do
          text = '['//buffer%text()//']'
       case (kind_integer)

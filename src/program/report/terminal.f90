@@ -6,11 +6,11 @@ module asperity_program_report_terminal
    use asperity_base_version, only: version
    use asperity_law_validity, only: validity_remark
    use asperity_program_input_key, only: key_type, kind_counts, kind_integer, kind_list, &
-      kind_logical, kind_real
+      kind_logical, kind_paths, kind_real
    use asperity_program_report_report, only: report_type
    use asperity_program_report_table, only: table_type
    use asperity_program_report_text_table, only: add_table, validity_mark
-   use asperity_program_system_strings, only: newline, wrapped
+   use asperity_program_system_strings, only: escaped, newline, wrapped
    implicit none
    private
    public :: terminal_text, warning_text, input_text
@@ -235,6 +235,8 @@ contains
          do i = 2, n
             text = text//', '//short(key%values(i), cut)
          end do
+      case (kind_paths)
+         text = escaped(key%text, newline, ', ')
       case (kind_integer)
          text = to_text(key%whole)
       case (kind_logical)

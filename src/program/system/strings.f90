@@ -2,8 +2,8 @@
 module asperity_program_system_strings
    implicit none
    private
-   public :: string_type, lower_case, quoted, escaped, nearest_name, shell_word, starts_with, &
-      wrapped
+   public :: string_type, lower_case, quoted, escaped, nearest_name, shell_word, split_lines, &
+      starts_with, wrapped
 
    character(len=*), parameter, public :: newline = new_line('a')
    !> As `\` in a literal means different things to different compilers
@@ -45,6 +45,23 @@ contains
       if (len(text) > most_quoted) message = message//'...'
       message = "'"//message//"'"
    end function quoted
+
+   !> The lines of a text, none of an empty one.
+   pure subroutine split_lines(text, lines)
+      !> Any text
+      character(len=*), intent(in) :: text
+      !> Without their ends
+      type(string_type), allocatable, intent(out) :: lines(:)
+      integer :: finish, i, start
+
+      allocate (lines(count([(text(i:i) == newline, i=1, len(text))]) + min(len(text), 1)))
+      start = 1
+      do i = 1, size(lines)
+         finish = start - 1 + index(text(start:)//newline, newline)
+         lines(i)%text = text(start:finish - 1)
+         start = finish + 1
+      end do
+   end subroutine split_lines
 
    !> Text with every `mark` replaced by `replacement`.
    pure function escaped(text, mark, replacement) result(changed)

@@ -5,7 +5,7 @@ module asperity_program_commands_sweep_cases
    use asperity_base_number_text, only: to_text
    use asperity_program_commands_faces_read_faces, only: read_face
    use asperity_program_input_key, only: assign_words, given_as_option, key_type, kind_choice, &
-      kind_counts, kind_file, kind_integer, kind_list, kind_real, kind_text
+      kind_counts, kind_file, kind_integer, kind_list, kind_paths, kind_real, kind_text
    use asperity_program_input_key_list, only: key_list
    use asperity_program_input_nearest_key, only: nearest_key
    use asperity_program_input_ranges, only: read_range, split_words
@@ -119,8 +119,8 @@ contains
    pure elemental logical function can_be_swept(key)
       type(key_type), intent(in) :: key
 
-      can_be_swept = key%kind < kind_file .and. all(key%kind /= [kind_list, kind_counts]) &
-         .and. all(key%name /= of_record)
+      can_be_swept = key%kind < kind_file .and. all(key%name /= of_record) &
+         .and. all(key%kind /= [kind_list, kind_counts, kind_paths])
    end function can_be_swept
 
    !> Values `a,b,c` or `start:stop:count` as words.
