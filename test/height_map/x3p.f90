@@ -6,7 +6,7 @@ module test_height_map_x3p
    use asperity_height_map_read, only: map_hints
    use asperity_height_map_type, only: height_map
    use funit, only: assertEqual, assertTrue, TestMethod, TestSuite
-   use map_file_cases, only: read_text, refused
+   use map_file_cases, only: assert_same, read_text, refused
    use x3p_cases, only: x3p_members
    use zip_writer, only: zip_member_text, zip_of
    implicit none
@@ -23,6 +23,7 @@ contains
       suite = TestSuite('map x3p')
       call suite%addTest(TestMethod('types of numbers', test_types))
       call suite%addTest(TestMethod('heights in main.xml', test_list))
+      call suite%addTest(TestMethod('all of it in a folder', test_folder))
       call suite%addTest(TestMethod('validity', test_validity))
       call suite%addTest(TestMethod('archives that are refused', test_archives))
       call suite%addTest(TestMethod('archives that promise something else', test_promises))
@@ -88,6 +89,37 @@ contains
       call change(members, '-3e-1', '-3,1')
       call refuse(members, 'file: main.xml:', 'must be a number with a decimal point, or NaN')
    end subroutine test_list
+
+   !> The map of the archive without the folder; other members of the same folder do not matter.
+   subroutine test_folder()
+      type(zip_member_text) :: members(3), outside(4)
+      type(height_map) :: map, within
+      character(len=:), allocatable :: archive
+      integer :: i
+
+      call x3p_members(members, 1)
+      call zip_of(members, archive)
+      call read_text(archive, no_hints, map)
+      do i = 1, 3
+         members(i)%name = 'scans/oak 1/'//members(i)%name
+      end do
+      call zip_of(members, archive)
+      call read_text(archive, no_hints, within)
+      call assert_same(map, within, 'folder')
+      ! another main.xml within a name is none, one in a second folder is
+      outside(1)%name = '__MACOSX/scans/._main.xml'
+      outside(1)%bytes = 'x'
+      outside(2:) = members
+      call zip_of(outside, archive)
+      call read_text(archive, no_hints, within)
+      call assert_same(map, within, 'beside others')
+      outside(1)%name = 'scans/oak 2/main.xml'
+      call refuse(outside, 'file: has main.xml in several folders', 'pack each into a file')
+      ! links begin in the folder
+      members(2)%name = 'bindata/data.bin'
+      call refuse(members, 'file: the archive has no member scans/oak 1/bindata/data.bin', &
+         'incomplete')
+   end subroutine test_folder
 
    subroutine test_validity()
       type(zip_member_text) :: members(3)

@@ -4,9 +4,9 @@ module asperity_height_map_bytes_libzip
       c_null_ptr, c_ptr
    implicit none
    private
-   public :: c_zip_discard, c_zip_fclose, c_zip_fopen_index, c_zip_fread, c_zip_name_locate, &
-      c_zip_open, c_zip_open_from_source, c_zip_source_buffer_create, c_zip_source_free, &
-      c_zip_stat_index, zip_stat_type
+   public :: c_zip_discard, c_zip_fclose, c_zip_fopen_index, c_zip_fread, c_zip_get_name, &
+      c_zip_get_num_entries, c_zip_name_locate, c_zip_open, c_zip_open_from_source, &
+      c_zip_source_buffer_create, c_zip_source_free, c_zip_stat_index, zip_stat_type
 
    !> The structure zip_stat of zip.h.
    type, bind(c) :: zip_stat_type
@@ -56,6 +56,18 @@ module asperity_height_map_bytes_libzip
          character(kind=c_char), intent(in) :: name(*)
          integer(c_int32_t), value :: flags
       end function c_zip_name_locate
+      integer(c_int64_t) function c_zip_get_num_entries(archive, flags) &
+         bind(c, name='zip_get_num_entries')
+         import :: c_int32_t, c_int64_t, c_ptr
+         type(c_ptr), value :: archive
+         integer(c_int32_t), value :: flags
+      end function c_zip_get_num_entries
+      type(c_ptr) function c_zip_get_name(archive, place, flags) bind(c, name='zip_get_name')
+         import :: c_int32_t, c_int64_t, c_ptr
+         type(c_ptr), value :: archive
+         integer(c_int64_t), value :: place
+         integer(c_int32_t), value :: flags
+      end function c_zip_get_name
       integer(c_int) function c_zip_stat_index(archive, place, flags, stat) &
          bind(c, name='zip_stat_index')
          import :: c_int, c_int32_t, c_int64_t, c_ptr, zip_stat_type

@@ -1,13 +1,13 @@
 !> Reads an XML member of a zip archive as a stream of elements with their texts, by libxml2's
 !> reader: without network, without document types, and so without entities to expand.
 module asperity_height_map_bytes_xml
-   use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_f_pointer, c_funloc, c_funptr, &
-      c_int, c_null_funptr, c_null_ptr, c_ptr, c_size_t
+   use, intrinsic :: iso_c_binding, only: c_associated, c_funloc, c_funptr, c_int, c_null_funptr, &
+      c_null_ptr, c_ptr
    use, intrinsic :: iso_fortran_env, only: int64
    use asperity_base_error, only: error_type, fatal_error
-   use asperity_base_libc, only: c_strlen
    use asperity_base_number_text, only: to_text
    use asperity_height_map_bytes_byte_source, only: byte_source
+   use asperity_height_map_bytes_c_text, only: get_string
    use asperity_height_map_bytes_libxml2, only: c_free_reader, c_is_empty, c_line, c_local_name, &
       c_node_type, c_reader_for_io, c_reader_read, c_set_error_handler, c_set_print_handler, c_value
    use asperity_height_map_bytes_zip, only: handle_of, read_handle, zip_member
@@ -149,24 +149,6 @@ contains
          reader%path = reader%path//'/'//trim(reader%names(i))
       end do
    end subroutine set_path
-
-   !> Copy a string of C, at most so many characters.
-   subroutine get_string(from, longest, text)
-      type(c_ptr), intent(in) :: from
-      integer, intent(in) :: longest
-      character(len=:), allocatable, intent(out) :: text
-      character(kind=c_char), pointer :: letters(:)
-      integer :: i, n
-
-      text = ''
-      if (.not. c_associated(from)) return
-      n = int(min(c_strlen(from), int(longest, c_size_t)))
-      call c_f_pointer(from, letters, [n])
-      text = repeat(' ', n)
-      do i = 1, n
-         text(i:i) = letters(i)
-      end do
-   end subroutine get_string
 
    !> Set `error` to a fault at the current line.
    subroutine xml_error(reader, message, error)

@@ -6,16 +6,22 @@ module asperity_height_map_bytes_zip
    use asperity_base_error, only: error_type
    use asperity_base_number_text, only: to_text
    use asperity_height_map_bytes_byte_source, only: byte_source
+   use asperity_height_map_bytes_c_text, only: get_string
    use asperity_height_map_bytes_libzip, only: c_zip_discard, c_zip_fclose, c_zip_fopen_index, &
-      c_zip_fread, c_zip_name_locate, c_zip_open, c_zip_open_from_source, &
-      c_zip_source_buffer_create, c_zip_source_free, c_zip_stat_index, zip_stat_type
+      c_zip_fread, c_zip_get_name, c_zip_get_num_entries, c_zip_name_locate, c_zip_open, &
+      c_zip_open_from_source, c_zip_source_buffer_create, c_zip_source_free, c_zip_stat_index, &
+      zip_stat_type
    use asperity_height_map_file_errors, only: map_error
    implicit none
    private
-   public :: close_member, close_zip, find_member, handle_of, open_member, open_zip, read_handle, &
-      read_member, zip_archive, zip_member
+   public :: close_member, close_zip, find_folder, find_member, handle_of, open_member, open_zip, &
+      read_handle, read_member, zip_archive, zip_member
 
    integer(c_int), parameter :: read_only = 16_c_int
+   !> Names as they stand in the archive
+   integer(c_int32_t), parameter :: raw_names = 64_c_int32_t
+   !> Most characters of a name, by the format
+   integer, parameter :: longest_name = 65535
    integer(c_int64_t), parameter :: has_size = 4_c_int64_t, has_packed_size = 8_c_int64_t
 
    !> An archive that is open.
@@ -73,6 +79,37 @@ contains
       if (c_associated(archive%handle)) call c_zip_discard(archive%handle)
       archive%handle = c_null_ptr
    end subroutine close_zip
+
+   !> The folder that a member is in, with the slash behind it; empty where it stands outside all
+   !> folders, or is not there.
+   subroutine find_folder(archive, source, name, folder, error)
+      !> The archive
+      type(zip_archive), intent(in) :: archive
+      !> The file, for messages
+      type(byte_source), intent(in) :: source
+      !> Name of the member without its folder
+      character(len=*), intent(in) :: name
+      !> The folder
+      character(len=:), allocatable, intent(out) :: folder
+      !> Set when it is in several
+      type(error_type), allocatable, intent(out) :: error
+      character(len=:), allocatable :: found
+      integer(c_int64_t) :: place
+
+      folder = ''
+      if (c_zip_name_locate(archive%handle, name//c_null_char, 0_c_int32_t) >= 0_c_int64_t) return
+      do place = 0_c_int64_t, c_zip_get_num_entries(archive%handle, 0_c_int32_t) - 1_c_int64_t
+         call get_string(c_zip_get_name(archive%handle, place, raw_names), longest_name, found)
+         if (len(found) <= len(name)) cycle
+         if (found(len(found) - len(name):) /= '/'//name) cycle
+         if (folder /= '') then
+            call map_error(error, source, 'has '//name//' in several folders: it holds several '// &
+               'surfaces; pack each into a file of its own')
+            return
+         end if
+         folder = found(:len(found) - len(name))
+      end do
+   end subroutine find_folder
 
    !> Find a member by name and ask for its sizes.
    subroutine find_member(archive, source, name, member, error)

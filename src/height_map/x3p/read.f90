@@ -9,8 +9,8 @@ module asperity_height_map_x3p_read
    use asperity_base_no_value, only: none
    use asperity_base_number_text, only: to_text
    use asperity_height_map_bytes_byte_source, only: byte_source, memory_of, report_progress
-   use asperity_height_map_bytes_zip, only: close_member, close_zip, find_member, open_member, &
-      open_zip, read_member, zip_archive, zip_member
+   use asperity_height_map_bytes_zip, only: close_member, close_zip, find_folder, find_member, &
+      open_member, open_zip, read_member, zip_archive, zip_member
    use asperity_height_map_decode_heights, only: byte_buffer, bytes_of, decode, height_message, &
       scale_heights
    use asperity_height_map_file_errors, only: fits_memory, map_error
@@ -52,10 +52,14 @@ contains
       type(error_type), allocatable, intent(out) :: error
       type(x3p_header) :: header
       type(zip_member) :: member
+      character(len=:), allocatable :: folder
       real(wp) :: factor, zero
       integer :: kind
 
-      call find_member(archive, source, 'main.xml', member, error)
+      ! all of it may be packed in a folder, in which the links begin
+      call find_folder(archive, source, 'main.xml', folder, error)
+      if (allocated(error)) return
+      call find_member(archive, source, folder//'main.xml', member, error)
       if (allocated(error)) return
       if (member%size > some_xml + xml_ratio*source%size) then
          call map_error(error, source, &
@@ -73,7 +77,7 @@ contains
          call read_list(source, header, factor, zero, map, error)
          return
       end if
-      call find_member(archive, source, plain_name(header%points), member, error)
+      call find_member(archive, source, folder//plain_name(header%points), member, error)
       if (allocated(error)) return
       call fits_memory(source, header%sizes(1), header%sizes(2), &
          min(member%size, min(member%packed, source%size)*largest_ratio)/bytes_of(kind), &
@@ -92,7 +96,7 @@ contains
       if (.not. allocated(error)) call read_rows(source, member, kind, factor, zero, map, error)
       call close_member(member)
       if (allocated(error) .or. header%valid == '') return
-      call find_member(archive, source, plain_name(header%valid), member, error)
+      call find_member(archive, source, folder//plain_name(header%valid), member, error)
       if (.not. allocated(error)) call open_member(archive, source, member, error)
       if (.not. allocated(error)) call read_validity(source, member, map, error)
       call close_member(member)
