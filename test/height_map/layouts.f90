@@ -5,7 +5,7 @@ module test_height_map_layouts
    use asperity_base_no_value, only: none
    use asperity_height_map_read, only: map_hints, read_height_map
    use asperity_height_map_type, only: height_map, missing_points
-   use funit, only: assertEqual, assertTrue, TestMethod, TestSuite
+   use funit, only: assertEqual, assertFalse, assertTrue, TestMethod, TestSuite
    use map_file_cases, only: assert_map, has_text, nl, no_hints, read_text, refused, &
       small_heights, small_rows, with_steps
    implicit none
@@ -21,6 +21,7 @@ contains
 
       suite = TestSuite('map layouts')
       call suite%addTest(TestMethod('files of the scans', test_scans))
+      call suite%addTest(TestMethod('Gwyddion in nine languages', test_languages))
       call suite%addTest(TestMethod('axes around a matrix', test_axes))
       call suite%addTest(TestMethod('units of axes', test_units_of_axes))
       call suite%addTest(TestMethod('numbers on one side', test_one_side))
@@ -48,6 +49,7 @@ contains
       call check('y_first.csv', no_hints, 0.002_wp, 0, 1.0e-15_wp)
       call check('quoted.csv', both, 0.002_wp, 0, 1.0e-15_wp)
       call check('count_first.pts', both, 0.002_wp, 0, 1.0e-15_wp)
+      call check('folder.x3p', no_hints, 0.002_wp, 0, 1.0e-15_wp)
       call check('comment_at_end.txt', no_hints, 0.002_wp, 0, 1.0e-15_wp)
       call check('esri_broken_lines.asc', map_hints('mm', 'um'), 0.0025_wp, 0, 1.0e-15_wp)
       call check('esri_nodata_nan.asc', map_hints('mm', 'um'), 0.0025_wp, 3, 1.0e-15_wp)
@@ -111,6 +113,34 @@ contains
       end subroutine refuse
 
    end subroutine test_scans
+
+   !> What Gwyddion wrote on desktops of nine languages, with five figures.
+   subroutine test_languages()
+      character(len=*), parameter :: languages(*) = ['cs', 'de', 'es', 'fr', 'it', 'ja', 'ko', &
+         'pt', 'ru']
+      integer :: k
+
+      do k = 1, size(languages)
+         call check(languages(k)//'.txt')
+         call check(languages(k)//'.xyz')
+      end do
+
+   contains
+
+      subroutine check(name)
+         character(len=*), intent(in) :: name
+         type(height_map) :: map
+         type(error_type), allocatable :: error
+
+         call read_height_map('test/data/gwyddion/'//name, no_hints, map, error)
+         call assertFalse(allocated(error), name)
+         if (allocated(error)) return
+         call assert_map(map, 6, 1.0e-3_wp*small_heights, 1.0e-15_wp)
+         call assertEqual([0.0025_wp, 0.002_wp], [map%step_x, map%step_y], 1.0e-15_wp, name)
+         call assertFalse(allocated(map%notes), name)
+      end subroutine check
+
+   end subroutine test_languages
 
    !> Numbers in front of each row, if there are any, below a first line.
    subroutine framed(first, numbers, text, separator)

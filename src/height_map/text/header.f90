@@ -11,6 +11,7 @@ module asperity_height_map_text_header
    use asperity_height_map_decode_heights, only: is_allowed_scale
    use asperity_height_map_file_errors, only: line_error, plain_excerpt
    use asperity_height_map_text_column_names, only: column_names, read_column_names
+   use asperity_height_map_text_gwyddion_words, only: to_english
    use asperity_height_map_text_header_fields, only: next_pair, number_in, split_at
    use asperity_height_map_units, only: plain_unit, unit_length
    implicit none
@@ -92,6 +93,7 @@ contains
          call split_at(line(place:), ' '//tab, key, value, place)
       end if
       place = place + before
+      call to_english(key)
       call number_in(value, number, is_number, rest)
       select case (key)
       case ('ncols', 'columns')

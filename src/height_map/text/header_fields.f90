@@ -4,9 +4,25 @@ module asperity_height_map_text_header_fields
    use asperity_height_map_text_numbers, only: number_found, read_number
    implicit none
    private
-   public :: next_pair, number_in, plain_key, split_at
+   public :: narrow_colons, next_pair, number_in, plain_key, split_at
+
+   !> The colon of Chinese and Japanese, in UTF-8
+   character(len=*), parameter :: wide_colon = char(239)//char(188)//char(154)
 
 contains
+
+   !> Wide colons as ordinary ones, with blanks behind so that places stay.
+   pure subroutine narrow_colons(line)
+      !> The line
+      character(len=*), intent(inout) :: line
+      integer :: at
+
+      do
+         at = index(line, wide_colon)
+         if (at == 0) return
+         line(at:at + 2) = ':'
+      end do
+   end subroutine narrow_colons
 
    !> The number at the beginning of a text, and what follows it.
    pure subroutine number_in(text, value, is_number, rest)

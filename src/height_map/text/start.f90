@@ -11,6 +11,7 @@ module asperity_height_map_text_start
    use asperity_height_map_text_fields, only: choose_separator, field_error, field_missing, &
       field_number, field_text, read_field, skip_field
    use asperity_height_map_text_header, only: note_unknown, read_header_line, text_header
+   use asperity_height_map_text_header_fields, only: narrow_colons
    use asperity_height_map_type, only: fewest_points
    implicit none
    private
@@ -50,6 +51,7 @@ contains
             return
          end if
          call line_text(source, looked_at, line)
+         call narrow_colons(line)
          at = verify(line, ' '//tab)
          if (at == 0) cycle
          if (scan(line(at:at), '#%!\') > 0 .or. index(line(at:), '//') == 1) then
