@@ -6,7 +6,6 @@ module test_height_map_faults
    use asperity_base_no_value, only: none
    use asperity_base_number_text, only: to_text
    use asperity_height_map_read, only: map_hints, read_height_map
-   use asperity_height_map_text_find_grid, only: find_grid
    use asperity_height_map_type, only: height_map
    use asperity_height_map_write, only: height_map_bytes
    use funit, only: assertEqual, assertTrue, TestMethod, TestSuite
@@ -38,7 +37,6 @@ contains
       call suite%addTest(TestMethod('decimal commas', test_commas))
       call suite%addTest(TestMethod('points', test_points))
       call suite%addTest(TestMethod('points on no grid', test_no_grid))
-      call suite%addTest(TestMethod('limits of a grid', test_grid))
       call suite%addTest(TestMethod('limits of steps and heights', test_limits))
       call suite%addTest(TestMethod('units', test_units))
    end function suite_map_faults
@@ -391,31 +389,6 @@ contains
       end do
       call refused(text, 'file: ', 'on no regular grid')
    end subroutine test_no_grid
-
-   !> The limits of a grid: two lines for each that has points, points a twentieth of a step off,
-   !> and coordinates that are one as they differ by 1e-4 of the largest gap.
-   subroutine test_grid()
-      call check([0.0_wp, 1.0_wp, 5.0_wp], 6)
-      call check([0.0_wp, 1.0_wp, 6.0_wp], 0)
-      call check([0.0_wp, 1.0_wp, 2.0_wp, 3.0_wp, 8.0_wp], 9)
-      call check([0.0_wp, 15.0_wp, 32.0_wp, 48.0_wp, 64.0_wp], 0)
-      call check([0.0_wp, 15.5_wp, 32.0_wp, 48.0_wp, 64.0_wp], 5)
-      call check([0.0_wp, 1.0_wp, 2.0_wp, 2.0_wp + 0.9999e-4_wp], 3)
-      call check([0.0_wp, 1.0_wp, 2.0_wp, 2.0_wp + 1.0001e-4_wp], 0)
-   contains
-      !> Number of lines, 0 for no grid.
-      subroutine check(values, lines)
-         real(wp), intent(in) :: values(:)
-         integer, intent(in) :: lines
-         integer :: places(size(values)), points
-         real(wp) :: step
-         character(len=:), allocatable :: reason
-
-         call find_grid(values, places, points, step, reason)
-         call assertTrue(allocated(reason) .eqv. lines == 0, 'grid')
-         if (.not. allocated(reason)) call assertEqual(lines, points, 'lines')
-      end subroutine check
-   end subroutine test_grid
 
    subroutine test_units()
       character(len=*), parameter :: row = '1 2 3 4 5'//nl

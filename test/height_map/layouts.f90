@@ -53,6 +53,7 @@ contains
       call check('comment_at_end.txt', no_hints, 0.002_wp, 0, 1.0e-15_wp)
       call check('esri_broken_lines.asc', map_hints('mm', 'um'), 0.0025_wp, 0, 1.0e-15_wp)
       call check('esri_nodata_nan.asc', map_hints('mm', 'um'), 0.0025_wp, 3, 1.0e-15_wp)
+      call check_five_figures()
       call check('end_mark.xyz', map_hints('mm', 'um'), 1.0_wp, 3, 1.0e-15_wp)
       call check('bcr_doubles.sdf', no_hints, 0.002_wp, 3, 1.0e-15_wp)
       call check('bytes_behind.sur', no_hints, 0.002_wp, 0, 5.1e-7_wp)
@@ -87,6 +88,21 @@ contains
          end do
          call assertTrue(all(abs(map%heights - expected) <= tolerance), name)
       end subroutine check
+
+      !> Coordinates 1 mm from the origin in metres: their last figure is 1e-4 mm; heights are 10 um
+      !> high, so that theirs is 1e-6 mm. Half of it may be lost, of the step over 23 and 17 steps.
+      subroutine check_five_figures()
+         type(height_map) :: map
+
+         call read('gwyddion_5_figures.xyz', map_hints('m', 'm'), map)
+         call assertEqual([24, 18], shape(map%heights))
+         if (any(shape(map%heights) /= [24, 18])) return
+         call assertTrue(all(abs(map%heights - truth%heights) <= 5.1e-7_wp), 'five figures')
+         call assertEqual(0.000965_wp, map%step_x, 1.0e-4_wp/23.0_wp)
+         call assertEqual(0.000965_wp, map%step_y, 1.0e-7_wp)
+         call assertTrue(has_text(map%notes, 'x is rounded to 1.0E-7 by its figures'), map%notes)
+         call assertFalse(has_text(map%notes, 'y is rounded'), map%notes)
+      end subroutine check_five_figures
 
       subroutine read(name, hints, map)
          character(len=*), intent(in) :: name

@@ -4,6 +4,7 @@ program test_height_map
    use run_suites, only: run_suite
    use test_height_map_faults, only: suite_map_faults
    use test_height_map_files, only: suite_map_files
+   use test_height_map_grids, only: suite_map_grids
    use test_height_map_headers, only: suite_map_headers
    use test_height_map_layouts, only: suite_map_layouts
    use test_height_map_limits, only: suite_limits
@@ -17,6 +18,7 @@ program test_height_map
    call suite%addTest(suite_map_files())
    call suite%addTest(suite_map_layouts())
    call suite%addTest(suite_map_headers())
+   call suite%addTest(suite_map_grids())
    call suite%addTest(suite_map_faults())
    call suite%addTest(suite_map_x3p())
    call suite%addTest(suite_limits())

@@ -2,8 +2,8 @@
 module test_height_map_numbers
    use, intrinsic :: iso_fortran_env, only: int64
    use asperity_base_kinds, only: wp
-   use asperity_height_map_text_numbers, only: number_absent, number_found, number_too_large, &
-      read_number
+   use asperity_height_map_text_numbers, only: count_figures, number_absent, number_found, &
+      number_too_large, read_number
    use funit, only: assertEqual, assertTrue, TestMethod, TestSuite
    use random_inputs, only: random_stream
    implicit none
@@ -21,6 +21,7 @@ contains
       call suite%addTest(TestMethod('in the middle of two doubles', test_middle))
       call suite%addTest(TestMethod('forms', test_forms))
       call suite%addTest(TestMethod('what is no number', test_none))
+      call suite%addTest(TestMethod('figures and decimals', test_count))
    end function suite_map_numbers
 
    subroutine read_one(text, value, status, length)
@@ -152,5 +153,33 @@ contains
       call read_one('-1e99999999999999', value, status, length)
       call assertEqual(number_too_large, status, 'an exponent that is no integer of ours')
    end subroutine test_none
+
+   subroutine test_count()
+      call check('1.5', 2, 1)
+      call check('-0.0500 ', 3, 4)
+      call check(' "+120.0"', 4, 1)
+      call check('1.5e-7', 2, 8)
+      call check('12345,6', 5, 0)
+      call check('2.5E+03;1', 2, -2)
+      call check('0.000', 0, 3)
+      call check('7e', 1, 0)
+      call check('', 0, 0)
+
+   contains
+
+      subroutine check(text, figures, decimals)
+         character(len=*), intent(in) :: text
+         integer, intent(in) :: figures, decimals
+         character(len=1) :: letters(len(text))
+         integer :: found(2), i
+
+         do i = 1, len(text)
+            letters(i) = text(i:i)
+         end do
+         call count_figures(letters, 1, len(text), found(1), found(2))
+         call assertEqual([figures, decimals], found, text)
+      end subroutine check
+
+   end subroutine test_count
 
 end module test_height_map_numbers

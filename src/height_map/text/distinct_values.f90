@@ -4,7 +4,7 @@ module asperity_height_map_text_distinct_values
    use asperity_base_kinds, only: wp
    implicit none
    private
-   public :: axis_type, number_of_coordinate
+   public :: axis_type, number_of_coordinate, rounding_of
 
    !> Most of them: two numbers fit in 4 bytes
    integer, parameter, public :: most_coordinates = 65536
@@ -16,6 +16,8 @@ module asperity_height_map_text_distinct_values
       integer :: count = 0
       !> Their values
       real(wp), allocatable :: values(:)
+      !> Most figures and decimals that one of them was printed with
+      integer :: figures = 0, decimals = 0
       integer(int64), allocatable, private :: bits(:)
       !> Numbers by a hash of the value, 0 for none
       integer, allocatable, private :: slots(:)
@@ -65,6 +67,20 @@ contains
       if (abs(number - axis%before) == 1) axis%stride = number - axis%before
       axis%before = number
    end subroutine number_of_coordinate
+
+   !> How far the coordinates may be from those that were rounded when they were printed: half of
+   !> the last figure of the largest, by whichever is coarser, figures or decimals.
+   pure real(wp) function rounding_of(axis)
+      !> The axis
+      type(axis_type), intent(in) :: axis
+      real(wp) :: largest
+      integer :: last
+
+      largest = maxval(abs(axis%values(:axis%count)))
+      last = -axis%decimals
+      if (largest > 0.0_wp) last = max(last, floor(log10(largest)) + 1 - axis%figures)
+      rounding_of = 0.5_wp*10.0_wp**max(-300, min(last, 300))
+   end function rounding_of
 
    subroutine find_slot(axis, bits, slot)
       type(axis_type), intent(in) :: axis

@@ -8,31 +8,36 @@ module asperity_height_map_text_find_grid
 
    !> Coordinates closer than this share of the largest gap are one, as rounding leaves them
    real(wp), parameter :: same = 1.0e-4_wp
-   !> Largest distance from a grid line, in steps
-   real(wp), parameter :: tolerance = 0.05_wp
+   !> Largest distance from a grid line, in steps, and rounding that may add to it
+   real(wp), parameter :: tolerance = 0.05_wp, coarsest = 0.12_wp
    !> Grid lines in all, for one that has points
    integer, parameter :: most_lines = 2
 
 contains
 
    !> Find the grid. `reason` is set when there is none.
-   pure subroutine find_grid(values, places, points, step, reason)
+   pure subroutine find_grid(values, rounding, places, points, step, is_rounded, reason)
       !> Coordinates, each once
       real(wp), intent(in) :: values(:)
+      !> How far their figures let them be from where they were
+      real(wp), intent(in) :: rounding
       !> Number of the grid line of each, from one
       integer, intent(out) :: places(:)
       !> Number of grid lines, and their distance
       integer, intent(out) :: points
       real(wp), intent(out) :: step
+      !> Whether they are on it only as their figures are so few
+      logical, intent(out) :: is_rounded
       !> Why there is none
       character(len=:), allocatable, intent(out) :: reason
       integer, allocatable :: order(:)
       real(wp), allocatable :: lines(:)
       integer :: i, n
-      real(wp) :: largest, smallest, place, count
+      real(wp) :: largest, smallest, place, count, off
 
       points = 0
       step = 0.0_wp
+      is_rounded = .false.
       places = 0
       allocate (order(size(values)))
       call sort(values, order)
@@ -53,11 +58,16 @@ contains
          reason = 'all are the same'
          return
       end if
-      smallest = minval(lines(2:n) - lines(:n - 1))
-      count = 0.0_wp
-      do i = 2, n
-         count = count + anint((lines(i) - lines(i - 1))/smallest)
-      end do
+      associate (gaps => lines(2:n) - lines(:n - 1))
+         smallest = minval(gaps)
+         ! whole numbers, and few decimals, are mostly not rounded at all
+         off = 0.0_wp
+         if (rounding <= coarsest*(smallest + 2.0_wp*rounding)) off = rounding
+         ! two that are rounded each way make a gap; twice a gap is far above all of one step
+         step = sum(gaps, gaps <= smallest + 4.0_wp*off)/ &
+            real(size(pack(gaps, gaps <= smallest + 4.0_wp*off)), wp)
+         count = sum(anint(gaps/step))
+      end associate
       if (count + 1.0_wp > real(most_lines, wp)*n) then
          reason = 'distances of neighbours from '//to_text(smallest, 5)//' to '// &
             to_text(largest, 5)//' are on no grid'
@@ -69,6 +79,8 @@ contains
          place = (values(i) - lines(1))/step
          places(i) = nint(place) + 1
          if (abs(place - anint(place)) <= tolerance) cycle
+         is_rounded = .true.
+         if (abs(place - anint(place))*step <= 2.0_wp*off) cycle
          reason = to_text(values(i), 9)//' is not on a grid with the step '//to_text(step, 9)
          return
       end do

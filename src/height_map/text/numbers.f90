@@ -9,7 +9,7 @@ module asperity_height_map_text_numbers
    use asperity_base_kinds, only: wp
    implicit none
    private
-   public :: read_number
+   public :: count_figures, read_number
 
    !> What `read_number` found: a number, none, one above 1e308
    integer, parameter, public :: number_found = 0, number_absent = 1, number_too_large = 2
@@ -101,6 +101,48 @@ contains
       end if
       at = i
    end subroutine read_number
+
+   !> Figures and decimals that a number is printed with: 0.0500 has 3 and 4, 1.5e-7 has 2 and 8.
+   pure subroutine count_figures(text, at, last, figures, decimals)
+      !> Last character of the text
+      integer, intent(in) :: last
+      !> The text
+      character(len=1), intent(in) :: text(last)
+      !> Before the number, with blanks and quotes between at most
+      integer, intent(in) :: at
+      !> From the first that is not 0
+      integer, intent(out) :: figures
+      !> Behind the point, with the exponent
+      integer, intent(out) :: decimals
+      integer :: exponent, i
+      logical :: is_fraction
+
+      figures = 0
+      decimals = 0
+      is_fraction = .false.
+      i = at
+      do while (i <= last)
+         if (scan(text(i), '+-.0123456789') > 0) exit
+         i = i + 1
+      end do
+      do while (i <= last)
+         select case (text(i))
+         case ('+', '-')
+            continue
+         case ('.')
+            is_fraction = .true.
+         case ('0':'9')
+            if (figures > 0 .or. text(i) /= '0') figures = figures + 1
+            if (is_fraction) decimals = decimals + 1
+         case default
+            exit
+         end select
+         i = i + 1
+      end do
+      exponent = 0
+      if (i < last) call read_exponent(text, i, last, exponent)
+      decimals = decimals - exponent
+   end subroutine count_figures
 
    !> Read an exponent such as e-07, if there is one.
    pure subroutine read_exponent(text, i, last, exponent)

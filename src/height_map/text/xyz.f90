@@ -16,13 +16,14 @@ module asperity_height_map_text_xyz
    use asperity_height_map_decode_heights, only: height_message, scale_heights
    use asperity_height_map_file_errors, only: line_error, map_error
    use asperity_height_map_text_distinct_values, only: axis_type, most_coordinates, &
-      number_of_coordinate
+      number_of_coordinate, rounding_of
    use asperity_height_map_text_ending, only: check_text_end, line_blank, line_comment, line_type
    use asperity_height_map_text_fields, only: field_error, field_missing, field_number, &
       read_field, skip_field
    use asperity_height_map_text_find_grid, only: find_grid
    use asperity_height_map_text_header, only: marks_missing, text_header
-   use asperity_height_map_type, only: allocate_heights, height_map
+   use asperity_height_map_text_numbers, only: count_figures
+   use asperity_height_map_type, only: add_note, allocate_heights, height_map
    use asperity_height_map_units, only: map_hints, settle_step, settle_unit
    implicit none
    private
@@ -77,8 +78,8 @@ contains
       integer(int64), intent(out) :: points
       type(error_type), allocatable, intent(out) :: error
       real(wp) :: value, values(3)
-      integer :: at, axes_of(header%fields), bad, before, fields(3), i, kind, kinds(3), n, &
-         numbers(2)
+      integer :: at, axes_of(header%fields), bad, before, decimals, fields(3), figures, i, kind, &
+         kinds(3), known, n, numbers(2)
       logical :: found, is_last
       character(len=:), allocatable :: message
 
@@ -134,7 +135,13 @@ contains
                call line_error(error, source, fields(i), 'coordinates beyond 1e15 are not allowed')
                return
             end if
+            known = axes(i)%count
             call number_of_coordinate(axes(i), values(i), numbers(i))
+            if (axes(i)%count > known) then
+               call count_figures(source%block, fields(i), source%last, figures, decimals)
+               axes(i)%figures = max(axes(i)%figures, figures)
+               axes(i)%decimals = max(axes(i)%decimals, decimals)
+            end if
             if (numbers(i) > 0) cycle
             call line_error(error, source, fields(i), 'more than '//to_text(most_coordinates)// &
                ' different values of '//merge('x', 'y', i == 1)//': the points are on no grid, '// &
@@ -179,9 +186,9 @@ contains
       real(wp) :: steps(2)
 
       allocate (columns(axes(1)%count), rows(axes(2)%count))
-      call find_one('x', axes(1)%values(:axes(1)%count), columns, nx, steps(1))
+      call find_one('x', axes(1), columns, nx, steps(1))
       if (allocated(error)) return
-      call find_one('y', axes(2)%values(:axes(2)%count), rows, ny, steps(2))
+      call find_one('y', axes(2), rows, ny, steps(2))
       if (allocated(error)) return
       if (nx*ny > most_sparse*points) then
          call map_error(error, source, &
@@ -201,20 +208,28 @@ contains
 
    contains
 
-      subroutine find_one(name, values, places, lines, step)
+      subroutine find_one(name, axis, places, lines, step)
          character(len=*), intent(in) :: name
-         real(wp), intent(in) :: values(:)
+         type(axis_type), intent(in) :: axis
          integer, intent(out) :: places(:)
          integer(int64), intent(out) :: lines
          real(wp), intent(out) :: step
          character(len=:), allocatable :: reason
          integer :: n
+         logical :: is_rounded
 
-         call find_grid(values, places, n, step, reason)
+         call find_grid(axis%values(:axis%count), rounding_of(axis), places, n, step, is_rounded, &
+            reason)
          lines = n
-         if (allocated(reason)) call map_error(error, source, &
-            'the points are on no regular grid '// &
-            'in '//name//': '//reason//'; resample the map to equal steps')
+         if (allocated(reason)) then
+            call map_error(error, source, 'the points are on no regular grid '// &
+               'in '//name//': '//reason//'; resample the map to equal steps, or export its '// &
+               'coordinates with more figures')
+         else if (is_rounded) then
+            call add_note(map, name//' is rounded to '//to_text(2.0_wp*rounding_of(axis), 3)// &
+               ' by its figures, with a step of '//to_text(step, 6)//': each point was taken '// &
+               'to the nearest place of the grid.')
+         end if
       end subroutine find_one
 
    end subroutine fill_map
