@@ -152,6 +152,17 @@ contains
       call check('# Width: 12 um'//nl//'# Height: 15 um', map_hints('', 'mm', 0.002_wp, 0.003_wp), &
          [0.002_wp, 0.003_wp])
       call check('# Width: 12'//nl//'# Height: 15', map_hints('um', 'mm'), [0.002_wp, 0.003_wp])
+      ! Gwyddion prints 14.226 um so, whose step is 2.371 um, 0.34 % less than a sixth of 14 um
+      call check('# Width: 14 um'//nl//'# Height: 15.00 um', map_hints('', 'mm'), &
+         [14.0e-3_wp/6.0_wp, 0.003_wp])
+      call assertEqual('file: Width is 14.0 um, rounded to 1.0 um by its figures: the step in x, '// &
+         '0.00233333 mm, may be off by 3.6 %; --step says it exactly.'//note_end, map%notes)
+      call check('# Width: 14 um'//nl//'# Height: 15.00 um', &
+         map_hints('', 'mm', 0.002371_wp, 0.003_wp), [0.002371_wp, 0.003_wp])
+      call assertFalse(allocated(map%notes), 'said by the user')
+      call refused('# Width: 14 um'//nl//'# Height: 15.00 um'//nl//text, &
+         'file: --step 0.00242 mm contradicts', 'whose step in x is 0.0023', &
+         map_hints('', 'mm', 0.00242_wp, 0.003_wp))
       call refused('Width = 6'//nl//'Height = 5'//nl//text, 'file: ', &
          'distance of its points in x', in_mm)
       call refused('Width = 6'//nl//'Height = 7'//nl//text, &

@@ -130,25 +130,27 @@ contains
 
    end subroutine test_scans
 
-   !> What Gwyddion wrote on desktops of nine languages, with five figures.
+   !> What Gwyddion wrote on desktops of nine languages, with five figures. It prints lengths in
+   !> whole um, of which nothing is said where the steps are.
    subroutine test_languages()
       character(len=*), parameter :: languages(*) = ['cs', 'de', 'es', 'fr', 'it', 'ja', 'ko', &
          'pt', 'ru']
       integer :: k
 
       do k = 1, size(languages)
-         call check(languages(k)//'.txt')
-         call check(languages(k)//'.xyz')
+         call check(languages(k)//'.txt', map_hints(step_x=0.0025_wp, step_y=0.002_wp))
+         call check(languages(k)//'.xyz', no_hints)
       end do
 
    contains
 
-      subroutine check(name)
+      subroutine check(name, hints)
          character(len=*), intent(in) :: name
+         type(map_hints), intent(in) :: hints
          type(height_map) :: map
          type(error_type), allocatable :: error
 
-         call read_height_map('test/data/gwyddion/'//name, no_hints, map, error)
+         call read_height_map('test/data/gwyddion/'//name, hints, map, error)
          call assertFalse(allocated(error), name)
          if (allocated(error)) return
          call assert_map(map, 6, 1.0e-3_wp*small_heights, 1.0e-15_wp)

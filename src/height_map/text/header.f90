@@ -12,7 +12,7 @@ module asperity_height_map_text_header
    use asperity_height_map_file_errors, only: line_error, plain_excerpt
    use asperity_height_map_text_column_names, only: column_names, read_column_names
    use asperity_height_map_text_gwyddion_words, only: to_english
-   use asperity_height_map_text_header_fields, only: next_pair, number_in, split_at
+   use asperity_height_map_text_header_fields, only: next_pair, number_in, rounding_in, split_at
    use asperity_height_map_units, only: plain_unit, unit_length
    implicit none
    private
@@ -30,8 +30,8 @@ module asperity_height_map_text_header
       !> Points along x and y, 0 if it does not say
       integer(int64) :: sizes(2) = 0_int64
       !> Steps, or lengths of the whole map, along x and y, and their units. A length without a unit
-      !> may be a number of points
-      real(wp) :: steps(2) = 0.0_wp, lengths(2) = 0.0_wp
+      !> may be a number of points; it may be rounded by so much, in its unit
+      real(wp) :: steps(2) = 0.0_wp, lengths(2) = 0.0_wp, roundings(2) = 0.0_wp
       character(len=8) :: step_units(2) = '', length_units(2) = ''
       !> Units of coordinates and of heights, empty if it does not say
       character(len=8) :: lateral_unit = '', height_unit = ''
@@ -160,6 +160,7 @@ contains
 
          if (is_number) then
             call read_length(header%lengths(axis), header%length_units(axis))
+            header%roundings(axis) = rounding_in(value)
          else
             call read_names(line)
          end if

@@ -1,10 +1,10 @@
 !> Keys and values of headers.
 module asperity_height_map_text_header_fields
    use asperity_base_kinds, only: wp
-   use asperity_height_map_text_numbers, only: number_found, read_number
+   use asperity_height_map_text_numbers, only: count_figures, number_found, read_number
    implicit none
    private
-   public :: narrow_colons, next_pair, number_in, plain_key, split_at
+   public :: narrow_colons, next_pair, number_in, plain_key, rounding_in, split_at
 
    !> The colon of Chinese and Japanese, in UTF-8
    character(len=*), parameter :: wide_colon = char(239)//char(188)//char(154)
@@ -46,6 +46,20 @@ contains
       rest = ''
       if (is_number) rest = trim(adjustl(text(at:)))
    end subroutine number_in
+
+   !> Half of the last decimal of the number at the beginning of a text.
+   pure real(wp) function rounding_in(text)
+      !> The text
+      character(len=*), intent(in) :: text
+      character(len=1) :: letters(len(text))
+      integer :: decimals, figures, i
+
+      do i = 1, len(text)
+         letters(i) = text(i:i)
+      end do
+      call count_figures(letters, 1, len(text), figures, decimals)
+      rounding_in = 0.5_wp*10.0_wp**max(-300, min(-decimals, 300))
+   end function rounding_in
 
    !> A key in lower case, without blanks, underscores and marks of comments.
    pure subroutine plain_key(text, key)

@@ -16,6 +16,9 @@ module asperity_height_map_text_matrix_steps
    public :: check_size, check_units, settle_steps
 
    character(len=*), parameter :: columns_rows(2) = [character(len=7) :: 'columns', 'rows']
+   character(len=*), parameter :: axes(2) = ['x', 'y']
+   !> Share of a step that is told if the rounding of a length can change it by as much
+   real(wp), parameter :: noticed = 1.0e-3_wp
    character(len=*), parameter :: extents(2) = [character(len=6) :: 'Width', 'Height']
 
 contains
@@ -103,6 +106,7 @@ contains
             if (allocated(error)) return
             ! n points are n steps wide
             step(i) = header%lengths(i)*unit/real(points(i), wp)
+            call take_rounding(header, i, merge(hints%step_x, hints%step_y, i == 1), step(i), map)
          end if
       end do
       call take_axes(source, header, hints, frame, step, map, error)
@@ -111,6 +115,29 @@ contains
       if (.not. allocated(error)) call settle_step(source%name, 'y', step(2), hints%step_y, &
          map%step_y, error)
    end subroutine settle_steps
+
+   !> A length is printed with few figures, by Gwyddion with as many as tell points apart: within
+   !> them the user says the step.
+   subroutine take_rounding(header, axis, by_user, step, map)
+      type(text_header), intent(in) :: header
+      integer, intent(in) :: axis
+      real(wp), intent(in) :: by_user
+      real(wp), intent(inout) :: step
+      type(height_map), intent(inout) :: map
+      real(wp) :: share
+      character(len=9) :: unit
+
+      share = header%roundings(axis)/header%lengths(axis)
+      if (by_user > 0.0_wp) then
+         if (abs(by_user - step) <= share*step) step = by_user
+      else if (share > noticed) then
+         unit = ' '//trim(header%length_units(axis))
+         call add_note(map, trim(extents(axis))//' is '//to_text(header%lengths(axis))//trim(unit)// &
+            ', rounded to '//to_text(2.0_wp*header%roundings(axis), 2)//trim(unit)// &
+            ' by its figures: the step in '//axes(axis)//', '//to_text(step, 6)// &
+            ' mm, may be off by '//to_text(100.0_wp*share, 2)//' %; --step says it exactly.')
+      end if
+   end subroutine take_rounding
 
    !> Steps of axes, where the header says none. Without a unit it is the one in which they agree
    !> with the steps of the user. Numbers of columns and rows say no steps.
@@ -157,7 +184,6 @@ contains
       type(height_map), intent(inout) :: map
       character(len=*), parameter :: lines(2) = [character(len=16) :: 'the first line', &
          'the first column']
-      character(len=*), parameter :: axes(2) = ['x', 'y']
       integer :: i
 
       do i = 1, 2
