@@ -176,6 +176,8 @@ contains
       if (allocated(error)) return
       if (has_points) then
          map%format = 'text of x, y, z'
+         if (header%has_colours) call add_note(map, 'of six columns the last three are '// &
+            'taken for red, green and blue, and not used.')
          call read_xyz(source, header, factor, hints, map, error)
       else
          map%format = 'text of a matrix'
@@ -184,8 +186,8 @@ contains
       if (.not. allocated(error)) call note_marker(map, factor)
    end subroutine read_text
 
-   !> Whether the columns are coordinates and a height: three of them, or names say so. Profiles are
-   !> refused.
+   !> Whether the columns are coordinates and a height: three of them, colours behind, or names say
+   !> so. Profiles are refused.
    subroutine check_columns(source, header, has_points, error)
       type(byte_source), intent(in) :: source
       type(text_header), intent(inout) :: header
@@ -204,6 +206,7 @@ contains
             end if
          end if
          has_points = all(header%sizes == 0_int64) .and. fits .and. all(names%places > 0)
+         if (has_points) header%has_colours = .false.
          if (has_points) return
          if (header%fields == 2_int64 .or. (header%fields == 3_int64 .and. fits .and. &
             names%places(3) > 0 .and. count(names%places(:2) > 0) == 1)) then
@@ -213,7 +216,8 @@ contains
                'in --step')
             return
          end if
-         has_points = header%fields == 3_int64 .and. all(header%sizes == 0_int64)
+         has_points = (header%fields == 3_int64 .or. header%has_colours) .and. &
+            all(header%sizes == 0_int64)
          if (has_points) names%places = [1, 2, 3]
       end associate
    end subroutine check_columns

@@ -24,6 +24,7 @@ contains
       call suite%addTest(TestMethod('comments behind the numbers', test_comments))
       call suite%addTest(TestMethod('quotes', test_quotes))
       call suite%addTest(TestMethod('profiles', test_profiles))
+      call suite%addTest(TestMethod('colours behind points', test_colours))
    end function suite_map_headers
 
    !> The heights, line by line.
@@ -268,6 +269,41 @@ contains
       call refused('0 0 1'//nl//'# next'//nl//'1 0 2'//nl, 'file:3:1: ', &
          'numbers follow a comment')
    end subroutine test_comments
+
+   !> Six columns are a map of points only if the last three alone are colours.
+   subroutine test_colours()
+      character(len=*), parameter :: row = '1.5 2 3 4 5 6'//nl
+      character(len=:), allocatable :: points
+      character(len=40) :: line
+      type(height_map) :: map
+      integer :: i
+
+      points = ''
+      do i = 0, 29
+         write (line, '(2(i0, ";"), f0.1, a)') mod(i, 6), i/6, small_heights(i + 1), ';0;255;7'
+         points = points//trim(line)//nl
+      end do
+      call read_text(points, in_mm, map)
+      call assert_map(map, 6, small_heights, 1.0e-15_wp)
+      call assertTrue(has_text(map%notes, 'taken for red, green and blue'), map%notes)
+      ! the count of the points first
+      call read_text('30'//nl//points, in_mm, map)
+      call assert_map(map, 6, small_heights, 1.0e-15_wp)
+      call refused(points//'0;5;1.0;256;0;0'//nl, 'file:31:9: ', 'no whole number from 0 to 255')
+      call refused(points//'0;5;1.0;1;0;0.5'//nl, 'file:31:13: ', 'if this is a matrix')
+      call refused(points//'0;5;1.0;1;0;'//nl, 'file:31:', 'from 0 to 255')
+      ! names say more, and steps make a matrix
+      call read_text('x;y;z;a;b;c'//nl//'0;5;1.0;256;0;0.5'//nl//points, in_mm, map)
+      call assertFalse(has_text(map%notes//'', 'red'), 'names')
+      call read_text('# step: 1 mm'//nl//repeat(row, 5), in_mm, map)
+      call assertEqual([6, 5], shape(map%heights), 'a matrix with steps')
+      call read_text(repeat('1 2 3 4 5 6'//nl, 5), with_steps, map)
+      call assertEqual([6, 5], shape(map%heights), 'a matrix of whole numbers')
+      call read_text(repeat('1.5 2 3 4.0 5 6'//nl, 5), with_steps, map)
+      call assertEqual([6, 5], shape(map%heights), 'a matrix of others')
+      call read_text(repeat('NaN 2 3 4 5 6'//nl, 5), with_steps, map)
+      call assertEqual([6, 5], shape(map%heights), 'a matrix with a hole')
+   end subroutine test_colours
 
    subroutine test_profiles()
       call refused(repeat('1.5 2.5'//nl, 9), 'file: ', 'profiles are not read', no_hints)

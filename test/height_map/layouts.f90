@@ -49,6 +49,7 @@ contains
       call check('y_first.csv', no_hints, 0.002_wp, 0, 1.0e-15_wp)
       call check('quoted.csv', both, 0.002_wp, 0, 1.0e-15_wp)
       call check('count_first.pts', both, 0.002_wp, 0, 1.0e-15_wp)
+      call check('colours.xyz', both, 0.002_wp, 0, 1.0e-15_wp)
       call check('folder.x3p', no_hints, 0.002_wp, 0, 1.0e-15_wp)
       call check('comment_at_end.txt', no_hints, 0.002_wp, 0, 1.0e-15_wp)
       call check('esri_broken_lines.asc', map_hints('mm', 'um'), 0.0025_wp, 0, 1.0e-15_wp)

@@ -9,7 +9,7 @@ module asperity_height_map_text_fields
       read_number
    implicit none
    private
-   public :: choose_separator, field_error, read_field, skip_field
+   public :: choose_separator, field_error, is_colour, read_field, skip_field
 
    !> What a field holds: a number, nothing or a word for it, or one of the faults
    integer, parameter, public :: field_number = 0, field_missing = 1, field_text = 2, &
@@ -266,6 +266,15 @@ contains
          end do
       end if
    end function choose_separator
+
+   !> Whether a number may be the red, green or blue of a scanner.
+   pure elemental logical function is_colour(value)
+      !> The number
+      real(wp), intent(in) :: value
+
+      is_colour = value >= 0.0_wp .and. value <= 255.0_wp .and. &
+         .not. abs(value - anint(value)) > 0.0_wp
+   end function is_colour
 
    pure logical function is_of_number(c)
       character(len=1), intent(in) :: c

@@ -8,15 +8,16 @@ module asperity_height_map_text_gwyddion_words
    character(len=*), parameter :: channel(*) = [character(len=16) :: &
       'kanál', 'kanal', 'canal', 'canale', 'チャネル', '채널', 'Канал']
    character(len=*), parameter :: width(*) = [character(len=16) :: &
-      'Šířka', 'breite', 'anchura', 'largeur', 'larghezza', '幅', '폭', 'largura', 'Ширина']
+      'Šířka', 'breite', 'anchura', 'largeur', 'larghezza', '幅', '폭', 'largura', &
+      'Ширина']
    character(len=*), parameter :: height(*) = [character(len=16) :: &
       'výška', 'höhe', 'altura', 'hauteur', 'altezza', '高さ', '높이', 'Высота']
    character(len=*), parameter :: value_units(*) = [character(len=34) :: &
       'jednotkyhodnot', 'einheiten', 'unités', 'unitàvalore', '値の単位', '값단위', &
       'unidadesdevalor', 'Единицыизмерения']
    character(len=*), parameter :: lateral_units(*) = [character(len=60) :: &
-      'jednotkyrozměrů', 'unitéslatérales', 'unitàlaterali', '水平単位', 'unidadesdelaterais', &
-      'Единицыгоризонтальныхразмеров']
+      'jednotkyrozměrů', 'unitéslatérales', 'unitàlaterali', '水平単位', &
+      'unidadesdelaterais', 'Единицыгоризонтальныхразмеров']
 
 contains
 

@@ -52,8 +52,9 @@ module asperity_height_map_text_header
       !> What separates the fields, and how many there are in the first line of numbers
       character(len=1) :: separator = ' '
       integer(int64) :: fields = 0_int64
-      !> Whether the first field of that line is a word, and all others are numbers
-      logical :: has_corner_word = .false.
+      !> Whether the first field of that line is a word, and all others are numbers; whether there
+      !> are six, the last three alone whole numbers from 0 to 255: x, y, z and red, green, blue
+      logical :: has_corner_word = .false., has_colours = .false.
    end type text_header
 
 contains

@@ -132,8 +132,8 @@ contains
          if (abs(by_user - step) <= share*step) step = by_user
       else if (share > noticed) then
          unit = ' '//trim(header%length_units(axis))
-         call add_note(map, trim(extents(axis))//' is '//to_text(header%lengths(axis))//trim(unit)// &
-            ', rounded to '//to_text(2.0_wp*header%roundings(axis), 2)//trim(unit)// &
+         call add_note(map, trim(extents(axis))//' is '//to_text(header%lengths(axis))// &
+            trim(unit)//', rounded to '//to_text(2.0_wp*header%roundings(axis), 2)//trim(unit)// &
             ' by its figures: the step in '//axes(axis)//', '//to_text(step, 6)// &
             ' mm, may be off by '//to_text(100.0_wp*share, 2)//' %; --step says it exactly.')
       end if

@@ -9,9 +9,10 @@ module asperity_height_map_text_start
    use asperity_height_map_file_errors, only: line_error, line_text, map_error
    use asperity_height_map_text_ending, only: line_other, line_type
    use asperity_height_map_text_fields, only: choose_separator, field_error, field_missing, &
-      field_number, field_text, read_field, skip_field
+      field_number, field_text, is_colour, read_field, skip_field
    use asperity_height_map_text_header, only: note_unknown, read_header_line, text_header
    use asperity_height_map_text_header_fields, only: narrow_colons
+   use asperity_height_map_text_numbers, only: count_figures
    use asperity_height_map_type, only: fewest_points
    implicit none
    private
@@ -169,14 +170,22 @@ contains
       type(text_header), intent(inout) :: header
       type(error_type), allocatable, intent(out) :: error
       real(wp) :: value
-      integer :: at, kind
-      logical :: is_last
+      integer :: at, before, decimals, figures, kind
+      logical :: has_hole, is_last, may_be_colour(6)
 
       at = source%first
       is_last = .false.
+      may_be_colour = .false.
+      has_hole = .false.
       do while (.not. is_last)
+         before = at
          call read_field(source%block, at, source%last, header%separator, value, kind, is_last)
          header%fields = header%fields + 1_int64
+         if (header%fields <= 6_int64) then
+            call count_figures(source%block, before, source%last, figures, decimals)
+            may_be_colour(header%fields) = is_colour(value) .and. decimals == 0
+            has_hole = has_hole .or. kind /= field_number
+         end if
          if (kind <= field_missing) cycle
          if ((header%fields == 1_int64 .and. header%has_corner_word) .or. &
             (kind == field_text .and. all(header%names%places > 0) .and. &
@@ -187,6 +196,8 @@ contains
             return
          end if
       end do
+      header%has_colours = header%fields == 6_int64 .and. all(may_be_colour(4:)) .and. .not. &
+         (all(may_be_colour(:3)) .or. has_hole .or. any(header%steps + header%lengths > 0.0_wp))
    end subroutine count_fields
 
 end module asperity_height_map_text_start

@@ -19,7 +19,7 @@ module asperity_height_map_text_xyz
       number_of_coordinate, rounding_of
    use asperity_height_map_text_ending, only: check_text_end, line_blank, line_comment, line_type
    use asperity_height_map_text_fields, only: field_error, field_missing, field_number, &
-      read_field, skip_field
+      is_colour, read_field, skip_field
    use asperity_height_map_text_find_grid, only: find_grid
    use asperity_height_map_text_header, only: marks_missing, text_header
    use asperity_height_map_text_numbers, only: count_figures
@@ -106,7 +106,12 @@ contains
             before = at
             call read_field(source%block, at, source%last, header%separator, value, kind, is_last)
             associate (axis => axes_of(i))
-               if (kind > field_missing .and. axis == 0) then
+               if (header%has_colours .and. axis == 0 .and. .not. is_colour(value)) then
+                  call line_error(error, source, before, 'no whole number from 0 to 255, as '// &
+                     'red, green and blue behind x, y and z are in the first line; if this is '// &
+                     'a matrix, put lines such as # step_x: 2 um before it')
+                  return
+               else if (kind > field_missing .and. axis == 0) then
                   call skip_field(source%block, at, source%last, header%separator, is_last)
                else if (kind > field_missing) then
                   call field_error(error, source, at, kind)
