@@ -127,15 +127,15 @@ contains
 
       is_bcr = version(2:4) == 'BCR'
       select case (version)
-      case ('aISO-1.0', 'aISO-2.0', 'aBCR-1.0', 'AISO-1.0', 'ABCR-1.0')
+      case ('aISO-1.0', 'aISO-2.0', 'aBCR-0.0', 'aBCR-1.0', 'AISO-1.0', 'ABCR-1.0')
          map%format = 'SDF text (ISO 25178-71)'
          call read_text_sdf(source, is_bcr, hints, map, error)
-      case ('bISO-1.0', 'bISO-2.0', 'bBCR-1.0', 'BISO-1.0', 'BBCR-1.0')
+      case ('bISO-1.0', 'bISO-2.0', 'bBCR-0.0', 'bBCR-1.0', 'BISO-1.0', 'BBCR-1.0')
          map%format = 'SDF binary (ISO 25178-71)'
          call read_binary_sdf(source, is_bcr, version(6:) == '2.0', hints, map, error)
       case default
          call map_error(error, source, 'begins as an SDF file of an unknown version: known are '// &
-            'aISO-1.0, bISO-1.0, aISO-2.0, bISO-2.0, aBCR-1.0 and bBCR-1.0')
+            'aISO-1.0, bISO-1.0, aISO-2.0, bISO-2.0, aBCR-1.0 and bBCR-1.0, and BCR with 0.0')
       end select
    end subroutine read_sdf
 

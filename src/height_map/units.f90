@@ -19,9 +19,11 @@ module asperity_height_map_units
       real(wp) :: missing_value = 0.0_wp
    end type map_hints
 
-   !> Names of units, and their lengths in mm
-   character(len=*), parameter :: names(5) = [character(len=2) :: 'm', 'cm', 'mm', 'um', 'nm']
-   real(wp), parameter :: lengths(5) = [1.0e3_wp, 10.0_wp, 1.0_wp, 1.0e-3_wp, 1.0e-6_wp]
+   !> Names of units, and their lengths in mm; the last one stands in files of other programs
+   character(len=*), parameter :: names(6) = [character(len=2) :: 'm', 'cm', 'mm', 'um', 'nm', &
+      'pm']
+   real(wp), parameter :: lengths(6) = [1.0e3_wp, 10.0_wp, 1.0_wp, 1.0e-3_wp, 1.0e-6_wp, &
+      1.0e-9_wp]
    !> What instruments export beside heights
    character(len=*), parameter :: others(*) = [character(len=9) :: '%', 'a.u.', 'arb.', 'au', &
       'counts', 'count', 'deg', char(194)//char(176), 'rad', 'mrad', 'waves', 'v', 'mv', 'uv', &
@@ -52,7 +54,7 @@ contains
       unit = ''
       if (n < 1 .or. n > len(inner)) return
       select case (inner(:n))
-      case ('m', 'cm', 'mm', 'um', 'nm')
+      case ('m', 'cm', 'mm', 'um', 'nm', 'pm')
          unit = inner(:n)
       case ('M', 'meter', 'metre', 'meters', 'metres')
          unit = 'm'

@@ -21,7 +21,7 @@ contains
 
       suite = TestSuite('map layouts')
       call suite%addTest(TestMethod('files of the scans', test_scans))
-      call suite%addTest(TestMethod('Gwyddion in nine languages', test_languages))
+      call suite%addTest(TestMethod('files of Gwyddion', test_gwyddion))
       call suite%addTest(TestMethod('axes around a matrix', test_axes))
       call suite%addTest(TestMethod('units of axes', test_units_of_axes))
       call suite%addTest(TestMethod('numbers on one side', test_one_side))
@@ -131,9 +131,9 @@ contains
 
    end subroutine test_scans
 
-   !> What Gwyddion wrote on desktops of nine languages, with five figures. It prints lengths in
-   !> whole um, of which nothing is said where the steps are.
-   subroutine test_languages()
+   !> What Gwyddion wrote: texts on desktops of nine languages, with five figures. It prints lengths
+   !> in whole um, of which nothing is said where the steps are.
+   subroutine test_gwyddion()
       character(len=*), parameter :: languages(*) = ['cs', 'de', 'es', 'fr', 'it', 'ja', 'ko', &
          'pt', 'ru']
       integer :: k
@@ -142,24 +142,33 @@ contains
          call check(languages(k)//'.txt', map_hints(step_x=0.0025_wp, step_y=0.002_wp))
          call check(languages(k)//'.xyz', no_hints)
       end do
+      ! BCR's first line is at the largest y, Gwyddion's is the top one; SUR's scale is a single
+      call check('small.sdf', no_hints, is_turned=.true.)
+      call check('small.sur', no_hints, 1.0e-9_wp)
 
    contains
 
-      subroutine check(name, hints)
+      subroutine check(name, hints, tolerance, is_turned)
          character(len=*), intent(in) :: name
          type(map_hints), intent(in) :: hints
+         real(wp), intent(in), optional :: tolerance
+         logical, intent(in), optional :: is_turned
+         real(wp) :: allowed
          type(height_map) :: map
          type(error_type), allocatable :: error
 
          call read_height_map('test/data/gwyddion/'//name, hints, map, error)
          call assertFalse(allocated(error), name)
          if (allocated(error)) return
-         call assert_map(map, 6, 1.0e-3_wp*small_heights, 1.0e-15_wp)
+         allowed = 1.0e-15_wp
+         if (present(tolerance)) allowed = tolerance
+         if (present(is_turned)) map%heights = map%heights(:, size(map%heights, 2):1:-1)
+         call assert_map(map, 6, 1.0e-3_wp*small_heights, allowed)
          call assertEqual([0.0025_wp, 0.002_wp], [map%step_x, map%step_y], 1.0e-15_wp, name)
          call assertFalse(allocated(map%notes), name)
       end subroutine check
 
-   end subroutine test_languages
+   end subroutine test_gwyddion
 
    !> Numbers in front of each row, if there are any, below a first line.
    subroutine framed(first, numbers, text, separator)
