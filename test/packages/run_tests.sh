@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
 # `asperity surface` beside other programs: run_tests.sh ASPERITY FOLDER
-# surfalize, SurfaceTopography and tamaas, in the versions of requirements.txt, go into the Python
-# environment FOLDER/../venv-surfaces, maps and the table differences.md into FOLDER. One line per
-# check; the last line is `N passed, N failed`, or `skipped: reason` where those packages cannot be
-# installed, and the status is not zero when a check failed. ASPERITY_NO_INSTALL=1 forbids to
-# install them.
+# The Python packages of requirements.txt, in these versions, go into the Python environment
+# FOLDER/../venv-surfaces, maps and the table differences.md into FOLDER; Gwyddion is compared where
+# it and xvfb-run are installed. One line per check; the last line is `N passed, N failed`, or
+# `skipped: reason` where those packages cannot be installed, and the status is not zero when a check
+# failed. ASPERITY_NO_INSTALL=1 forbids to install them.
 set -u
 export LC_ALL=C.UTF-8 OMP_NUM_THREADS=${OMP_NUM_THREADS:-2} PYTHONDONTWRITEBYTECODE=1
 if [ $# -ne 2 ]; then
