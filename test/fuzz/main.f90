@@ -35,20 +35,28 @@ program fuzz_main
    call add_file(seeds, 'maps/surfalize_text.sdf')
    call add_file(seeds, 'maps/sdfio_bcr_1_0_ascii_int32.sdf')
    call add_file(seeds, 'maps/sdfio_iso_2_0_ascii_binary32.sdf')
+   call add_file(seeds, 'gwyddion/small.sdf')
    call run('SDF text', .false.)
    call add_file(seeds, 'maps/surfalize.sur')
+   call add_file(seeds, 'gwyddion/small.sur')
+   call add_file(seeds, 'scans/bytes_behind.sur')
+   call add_file(seeds, 'scans/two_objects.sur')
    call run('SUR', .false.)
    call add_file(seeds, 'maps/surfalize_packed.sur')
    call run('SUR, compressed', .false.)
    call add_file(seeds, 'maps/surfalize.x3p')
    call add_file(seeds, 'maps/surface_topography_D.x3p')
    call add_file(seeds, 'maps/surface_topography_I.x3p')
+   call add_file(seeds, 'scans/folder.x3p')
    call run('X3P', .false.)
    call run('X3P within zip', .true.)
    call add_written(seeds, 'xyz')
    call add_written(seeds, 'names')
    call add_written(seeds, 'quoted')
    call add_file(seeds, 'scans/end_mark.xyz')
+   call add_file(seeds, 'scans/colours.xyz')
+   call add_file(seeds, 'scans/gwyddion_5_figures.xyz')
+   call add_file(seeds, 'gwyddion/it.xyz')
    call run('text of x, y, z', .false.)
    call add_written(seeds, 'csv')
    call add_written(seeds, 'esri')
@@ -57,6 +65,8 @@ program fuzz_main
    call add_written(seeds, 'axes')
    call add_written(seeds, 'factor')
    call add_file(seeds, 'scans/esri_broken_lines.asc')
+   call add_file(seeds, 'gwyddion/it.txt')
+   call add_file(seeds, 'gwyddion/ja.txt')
    call run('text of a matrix', .false.)
    deallocate (seeds)
    write (*, '(i0, a, i0, a)') passed, ' passed, ', failed, ' failed'
@@ -126,7 +136,8 @@ contains
       is_told = chance%below(3) > 0
       if (index(name, 'text of') == 1 .and. (must_be_sound .or. is_told)) then
          if (index(file, '[') == 0) then
-            if (index(file, 'unit') + index(file, '/nm') == 0) hints%height_unit = 'um'
+            if (index(file, 'unit') + index(file, '単位') + index(file, '/nm') == 0) &
+               hints%height_unit = 'um'
             if (index(file, '# ') + index(file, '_um') == 0) hints%lateral_unit = 'mm'
          end if
          if (index(file, '1.25;') == 1) then
