@@ -156,8 +156,8 @@ contains
       ! Gwyddion prints 14.226 um so, whose step is 2.371 um, 0.34 % less than a sixth of 14 um
       call check('# Width: 14 um'//nl//'# Height: 15.00 um', map_hints('', 'mm'), &
          [14.0e-3_wp/6.0_wp, 0.003_wp])
-      call assertEqual('file: Width is 14.0 um, rounded to 1.0 um by its figures: the step in x, '// &
-         '0.00233333 mm, may be off by 3.6 %; --step says it exactly.'//note_end, map%notes)
+      call assertEqual('file: Width is 14.0 um, rounded to 1.0 um by its figures: the step in '// &
+         'x, 0.00233333 mm, may be off by 3.6 %; --step says it exactly.'//note_end, map%notes)
       call check('# Width: 14 um'//nl//'# Height: 15.00 um', &
          map_hints('', 'mm', 0.002371_wp, 0.003_wp), [0.002371_wp, 0.003_wp])
       call assertFalse(allocated(map%notes), 'said by the user')

@@ -14,7 +14,7 @@ contains
    !> Wide colons as ordinary ones, with blanks behind so that places stay.
    pure subroutine narrow_colons(line)
       !> The line
-      character(len=*), intent(inout) :: line
+      character(len=:), allocatable, intent(inout) :: line
       integer :: at
 
       do
