@@ -8,11 +8,11 @@ module asperity_height_map_x3p_read
    use asperity_base_kinds, only: wp
    use asperity_base_no_value, only: none
    use asperity_base_number_text, only: to_text
-   use asperity_height_map_bytes_byte_source, only: byte_source, memory_of, report_progress
+   use asperity_height_map_archive, only: open_description, read_member_rows
+   use asperity_height_map_bytes_byte_source, only: byte_source, memory_of
    use asperity_height_map_bytes_zip, only: close_member, close_zip, find_folder, find_member, &
       open_member, open_zip, read_member, zip_archive, zip_member
-   use asperity_height_map_decode_heights, only: byte_buffer, bytes_of, decode, height_message, &
-      scale_heights
+   use asperity_height_map_decode_heights, only: height_message, scale_heights
    use asperity_height_map_file_errors, only: fits_memory, map_error
    use asperity_height_map_type, only: allocate_heights, height_map
    use asperity_height_map_units, only: map_hints
@@ -20,10 +20,6 @@ module asperity_height_map_x3p_read
    implicit none
    private
    public :: read_x3p
-
-   !> Most bytes that one packed byte can hold, rounded up; of main.xml and of numbers
-   integer(int64), parameter :: xml_ratio = 100_int64, largest_ratio = 1100_int64
-   integer(int64), parameter :: some_xml = 2_int64**20
 
 contains
 
@@ -59,15 +55,7 @@ contains
       ! all of it may be packed in a folder, in which the links begin
       call find_folder(archive, source, 'main.xml', folder, error)
       if (allocated(error)) return
-      call find_member(archive, source, folder//'main.xml', member, error)
-      if (allocated(error)) return
-      if (member%size > some_xml + xml_ratio*source%size) then
-         call map_error(error, source, &
-            'main.xml: '//to_text(member%size)//' bytes are packed '// &
-            'in it, more than any surface needs: it is not unpacked')
-         return
-      end if
-      call open_member(archive, source, member, error)
+      call open_description(archive, source, folder//'main.xml', member, error)
       if (.not. allocated(error)) call read_x3p_header(source, member, header, error)
       call close_member(member)
       if (allocated(error)) return
@@ -79,22 +67,7 @@ contains
       end if
       call find_member(archive, source, folder//plain_name(header%points), member, error)
       if (allocated(error)) return
-      call fits_memory(source, header%sizes(1), header%sizes(2), &
-         min(member%size, min(member%packed, source%size)*largest_ratio)/bytes_of(kind), &
-         0_int64, error)
-      if (allocated(error)) return
-      if (member%size /= header%sizes(1)*header%sizes(2)*bytes_of(kind)) then
-         call map_error(error, source, &
-            member%name//': '//to_text(member%size)//' bytes, main.xml '// &
-            'promises '//to_text(header%sizes(1))//' x '//to_text(header%sizes(2))// &
-            ' points of '//to_text(bytes_of(kind))//' bytes')
-         return
-      end if
-      call allocate_heights(source%name, header%sizes(1), header%sizes(2), map, error)
-      if (allocated(error)) return
-      call open_member(archive, source, member, error)
-      if (.not. allocated(error)) call read_rows(source, member, kind, factor, zero, map, error)
-      call close_member(member)
+      call read_member_rows(archive, source, member, header%sizes, kind, factor, zero, map, error)
       if (allocated(error) .or. header%valid == '') return
       call find_member(archive, source, folder//plain_name(header%valid), member, error)
       if (.not. allocated(error)) call open_member(archive, source, member, error)
@@ -114,48 +87,6 @@ contains
       end do
       if (index(name, './') == 1) name = name(3:)
    end function plain_name
-
-   !> Read the numbers of a member; one byte more is asked for, as zip's checksum is compared at the
-   !> end.
-   subroutine read_rows(source, member, kind, factor, zero, map, error)
-      type(byte_source), intent(inout) :: source
-      type(zip_member), intent(inout) :: member
-      integer, intent(in) :: kind
-      real(wp), intent(in) :: factor, zero
-      type(height_map), intent(inout) :: map
-      type(error_type), allocatable, intent(out) :: error
-      type(byte_buffer), target :: buffer
-      character(len=:), allocatable :: message
-      integer(int64) :: done
-      integer :: bad, j
-
-      allocate (buffer%bytes(size(map%heights, 1)*bytes_of(kind)))
-      do j = 1, size(map%heights, 2)
-         call read_member(source, member, c_loc(buffer%bytes), size(buffer%bytes, kind=int64), &
-            done, &
-            error)
-         if (allocated(error)) return
-         if (done < size(buffer%bytes)) exit
-         associate (row => map%heights(:, j))
-            call decode(buffer, kind, row)
-            call scale_heights(row, factor, zero, bad)
-            if (bad > 0) then
-               call height_message(row(bad), factor, message)
-               call map_error(error, source, member%name//': byte '//to_text(member%done - &
-                  done + &
-                  (bad - 1)*bytes_of(kind))//': '//message)
-               return
-            end if
-         end associate
-         call report_progress(source, int(real(source%size, wp)*j/size(map%heights, 2), int64))
-      end do
-      if (j > size(map%heights, 2)) call read_member(source, member, c_loc(buffer%bytes), 1_int64, &
-         done, error)
-      if (allocated(error)) return
-      if (j <= size(map%heights, 2) .or. done > 0_int64) call map_error(error, source, &
-         member%name//': byte '//to_text(member%done)//': the points do not end where the '// &
-         'archive says: get the file once more')
-   end subroutine read_rows
 
    !> Take away the points that are not valid.
    subroutine read_validity(source, member, map, error)
