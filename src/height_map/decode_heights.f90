@@ -8,7 +8,7 @@ module asperity_height_map_decode_heights
    use asperity_base_number_text, only: to_text
    implicit none
    private
-   public :: byte_buffer, decode, height_message, is_allowed_scale, scale_heights
+   public :: byte_buffer, decode, height_message, is_allowed_scale, number_at, scale_heights
 
    !> Kinds of numbers, as ISO 25178-71 counts them
    integer, parameter, public :: uint8 = 0, uint16 = 1, uint32 = 2, float32 = 3, sint8 = 4, &
@@ -65,6 +65,23 @@ contains
          where (is_nan(values)) values = none
       end select
    end subroutine decode
+
+   !> One number of a buffer.
+   real(wp) function number_at(buffer, offset, kind)
+      !> The bytes
+      type(byte_buffer), intent(in) :: buffer
+      !> How many stand before it
+      integer, intent(in) :: offset
+      !> One of the kinds above
+      integer, intent(in) :: kind
+      type(byte_buffer) :: piece
+      real(wp) :: value(1)
+
+      allocate (piece%bytes(bytes_of(kind)))
+      piece%bytes(:) = buffer%bytes(offset + 1:offset + size(piece%bytes))
+      call decode(piece, kind, value)
+      number_at = value(1)
+   end function number_at
 
    !> A single-precision number by its bits: converting what is no number may trap.
    pure elemental real(wp) function wide(bits)

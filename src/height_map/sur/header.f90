@@ -15,8 +15,8 @@ module asperity_height_map_sur_header
    use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
    use asperity_height_map_bytes_byte_source, only: byte_source, read_at
-   use asperity_height_map_decode_heights, only: byte_buffer, decode, float32, is_allowed_scale, &
-      sint16, sint32, uint16, uint32
+   use asperity_height_map_decode_heights, only: byte_buffer, float32, is_allowed_scale, &
+      number_at, sint16, sint32, uint16, uint32
    use asperity_height_map_file_errors, only: byte_error, plain_excerpt
    use asperity_height_map_type, only: height_map
    use asperity_height_map_units, only: map_hints, plain_unit, settle_step, settle_unit
@@ -69,23 +69,23 @@ contains
       allocate (buffer%bytes(header_length))
       call read_at(source, 0_int64, c_loc(buffer%bytes), header_length, error)
       if (allocated(error)) return
-      header%format = nint(field(12, sint16))
-      header%objects = nint(field(14, sint16))
-      header%object = nint(field(18, sint16))
-      header%has_missing = nint(field(86, sint16)) /= 0
-      header%bits = nint(field(98, sint16))
+      header%format = nint(number_at(buffer, 12, sint16))
+      header%objects = nint(number_at(buffer, 14, sint16))
+      header%object = nint(number_at(buffer, 18, sint16))
+      header%has_missing = nint(number_at(buffer, 86, sint16)) /= 0
+      header%bits = nint(number_at(buffer, 98, sint16))
       ! a missing point is two below the least measured one
-      header%marker = field(100, sint32) - 2.0_wp
-      header%nx = int(field(108, sint32), int64)
-      header%ny = int(field(112, sint32), int64)
-      header%points = int(field(116, sint32), int64)
-      header%inversion = nint(field(290, sint16))
-      header%compressed = int(field(324, uint32), int64)
-      header%data_offset = header_length + int(field(334, uint16), int64) &
-         + int(field(336, uint16), int64)
-      header%offset = field(474, float32)
+      header%marker = number_at(buffer, 100, sint32) - 2.0_wp
+      header%nx = int(number_at(buffer, 108, sint32), int64)
+      header%ny = int(number_at(buffer, 112, sint32), int64)
+      header%points = int(number_at(buffer, 116, sint32), int64)
+      header%inversion = nint(number_at(buffer, 290, sint16))
+      header%compressed = int(number_at(buffer, 324, uint32), int64)
+      header%data_offset = header_length + int(number_at(buffer, 334, uint16), int64) &
+         + int(number_at(buffer, 336, uint16), int64)
+      header%offset = number_at(buffer, 474, float32)
       do i = 1, 3
-         header%spacing(i) = field(116 + 4*i, float32)
+         header%spacing(i) = number_at(buffer, 116 + 4*i, float32)
          do k = 1, 16
             text(k:k) = char(modulo(int(buffer%bytes(164 + 16*i + k)), 256))
          end do
@@ -94,21 +94,6 @@ contains
          if (k > 0) text(k:) = ''
          header%units_said(i) = text
       end do
-
-   contains
-
-      !> The number after so many bytes.
-      real(wp) function field(offset, kind)
-         integer, intent(in) :: offset, kind
-         type(byte_buffer) :: piece
-         real(wp) :: value(1)
-
-         allocate (piece%bytes(4))
-         piece%bytes(:) = buffer%bytes(offset + 1:offset + 4)
-         call decode(piece, kind, value)
-         field = value(1)
-      end function field
-
    end subroutine read_sur_header
 
    !> Set the steps of a map, factor and offset of its heights; `error` names what is not allowed.
