@@ -9,7 +9,12 @@ module asperity_height_map_read
       progress_report, read_at, use_bytes
    use asperity_height_map_bytes_lines, only: start_lines
    use asperity_height_map_file_errors, only: map_error
+   use asperity_height_map_formats, only: refuse_other_archive, refuse_other_format
+   use asperity_height_map_gwyddion_gsf, only: gsf_magic, read_gsf
+   use asperity_height_map_gwyddion_gwy, only: read_gwy
    use asperity_height_map_marker, only: note_marker
+   use asperity_height_map_plu_plux, only: read_plux
+   use asperity_height_map_plu_read, only: is_plu, read_plu
    use asperity_height_map_sdf_read, only: read_binary_sdf, read_text_sdf
    use asperity_height_map_sur_read, only: read_sur
    use asperity_height_map_text_header, only: text_header
@@ -26,7 +31,7 @@ module asperity_height_map_read
 
    integer, parameter :: looked_at = 512
    character(len=*), parameter :: known = &
-      'heights are read from SDF, X3P and SUR files, and from '// &
+      'heights are read from SDF, X3P, SUR, PLU, PLUX, GWY and GSF files, and from '// &
       'text with three columns x, y, z or with a matrix'
 
 contains
@@ -97,15 +102,24 @@ contains
          head(i:i) = bytes(i)
       end do
       if (head(:4) == 'PK'//achar(3)//achar(4) .or. head(:4) == 'PK'//achar(5)//achar(6)) then
-         map%format = 'X3P (ISO 25178-72)'
-         call read_x3p(source, hints, map, error)
+         call read_archive(source, hints, map, error)
       else if (head(:12) == 'DIGITAL SURF' .or. head(:12) == 'DSCOMPRESSED') then
          map%format = 'SUR (Digital Surf)'
          call read_sur(source, head(:2) == 'DS', hints, map, error)
       else if (head(2:5) == 'ISO-' .or. head(2:5) == 'BCR-') then
          call read_sdf(source, head(:8), hints, map, error)
+      else if (head(:4) == 'GWYP') then
+         map%format = 'GWY (Gwyddion)'
+         call read_gwy(source, hints, map, error)
+      else if (head(:len(gsf_magic)) == gsf_magic) then
+         map%format = 'GSF (Gwyddion)'
+         call read_gsf(source, hints, map, error)
+      else if (is_plu(head(:n))) then
+         map%format = 'PLU (Sensofar)'
+         call read_plu(source, hints, map, error)
       else
-         call read_text(source, head(:n), hints, map, error)
+         call refuse_other_format(source, head(:n), error)
+         if (.not. allocated(error)) call read_text(source, head(:n), hints, map, error)
          is_text = .true.
       end if
       if (.not. (is_text .or. allocated(error))) then
@@ -116,6 +130,24 @@ contains
       if (.not. allocated(error)) call check_height_map(map, error)
       if (allocated(error) .and. allocated(map%heights)) deallocate (map%heights)
    end subroutine read_source
+
+   subroutine read_archive(source, hints, map, error)
+      type(byte_source), intent(inout), target :: source
+      type(map_hints), intent(in) :: hints
+      type(height_map), intent(inout) :: map
+      type(error_type), allocatable, intent(out) :: error
+      logical :: is_plux
+
+      call refuse_other_archive(source, is_plux, error)
+      if (allocated(error)) return
+      if (is_plux) then
+         map%format = 'PLUX (Sensofar)'
+         call read_plux(source, hints, map, error)
+      else
+         map%format = 'X3P (ISO 25178-72)'
+         call read_x3p(source, hints, map, error)
+      end if
+   end subroutine read_archive
 
    subroutine read_sdf(source, version, hints, map, error)
       type(byte_source), intent(inout), target :: source

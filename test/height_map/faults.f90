@@ -45,7 +45,7 @@ contains
       call refused('', 'file: ', 'is empty')
       call refused(nl//nl//' '//nl, 'file: ', 'has no line of numbers')
       call refused('Dear reader'//nl//'this is a letter', 'file: ', 'has no line of numbers')
-      call refused(char(137)//'PNG'//achar(13)//achar(10)//achar(26)//achar(0), 'file: ', &
+      call refused(char(137)//'XYZ'//achar(13)//achar(10)//achar(26)//achar(0), 'file: ', &
          'is in no format that is known')
       call refused(char(255)//char(254)//'1'//achar(0), 'file: ', 'UTF-16')
       call refused('aISO-3.0'//nl, 'file: ', 'an SDF file of an unknown version')

@@ -2,8 +2,10 @@
 program test_height_map
    use funit, only: TestSuite
    use run_suites, only: run_suite
+   use test_height_map_binary, only: suite_map_binary
    use test_height_map_faults, only: suite_map_faults
    use test_height_map_files, only: suite_map_files
+   use test_height_map_formats, only: suite_map_formats
    use test_height_map_grids, only: suite_map_grids
    use test_height_map_headers, only: suite_map_headers
    use test_height_map_layouts, only: suite_map_layouts
@@ -21,6 +23,8 @@ program test_height_map
    call suite%addTest(suite_map_grids())
    call suite%addTest(suite_map_faults())
    call suite%addTest(suite_map_x3p())
+   call suite%addTest(suite_map_binary())
+   call suite%addTest(suite_map_formats())
    call suite%addTest(suite_limits())
    call run_suite(suite)
 end program test_height_map

@@ -167,8 +167,8 @@ contains
       at = index(archive, members(2)%bytes)
       archive(at:at) = char(ieor(ichar(archive(at:at)), 16))
       call refused(archive, 'file: bindata/data.bin: byte ', 'damaged', no_hints)
-      members(1)%name = 'index.xml'
-      call refuse(members, 'file: the archive has no member main.xml', 'this is no X3P file')
+      members(1)%name = 'other.xml'
+      call refuse(members, 'file: is a zip archive with ', 'neither X3P nor PLUX')
       members(1)%name = 'main.xml'
       members(2)%bytes = members(2)%bytes(:119)
       call refuse(members, 'file: byte 0: ', '6 x 5 points, the file has room for 29')

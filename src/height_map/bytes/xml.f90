@@ -131,8 +131,8 @@ contains
             return
          case (is_document_type, is_reference)
             call xml_error(reader, &
-               'has a document type or entities, which X3P has not: they are '// &
-               'not read, as they could be used for attacks', error)
+               'has a document type or entities: they are not read, as they could be used for '// &
+               'attacks', error)
             return
          case default
             cycle

@@ -14,8 +14,8 @@ module asperity_height_map_bytes_zip
    use asperity_height_map_file_errors, only: map_error
    implicit none
    private
-   public :: close_member, close_zip, find_folder, find_member, handle_of, open_member, open_zip, &
-      read_handle, read_member, zip_archive, zip_member
+   public :: close_member, close_zip, count_members, find_folder, find_member, handle_of, &
+      name_member, open_member, open_zip, read_handle, read_member, zip_archive, zip_member
 
    integer(c_int), parameter :: read_only = 16_c_int
    !> Names as they stand in the archive
@@ -80,6 +80,26 @@ contains
       archive%handle = c_null_ptr
    end subroutine close_zip
 
+   !> Number of members of an archive.
+   integer(int64) function count_members(archive)
+      !> The archive
+      type(zip_archive), intent(in) :: archive
+
+      count_members = c_zip_get_num_entries(archive%handle, 0_c_int32_t)
+   end function count_members
+
+   !> The name of a member, with its folders.
+   subroutine name_member(archive, place, name)
+      !> The archive
+      type(zip_archive), intent(in) :: archive
+      !> Place of the member, from 0 on
+      integer(int64), intent(in) :: place
+      !> Its name
+      character(len=:), allocatable, intent(out) :: name
+
+      call get_string(c_zip_get_name(archive%handle, place, raw_names), longest_name, name)
+   end subroutine name_member
+
    !> The folder that a member is in, with the slash behind it; empty where it stands outside all
    !> folders, or is not there.
    subroutine find_folder(archive, source, name, folder, error)
@@ -98,8 +118,8 @@ contains
 
       folder = ''
       if (c_zip_name_locate(archive%handle, name//c_null_char, 0_c_int32_t) >= 0_c_int64_t) return
-      do place = 0_c_int64_t, c_zip_get_num_entries(archive%handle, 0_c_int32_t) - 1_c_int64_t
-         call get_string(c_zip_get_name(archive%handle, place, raw_names), longest_name, found)
+      do place = 0_c_int64_t, count_members(archive) - 1_c_int64_t
+         call name_member(archive, place, found)
          if (len(found) <= len(name)) cycle
          if (found(len(found) - len(name):) /= '/'//name) cycle
          if (folder /= '') then
@@ -129,8 +149,7 @@ contains
       member%name = name
       member%place = c_zip_name_locate(archive%handle, name//c_null_char, 0_c_int32_t)
       if (member%place < 0_c_int64_t) then
-         call map_error(error, source, 'the archive has no member '//name//': this is no X3P '// &
-            'file, or it is incomplete')
+         call map_error(error, source, 'the archive has no member '//name//': it is incomplete')
          return
       end if
       status = c_zip_stat_index(archive%handle, member%place, 0_c_int32_t, stat)
