@@ -4,7 +4,7 @@
 file(GLOB_RECURSE fuzz_sources CONFIGURE_DEPENDS src/base/*.f90 src/height_map/*.f90)
 file(GLOB fuzz_program_sources CONFIGURE_DEPENDS test/fuzz/*.f90)
 add_executable(asperity_fuzz ${fuzz_sources} ${fuzz_program_sources}
-   test/height_map/x3p_cases.f90 test/height_map/zip_writer.f90)
+   test/height_map/binary_cases.f90 test/height_map/x3p_cases.f90 test/height_map/zip_writer.f90)
 asperity_compile_options(asperity_fuzz)
 set(fuzz_checks -fsanitize=address,undefined -fno-sanitize-recover=all)
 target_compile_options(asperity_fuzz PRIVATE ${fuzz_checks} -g -O1 -fno-omit-frame-pointer)

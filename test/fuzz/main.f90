@@ -8,6 +8,7 @@ program fuzz_main
    use asperity_base_kinds, only: wp
    use asperity_height_map_read, only: map_hints, read_height_map_bytes
    use asperity_height_map_type, only: check_height_map, height_map
+   use binary_cases, only: plux_members
    use fuzz_mutate, only: dice, mutate
    use fuzz_seeds, only: add_file, add_written, seed_type
    use x3p_cases, only: x3p_members
@@ -50,6 +51,13 @@ program fuzz_main
    call add_file(seeds, 'scans/folder.x3p')
    call run('X3P', .false.)
    call run('X3P within zip', .true.)
+   call run('PLUX within zip', .true.)
+   call add_written(seeds, 'plu')
+   call run('PLU', .false.)
+   call add_written(seeds, 'gwy')
+   call run('GWY', .false.)
+   call add_written(seeds, 'gsf')
+   call run('GSF', .false.)
    call add_written(seeds, 'xyz')
    call add_written(seeds, 'names')
    call add_written(seeds, 'quoted')
@@ -77,7 +85,7 @@ contains
    !> Damage the seeds of one reader and forget them.
    subroutine run(name, is_within)
       character(len=*), intent(in) :: name
-      !> Whether the members of an X3P archive are damaged, and not the archive
+      !> Whether the members of an archive are damaged, and not the archive
       logical, intent(in) :: is_within
       character(len=:), allocatable :: file, other
       type(zip_member_text) :: members(3)
@@ -91,7 +99,11 @@ contains
       worst = 0.0_wp
       do i = 1, count
          if (is_within) then
-            call x3p_members(members, chance%below(5))
+            if (index(name, 'PLUX') == 1) then
+               call plux_members(members)
+            else
+               call x3p_members(members, chance%below(5))
+            end if
             other = members(1)%bytes
             if (i > 1) then
                k = 1

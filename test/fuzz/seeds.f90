@@ -5,6 +5,7 @@ module fuzz_seeds
    use asperity_base_no_value, only: none
    use asperity_height_map_type, only: height_map
    use asperity_height_map_write, only: height_map_bytes
+   use binary_cases, only: gsf_file, gwy_array, gwy_field, gwy_file, gwy_text, plu_file
    implicit none
    private
    public :: add_file, add_written, seed_type
@@ -39,7 +40,7 @@ contains
    end subroutine add_file
 
    !> Append a map as we write it, or as others do: `esri`, `gwyddion`, `semicolons`, `names`,
-   !> `axes`, `factor`, `quoted`.
+   !> `axes`, `factor`, `quoted`, `plu`, `gwy`, `gsf`.
    subroutine add_written(seeds, form)
       !> The seeds
       type(seed_type), allocatable, intent(inout) :: seeds(:)
@@ -101,6 +102,15 @@ contains
                   achar(48 + mod(i*j, 10))//'","good"'//line_end
             end do
          end do
+      case ('plu')
+         call plu_file(seed%bytes, 0, '')
+      case ('gsf')
+         call gsf_file(seed%bytes, '', '')
+      case ('gwy')
+         seed%bytes = gwy_file(gwy_text('/1/data/title', 'Height')// &
+            gwy_field('/1/mask', '', gwy_array(.true.))// &
+            gwy_field('/1/data', 'um', gwy_array(.false.))// &
+            gwy_field('/0/data', 'V', gwy_array(.false.)))
       case default
          error stop 'no such form'
       end select

@@ -161,7 +161,7 @@ contains
          'incomplete')
       call check('<xml>', '<!DOCTYPE a []><xml>', 'file: index.xml:', 'document type')
       call plux_members(members)
-      members(1)%bytes(33:36) = transfer(3.0e9_real32, '1234')
+      members(2)%bytes(33:36) = transfer(3.0e9_real32, '1234')
       call zip_of(members, archive)
       call refused(archive, 'file: LAYER_0.raw: byte 32: ', 'beyond 1 km', no_hints)
    contains
@@ -181,10 +181,10 @@ contains
       character(len=*), intent(in) :: old, new
       integer :: at
 
-      at = index(members(2)%bytes, old)
+      at = index(members(1)%bytes, old)
       call assertTrue(at > 0, old)
-      if (at > 0) members(2)%bytes = members(2)%bytes(:at - 1)//new// &
-         members(2)%bytes(at + len(old):)
+      if (at > 0) members(1)%bytes = members(1)%bytes(:at - 1)//new// &
+         members(1)%bytes(at + len(old):)
    end subroutine change
 
    subroutine test_gwy()

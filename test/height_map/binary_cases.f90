@@ -69,10 +69,10 @@ contains
       !> index.xml, heights, recipe
       type(zip_member_text), intent(out) :: members(3)
 
-      members(1)%name = 'LAYER_0.raw'
-      members(1)%bytes = singles(transfer(int(z'7FC00000', int32), 1.0_real32))
-      members(2)%name = 'index.xml'
-      members(2)%bytes = '<?xml version="1.0" encoding="UTF-8"?>'//achar(10)// &
+      members(2)%name = 'LAYER_0.raw'
+      members(2)%bytes = singles(transfer(int(z'7FC00000', int32), 1.0_real32))
+      members(1)%name = 'index.xml'
+      members(1)%bytes = '<?xml version="1.0" encoding="UTF-8"?>'//achar(10)// &
          '<xml><GENERAL><DATE>Mon Nov 30 09:15:00 2026</DATE><IMAGE_SIZE_X>6</IMAGE_SIZE_X>'// &
          '<IMAGE_SIZE_Y>5</IMAGE_SIZE_Y><FOV_X>1.5</FOV_X><FOV_Y>2.5</FOV_Y></GENERAL>'// &
          achar(10)//'<LAYER_0><FILENAME_STACK>LAYER_0.stack.raw</FILENAME_STACK>'// &

@@ -55,7 +55,7 @@ contains
       character(len=longest_text) :: name, role
       integer :: i, n, number
 
-      allocate (channels(0), found(8))
+      allocate (found(8))
       rest = gwy_span(magic_length, source%size)
       call open_object(source, rest, name, inside, error)
       if (allocated(error)) return
@@ -94,8 +94,7 @@ contains
          end if
          if (allocated(error)) return
       end do
-      channels = pack(found(:n), found(:n)%image%is_there)
-      call sort(channels)
+      call sort(found(:n), channels)
    end subroutine read_channels
 
    !> The number of a channel in a name such as /3/data, and what follows it; -1 where there is
@@ -171,19 +170,26 @@ contains
       end do
    end subroutine read_unit
 
-   !> Sort channels by their numbers: Gwyddion writes them in any order.
-   pure subroutine sort(channels)
-      type(gwy_channel), intent(inout) :: channels(:)
-      type(gwy_channel) :: moved
-      integer :: i, k
+   !> Those with an image, by their numbers: Gwyddion writes them in any order.
+   pure subroutine sort(found, channels)
+      type(gwy_channel), intent(in) :: found(:)
+      type(gwy_channel), allocatable, intent(out) :: channels(:)
+      integer :: i, k, n
 
-      do i = 2, size(channels)
-         moved = channels(i)
-         do k = i - 1, 1, -1
-            if (channels(k)%number <= moved%number) exit
+      n = 0
+      do i = 1, size(found)
+         if (found(i)%image%is_there) n = n + 1
+      end do
+      allocate (channels(n))
+      n = 0
+      do i = 1, size(found)
+         if (.not. found(i)%image%is_there) cycle
+         do k = n, 1, -1
+            if (channels(k)%number <= found(i)%number) exit
             channels(k + 1) = channels(k)
          end do
-         channels(k + 1) = moved
+         channels(k + 1) = found(i)
+         n = n + 1
       end do
    end subroutine sort
 
