@@ -1,8 +1,8 @@
 !> A parameter of a fit: its name, where the search begins and between what it stays.
 !>
-!> Inside it is y, its value or the value's logarithm, and t, which any number may be: y goes from
-!> one bound to the other as t goes from minus to plus infinity. So no search can ask for a value
-!> that is not allowed.
+!> Inside it is y, its value over its scale or the value's logarithm, and t, any number:
+!> y swings from one bound to the other and back as the sine of t does. So no search can ask for a
+!> value that is not allowed, and one that leaps past a bound comes back.
 module asperity_fit_parameter
    use asperity_base_error, only: error_type, fatal_error
    use asperity_base_finite, only: is_finite
@@ -10,7 +10,8 @@ module asperity_fit_parameter
    use asperity_base_number_text, only: to_text
    implicit none
    private
-   public :: check_parameters, fit_parameter, free_of, plain_slope, spread_of, value_of, y_of
+   public :: check_parameters, fit_parameter, ends_of, share_of, slope_of, t_of, value_of, y_of, &
+      y_at
 
    !> One parameter that is sought.
    type :: fit_parameter
@@ -24,10 +25,13 @@ module asperity_fit_parameter
       real(wp) :: lower = 0.0_wp, upper = 0.0_wp
       !> Varied by ratios: bounds above zero, interval symmetric in the logarithm
       logical :: by_ratio = .false.
+      !> Change of a parameter that is not varied by ratios that counts as much as a factor of e of
+      !> one that is; above zero
+      real(wp) :: scale = 1.0_wp
    end type fit_parameter
 
-   !> t of a share so close to a bound that its slope is nothing is not asked for
-   real(wp), parameter :: farthest = 30.0_wp
+   !> Ends of intervals of logarithms lie within what numbers can be
+   real(wp), parameter :: largest_log = 700.0_wp
 
 contains
 
@@ -59,7 +63,7 @@ contains
       associate (p => parameter)
          fine = is_finite(p%start) .and. is_finite(p%lower) .and. is_finite(p%upper)
          if (fine) fine = p%lower < p%start .and. p%start < p%upper &
-            .and. (p%lower > 0.0_wp .or. .not. p%by_ratio)
+            .and. (p%lower > 0.0_wp .or. .not. p%by_ratio) .and. p%scale > 0.0_wp
          if (.not. fine) call fatal_error(error, trim(p%name)//' begins at '//to_text(p%start)// &
             ' between '//to_text(p%lower)//' and '//to_text(p%upper)//trim(' '//p%unit)// &
             ': the beginning must lie between the bounds'// &
@@ -68,84 +72,90 @@ contains
       end associate
    end subroutine check_parameter
 
-   !> y of a value: itself or its logarithm.
+   !> y of a value: itself over the scale, or its logarithm.
    elemental real(wp) function y_of(parameter, value)
       !> The parameter
       type(fit_parameter), intent(in) :: parameter
       !> Its value
       real(wp), intent(in) :: value
 
-      y_of = value
-      if (parameter%by_ratio) y_of = log(value)
+      if (parameter%by_ratio) then
+         y_of = log(value)
+      else
+         y_of = value/parameter%scale
+      end if
    end function y_of
 
    !> Value of y.
-   elemental real(wp) function plain_of(parameter, y)
+   elemental real(wp) function value_of(parameter, y)
+      !> The parameter
       type(fit_parameter), intent(in) :: parameter
+      !> Its y
       real(wp), intent(in) :: y
 
-      plain_of = y
-      if (parameter%by_ratio) plain_of = exp(y)
-   end function plain_of
-
-   !> Value of t, between the bounds.
-   elemental real(wp) function value_of(parameter, t)
-      !> The parameter
-      type(fit_parameter), intent(in) :: parameter
-      !> Any number
-      real(wp), intent(in) :: t
-      real(wp) :: low, high
-
-      low = y_of(parameter, parameter%lower)
-      high = y_of(parameter, parameter%upper)
-      value_of = plain_of(parameter, low + (high - low)*share_of(t))
-      value_of = min(max(value_of, parameter%lower), parameter%upper)
+      if (parameter%by_ratio) then
+         value_of = exp(y)
+      else
+         value_of = y*parameter%scale
+      end if
    end function value_of
 
-   !> t of a value strictly between the bounds.
-   elemental real(wp) function free_of(parameter, value)
-      !> The parameter
-      type(fit_parameter), intent(in) :: parameter
-      !> Its value
-      real(wp), intent(in) :: value
-      real(wp) :: y, low, high
-
-      y = y_of(parameter, value)
-      low = y_of(parameter, parameter%lower)
-      high = y_of(parameter, parameter%upper)
-      free_of = log((y - low)/(high - y))
-   end function free_of
-
-   !> dy/dt.
-   elemental real(wp) function plain_slope(parameter, t)
+   !> y between the bounds, which it keeps to the last bit.
+   elemental real(wp) function y_at(parameter, t)
       !> The parameter
       type(fit_parameter), intent(in) :: parameter
       !> Any number
       real(wp), intent(in) :: t
 
-      plain_slope = (y_of(parameter, parameter%upper) - y_of(parameter, parameter%lower)) &
-         *share_of(t)*share_of(-t)
-   end function plain_slope
+      associate (low => y_of(parameter, parameter%lower), high => y_of(parameter, parameter%upper))
+         y_at = min(max(low + 0.5_wp*(high - low)*(1.0_wp + sin(t)), low), high)
+      end associate
+   end function y_at
 
-   !> Ends of an interval y +- half, as values.
-   pure function spread_of(parameter, value, half) result(ends)
+   !> t of y between the bounds.
+   elemental real(wp) function t_of(parameter, y)
       !> The parameter
       type(fit_parameter), intent(in) :: parameter
-      !> Its value
-      real(wp), intent(in) :: value
-      !> Half of the interval, of y
-      real(wp), intent(in) :: half
-      real(wp) :: ends(2)
+      !> Its y
+      real(wp), intent(in) :: y
 
-      ends(1) = plain_of(parameter, y_of(parameter, value) - half)
-      ends(2) = plain_of(parameter, y_of(parameter, value) + half)
-   end function spread_of
+      t_of = asin(min(max(2.0_wp*share_of(parameter, y) - 1.0_wp, -1.0_wp), 1.0_wp))
+   end function t_of
 
-   !> The way from one bound to the other, 0 to 1.
-   elemental real(wp) function share_of(t)
+   !> dy/dt.
+   elemental real(wp) function slope_of(parameter, t)
+      !> The parameter
+      type(fit_parameter), intent(in) :: parameter
+      !> Any number
       real(wp), intent(in) :: t
 
-      share_of = 1.0_wp/(1.0_wp + exp(-min(max(t, -farthest), farthest)))
+      slope_of = 0.5_wp*(y_of(parameter, parameter%upper) - y_of(parameter, parameter%lower))*cos(t)
+   end function slope_of
+
+   !> The way that y has come from the lower bound to the upper, 0 to 1.
+   elemental real(wp) function share_of(parameter, y)
+      !> The parameter
+      type(fit_parameter), intent(in) :: parameter
+      !> Its y
+      real(wp), intent(in) :: y
+
+      associate (low => y_of(parameter, parameter%lower), high => y_of(parameter, parameter%upper))
+         share_of = (y - low)/(high - low)
+      end associate
    end function share_of
+
+   !> Ends of an interval y +- half, as values.
+   pure function ends_of(parameter, y, half) result(ends)
+      !> The parameter
+      type(fit_parameter), intent(in) :: parameter
+      !> Its y, and half of the interval
+      real(wp), intent(in) :: y, half
+      real(wp) :: ends(2)
+
+      ends = [y - half, y + half]
+      ! the logarithm of what nothing is known of may be any number
+      if (parameter%by_ratio) ends = min(max(ends, -largest_log), largest_log)
+      ends = value_of(parameter, ends)
+   end function ends_of
 
 end module asperity_fit_parameter

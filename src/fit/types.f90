@@ -7,34 +7,44 @@ module asperity_fit_types
 
    !> How the minimum is sought.
    type :: fit_settings
-      !> Most iterations
+      !> Most iterations of a search
       integer :: max_iterations = 100
-      !> Step of differences, of t (see asperity_fit_parameter); larger for models with some noise
-      real(wp) :: difference_step = 1.0e-4_wp
+      !> Searches: one from the start, the others from the best of sets spread between the bounds
+      integer :: searches = 1
+      !> How many sets are spread for each of these
+      integer :: spread_sets = 20
+      !> Step of differences, over the way between the bounds; larger for models with some noise
+      real(wp) :: difference_step = 1.0e-5_wp
       !> Share of the intervals
       real(wp) :: confidence = 0.95_wp
    end type fit_settings
 
-   !> What was found.
+   !> What was found. Standard errors and directions are of y: the logarithm of a parameter that is
+   !> varied by ratios, else its value over its scale.
    type :: fit_result
       !> Values, and ends of their intervals
       real(wp), allocatable :: values(:), lower(:), upper(:)
-      !> Standard errors: of the value, or of its logarithm where it is varied by ratios
+      !> Standard errors
       real(wp), allocatable :: standard_errors(:)
       !> Correlations
       real(wp), allocatable :: correlations(:, :)
-      !> Standard errors along the directions of the parameters (values or logarithms), in columns,
-      !> that the record tells apart, best known first
-      real(wp), allocatable :: direction_errors(:), directions(:, :)
+      !> Directions of the parameters that the record tells apart, in columns, best known first, and
+      !> standard errors along them
+      real(wp), allocatable :: directions(:, :), direction_errors(:)
+      !> Whether the record settles a direction: its standard error is below one half, and a change
+      !> along it moves the model by more than errors of the differences
+      logical, allocatable :: settled(:)
       !> Whether a parameter came to one of its bounds, so that its interval means nothing
       logical, allocatable :: at_bound(:)
       !> Residuals
       real(wp), allocatable :: residuals(:)
-      !> Sum of their squares, there and at the start
+      !> Sum of their squares, there and at the start, which is huge if the model fails at the start
       real(wp) :: chi_squared = 0.0_wp, start_chi_squared = 0.0_wp
       !> Residuals less parameters
       integer :: degrees_of_freedom = 0
-      !> Iterations and evaluations of the model
+      !> Searches, and how many of them came to this minimum
+      integer :: searches = 0, agreeing = 0
+      !> Iterations of all searches, and evaluations of the model
       integer :: iterations = 0, evaluations = 0
    end type fit_result
 

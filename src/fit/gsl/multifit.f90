@@ -1,4 +1,4 @@
-!> Interfaces of GSL's nonlinear least squares (gsl_multifit_nlinear.h) and of its singular values.
+!> Interfaces of GSL's nonlinear least squares (gsl_multifit_nlinear.h).
 module asperity_fit_gsl_multifit
    use, intrinsic :: iso_c_binding, only: c_double, c_funptr, c_int, c_null_funptr, c_null_ptr, &
       c_ptr, c_size_t
@@ -8,8 +8,7 @@ module asperity_fit_gsl_multifit
       c_set_error_handler_off, c_winit, gsl_fdf, gsl_matrix, gsl_parameters, gsl_trust, gsl_vector
 
    !> What callbacks return
-   integer(c_int), parameter, public :: gsl_success = 0_c_int, gsl_ebadfunc = 9_c_int, &
-      gsl_emaxiter = 11_c_int, gsl_enoprog = 27_c_int
+   integer(c_int), parameter, public :: gsl_success = 0_c_int, gsl_ebadfunc = 9_c_int
 
    !> gsl_vector.
    type, bind(c) :: gsl_vector

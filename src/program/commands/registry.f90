@@ -4,6 +4,7 @@ module asperity_program_commands_registry
    use asperity_program_commands_curve, only: curve_command
    use asperity_program_commands_deck_shear, only: shear_deck_command
    use asperity_program_commands_deck_tenon, only: tenon_deck_command
+   use asperity_program_commands_fit_command, only: fit_command
    use asperity_program_commands_hysteresis_command, only: hysteresis_command
    use asperity_program_commands_pairs, only: pairs_command
    use asperity_program_commands_press, only: press_command
@@ -19,7 +20,7 @@ module asperity_program_commands_registry
    public :: command_entry, list_commands, find_command, all_keys, owners
 
    !> How many there are
-   integer, parameter, public :: n_commands = 11
+   integer, parameter, public :: n_commands = 12
 
    !> A command in a list.
    type :: command_entry
@@ -43,8 +44,9 @@ contains
       allocate (shear_deck_command :: list(7)%command)
       allocate (tenon_deck_command :: list(8)%command)
       allocate (hysteresis_command :: list(9)%command)
-      allocate (surface_command :: list(10)%command)
-      allocate (pairs_command :: list(11)%command)
+      allocate (fit_command :: list(10)%command)
+      allocate (surface_command :: list(11)%command)
+      allocate (pairs_command :: list(12)%command)
       do i = 1, size(list)
          call list(i)%command%describe()
       end do

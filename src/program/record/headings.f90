@@ -1,9 +1,9 @@
 !> What the headings of a record's columns say: name, unit, and what a column holds by them.
 module asperity_program_record_headings
    use asperity_program_record_names, only: find_meaning, holds_displacement, holds_drift, &
-      holds_force, holds_moment, holds_rotation, holds_time, holds_unknown
+      holds_force, holds_moment, holds_pressure, holds_rotation, holds_time, holds_unknown
    use asperity_program_record_units, only: find_unit, unit_angle, unit_force, unit_length, &
-      unit_moment, unit_share, unit_time, unit_unknown
+      unit_moment, unit_pressure, unit_share, unit_time, unit_unknown
    use asperity_program_system_utf8, only: utf8_text
    implicit none
    private
@@ -99,6 +99,8 @@ contains
          fits = any(measures == [unit_unknown, unit_force])
       case (holds_moment)
          fits = any(measures == [unit_unknown, unit_moment])
+      case (holds_pressure)
+         fits = any(measures == [unit_unknown, unit_pressure])
       case (holds_time)
          fits = any(measures == [unit_unknown, unit_time])
       case default
@@ -137,6 +139,8 @@ contains
          unit_of = unit_angle
       case (holds_force)
          unit_of = unit_force
+      case (holds_pressure)
+         unit_of = unit_pressure
       case default
          unit_of = unit_moment
       end select

@@ -15,6 +15,7 @@ module asperity_program_record_names
       enumerator :: holds_drift
       enumerator :: holds_force
       enumerator :: holds_moment
+      enumerator :: holds_pressure
       enumerator :: holds_time
       !> Numbers of steps, cycles, samples and what else changes within a test
       enumerator :: holds_count
@@ -22,7 +23,7 @@ module asperity_program_record_names
       enumerator :: holds_other
    end enum
    public :: holds_unknown, holds_displacement, holds_rotation, holds_drift, holds_force, &
-      holds_moment, holds_time, holds_count, holds_other
+      holds_moment, holds_pressure, holds_time, holds_count, holds_other
 
    !> How sure a name is: the quantity's own name; another one, or its symbol; a part of the heading
    integer, parameter, public :: sure_name = 1, other_name = 2, part_of_name = 3
@@ -51,6 +52,9 @@ module asperity_program_record_names
       word_type('opening', holds_displacement, other_name), &
       word_type('elongation', holds_displacement, other_name), &
       word_type('deformation', holds_displacement, other_name), &
+      word_type('closure', holds_displacement, other_name), &
+      word_type('overclosure', holds_displacement, other_name), &
+      word_type('approach', holds_displacement, other_name), &
       word_type('lvdt', holds_displacement, other_name), &
       word_type('travel', holds_displacement, other_name), &
       word_type('extension', holds_displacement, other_name), &
@@ -87,15 +91,17 @@ module asperity_program_record_names
       word_type('phase', holds_count, sure_name), word_type('stage', holds_count, sure_name), &
       word_type('segment', holds_count, sure_name), word_type('loop', holds_count, sure_name), &
       word_type('level', holds_count, sure_name), word_type('amplitude', holds_count, sure_name), &
-      word_type('stress', holds_other, sure_name), word_type('strain', holds_other, sure_name), &
-      word_type('pressure', holds_other, sure_name), word_type('rate', holds_other, sure_name), &
+      word_type('pressure', holds_pressure, sure_name), &
+      word_type('stress', holds_pressure, other_name), &
+      word_type('druck', holds_pressure, sure_name, ends), &
+      word_type('spannung', holds_pressure, other_name, ends), &
+      word_type('strain', holds_other, sure_name), word_type('rate', holds_other, sure_name), &
       word_type('speed', holds_other, sure_name), word_type('velocity', holds_other, sure_name), &
       word_type('energy', holds_other, sure_name), word_type('work', holds_other, sure_name), &
       word_type('stiffness', holds_other, sure_name), word_type('area', holds_other, sure_name), &
       word_type('temperature', holds_other, sure_name), &
       word_type('voltage', holds_other, sure_name), &
       word_type('dissipation', holds_other, sure_name), &
-      word_type('spannung', holds_other, sure_name, ends), &
       word_type('dehnung', holds_other, sure_name, ends), &
       word_type('geschwindigkeit', holds_other, sure_name, ends)]
 
@@ -170,6 +176,8 @@ contains
          name = 'rotation'
       case (holds_force)
          name = 'force'
+      case (holds_pressure)
+         name = 'pressure'
       case default
          name = 'moment'
       end select

@@ -7,7 +7,7 @@ module asperity_program_record_tests
    use asperity_program_record_columns, only: column_with_name, number_of
    use asperity_program_record_layout, only: layout_type
    use asperity_program_record_lines, only: field, next_line, place_type
-   use asperity_program_record_names, only: holds_other, holds_unknown
+   use asperity_program_record_names, only: holds_other, holds_pressure, holds_unknown
    use asperity_program_record_numbers, only: looks_like_number, read_number
    use asperity_program_system_strings, only: quoted, string_type
    use asperity_program_system_utf8, only: utf8_text
@@ -170,7 +170,7 @@ contains
       allocate (tests(1))
       allocate (tests(1)%conditions(0))
       do n = 1, min(n_leading, size(layout%columns))
-         if (all(layout%columns(n)%holds /= [holds_unknown, holds_other])) exit
+         if (all(layout%columns(n)%holds /= [holds_unknown, holds_pressure, holds_other])) exit
          if (.not. layout%has_names) then
             if (looks_like_number(field(text(layout%start%first:layout%start%last), &
                layout%start, n))) exit

@@ -17,12 +17,13 @@ module asperity_program_record_units
       enumerator :: unit_share
       enumerator :: unit_force
       enumerator :: unit_moment
+      enumerator :: unit_pressure
       enumerator :: unit_time
       !> Something that no column of a record is chosen for
       enumerator :: unit_other
    end enum
    public :: unit_unknown, unit_length, unit_angle, unit_share, unit_force, unit_moment, &
-      unit_time, unit_other
+      unit_pressure, unit_time, unit_other
 
    !> One unit.
    type :: unit_type
@@ -30,11 +31,12 @@ module asperity_program_record_units
       character(len=10) :: name
       !> What it measures
       integer :: measures
-      !> What it is in mm or rad; 1 of all others
+      !> What it is in mm, rad, N or MPa; 1 of all others
       real(wp) :: factor
    end type unit_type
 
-   real(wp), parameter :: degree = pi/180.0_wp, inch = 25.4_wp
+   real(wp), parameter :: degree = pi/180.0_wp, inch = 25.4_wp, &
+      kgf = 9.80665_wp, lbf = 4.4482216152605_wp
 
    type(unit_type), parameter :: units(*) = [ &
       unit_type('mm', unit_length, 1.0_wp), unit_type('cm', unit_length, 10.0_wp), &
@@ -50,12 +52,12 @@ module asperity_program_record_units
       unit_type('degrees', unit_angle, degree), unit_type('grad', unit_angle, degree), &
       unit_type('%', unit_share, 1.0e-2_wp), unit_type('percent', unit_share, 1.0e-2_wp), &
       unit_type('%rad', unit_angle, 1.0e-2_wp), &
-      unit_type('n', unit_force, 1.0_wp), unit_type('dan', unit_force, 1.0_wp), &
-      unit_type('kn', unit_force, 1.0_wp), unit_type('mn', unit_force, 1.0_wp), &
-      unit_type('lbf', unit_force, 1.0_wp), unit_type('lb', unit_force, 1.0_wp), &
-      unit_type('lbs', unit_force, 1.0_wp), unit_type('kip', unit_force, 1.0_wp), &
-      unit_type('kips', unit_force, 1.0_wp), unit_type('kgf', unit_force, 1.0_wp), &
-      unit_type('kp', unit_force, 1.0_wp), unit_type('tf', unit_force, 1.0_wp), &
+      unit_type('n', unit_force, 1.0_wp), unit_type('dan', unit_force, 10.0_wp), &
+      unit_type('kn', unit_force, 1000.0_wp), unit_type('mn', unit_force, 1.0e6_wp), &
+      unit_type('lbf', unit_force, lbf), unit_type('lb', unit_force, lbf), &
+      unit_type('lbs', unit_force, lbf), unit_type('kip', unit_force, 1000.0_wp*lbf), &
+      unit_type('kips', unit_force, 1000.0_wp*lbf), unit_type('kgf', unit_force, kgf), &
+      unit_type('kp', unit_force, kgf), unit_type('tf', unit_force, 1000.0_wp*kgf), &
       unit_type('nm', unit_moment, 1.0_wp), unit_type('nmm', unit_moment, 1.0_wp), &
       unit_type('ncm', unit_moment, 1.0_wp), unit_type('knm', unit_moment, 1.0_wp), &
       unit_type('knmm', unit_moment, 1.0_wp), unit_type('kncm', unit_moment, 1.0_wp), &
@@ -71,11 +73,12 @@ module asperity_program_record_units
       unit_type('seconds', unit_time, 1.0_wp), unit_type('sek', unit_time, 1.0_wp), &
       unit_type('ms', unit_time, 1.0_wp), unit_type('min', unit_time, 1.0_wp), &
       unit_type('h', unit_time, 1.0_wp), unit_type('hr', unit_time, 1.0_wp), &
-      unit_type('mpa', unit_other, 1.0_wp), unit_type('kpa', unit_other, 1.0_wp), &
-      unit_type('pa', unit_other, 1.0_wp), unit_type('gpa', unit_other, 1.0_wp), &
-      unit_type('n/mm2', unit_other, 1.0_wp), unit_type('n/mm^2', unit_other, 1.0_wp), &
-      unit_type('psi', unit_other, 1.0_wp), unit_type('ksi', unit_other, 1.0_wp), &
-      unit_type('bar', unit_other, 1.0_wp), unit_type('v', unit_other, 1.0_wp), &
+      unit_type('mpa', unit_pressure, 1.0_wp), unit_type('kpa', unit_pressure, 1.0e-3_wp), &
+      unit_type('pa', unit_pressure, 1.0e-6_wp), unit_type('gpa', unit_pressure, 1.0e3_wp), &
+      unit_type('n/mm2', unit_pressure, 1.0_wp), unit_type('n/mm^2', unit_pressure, 1.0_wp), &
+      unit_type('psi', unit_pressure, lbf/inch**2), &
+      unit_type('ksi', unit_pressure, 1000.0_wp*lbf/inch**2), &
+      unit_type('bar', unit_pressure, 0.1_wp), unit_type('v', unit_other, 1.0_wp), &
       unit_type('mv', unit_other, 1.0_wp), unit_type('mv/v', unit_other, 1.0_wp), &
       unit_type('a', unit_other, 1.0_wp), unit_type('ma', unit_other, 1.0_wp), &
       unit_type('c', unit_other, 1.0_wp), unit_type('degc', unit_other, 1.0_wp), &

@@ -2,8 +2,8 @@
 module asperity_program_system_strings
    implicit none
    private
-   public :: string_type, lower_case, quoted, escaped, nearest_name, shell_word, split_lines, &
-      starts_with, wrapped
+   public :: string_type, add_line, lower_case, quoted, escaped, nearest_name, shell_word, &
+      split_lines, starts_with, wrapped
 
    character(len=*), parameter, public :: newline = new_line('a')
    !> As `\` in a literal means different things to different compilers
@@ -17,6 +17,18 @@ module asperity_program_system_strings
    end type string_type
 
 contains
+
+   !> Append a text to a list.
+   pure subroutine add_line(lines, text)
+      !> The list, which is allocated
+      type(string_type), allocatable, intent(inout) :: lines(:)
+      !> The text
+      character(len=*), intent(in) :: text
+      type(string_type) :: line
+
+      line%text = text
+      lines = [lines, line]
+   end subroutine add_line
 
    !> ASCII letters in lower case.
    pure function lower_case(text) result(lower)
