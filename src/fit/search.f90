@@ -1,5 +1,6 @@
-!> One search for the minimum by GSL's trust region (Levenberg-Marquardt). GSL 2.7.1 asks again and
-!> again for a point that is refused, so a set that cannot be evaluated gives huge residuals here.
+!> One search for the minimum by GSL's trust region (Levenberg-Marquardt with geodesic
+!> acceleration). GSL 2.7.1 asks again and again for a point that is refused, so a set that cannot be
+!> evaluated gives huge residuals here.
 module asperity_fit_search
    use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_f_pointer, c_funloc, c_int, &
       c_loc, c_null_funptr, c_null_ptr, c_ptr, c_size_t
@@ -8,8 +9,8 @@ module asperity_fit_search
    use asperity_base_kinds, only: wp
    use asperity_fit_gsl_linear, only: view_of_vector
    use asperity_fit_gsl_multifit, only: c_alloc, c_default_parameters, c_driver, c_free, &
-      c_iterations, c_position, c_set_error_handler_off, c_winit, gsl_ebadfunc, gsl_fdf, &
-      gsl_matrix, gsl_parameters, gsl_success, gsl_trust, gsl_vector
+      c_iterations, c_position, c_set_error_handler_off, c_winit, gsl_accelerated, &
+      gsl_ebadfunc, gsl_fdf, gsl_matrix, gsl_parameters, gsl_success, gsl_trust, gsl_vector
    use asperity_fit_parameter, only: fit_parameter, slope_of, t_of, value_of, y_at
    use asperity_fit_problem, only: fit_problem
    use asperity_fit_sensitivities, only: differentiate
@@ -56,6 +57,8 @@ contains
       allocate (t(size(y)), source=t_of(self%parameters, y))
       handler = c_set_error_handler_off()
       parameters = c_default_parameters()
+      ! valleys of parameters that are known together only are long and bent
+      parameters%method = gsl_accelerated
       work = c_alloc(gsl_trust, parameters, int(self%n_residuals, c_size_t), &
          size(t, kind=c_size_t))
       if (.not. c_associated(work)) return

@@ -5,7 +5,8 @@ module asperity_fit_gsl_multifit
    implicit none
    private
    public :: c_alloc, c_default_parameters, c_driver, c_free, c_iterations, c_position, &
-      c_set_error_handler_off, c_winit, gsl_fdf, gsl_matrix, gsl_parameters, gsl_trust, gsl_vector
+      c_set_error_handler_off, c_winit, gsl_accelerated, gsl_fdf, gsl_matrix, gsl_parameters, &
+      gsl_trust, gsl_vector
 
    !> What callbacks return
    integer(c_int), parameter, public :: gsl_success = 0_c_int, gsl_ebadfunc = 9_c_int
@@ -42,8 +43,9 @@ module asperity_fit_gsl_multifit
          most_acceleration = 0.0_c_double, step = 0.0_c_double, second_step = 0.0_c_double
    end type gsl_parameters
 
-   !> The trust-region method
+   !> The trust-region method, and Levenberg's and Marquardt's step with geodesic acceleration
    type(c_ptr), bind(c, name='gsl_multifit_nlinear_trust') :: gsl_trust
+   type(c_ptr), bind(c, name='gsl_multifit_nlinear_trs_lmaccel') :: gsl_accelerated
 
    interface
       type(gsl_parameters) function c_default_parameters() &

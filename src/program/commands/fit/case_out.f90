@@ -8,7 +8,7 @@ module asperity_program_commands_fit_case_out
    use asperity_program_input_key, only: kind_real
    use asperity_program_input_key_list, only: key_list
    use asperity_program_input_print_case, only: case_text
-   use asperity_program_system_strings, only: add_line, quoted, string_type
+   use asperity_program_system_strings, only: add_line, string_type
    implicit none
    private
    public :: fit_case
@@ -16,11 +16,11 @@ module asperity_program_commands_fit_case_out
 contains
 
    !> The case file.
-   function fit_case(kind, record_file, parameters, result) result(text)
+   function fit_case(kind, files, parameters, result) result(text)
       !> The kind, declared with the values found
       class(fit_kind), intent(in) :: kind
-      !> Path of the record
-      character(len=*), intent(in) :: record_file
+      !> Paths of the record
+      character(len=*), intent(in) :: files
       !> The free parameters
       type(fit_parameter), intent(in) :: parameters(:)
       !> What was found
@@ -34,7 +34,7 @@ contains
       call kind%case_keys(keys, commands)
       allocate (heading(3))
       heading(1)%text = 'Written by asperity fit, version '//version//', for asperity '//commands
-      heading(2)%text = 'Record: '//quoted(record_file)
+      heading(2)%text = 'Record: '//files
       heading(3)%text = 'Fitted, with 95 % intervals:'
       do i = 1, size(parameters)
          call add_line(heading, '  '//trim(parameters(i)%name)//' '// &

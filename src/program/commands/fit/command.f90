@@ -105,7 +105,7 @@ contains
       if (allocated(error)) return
       call kind%take_records(records, error)
       if (allocated(error)) then
-         error%message = self%options%input%record_file//': '//error%message
+         error%message = files_text(self%options)//': '//error%message
          return
       end if
       call make_parameters(self%options, kind, free, parameters, error)
@@ -117,7 +117,7 @@ contains
       call fit_least_squares(problem, samples_of(records), parameters, settings, result, error)
       if (.not. allocated(error)) call check_settled(parameters, result, error)
       if (allocated(error)) then
-         error%message = self%options%input%record_file//': '//error%message
+         error%message = files_text(self%options)//': '//error%message
          return
       end if
       call give(kind, parameters, result%values, 'fitted', error)
@@ -207,6 +207,20 @@ contains
       call declare_again(kind, error)
    end subroutine give
 
+   !> Paths of the files.
+   pure function files_text(options) result(text)
+      type(fit_options), intent(in) :: options
+      character(len=:), allocatable :: text
+      integer :: i
+
+      associate (files => options%input%files)
+         text = files(1)%text
+         do i = 2, size(files)
+            text = text//', '//files(i)%text
+         end do
+      end associate
+   end function files_text
+
    !> Samples of all tests.
    pure integer function samples_of(records)
       type(fit_record), intent(in) :: records(:)
@@ -264,9 +278,9 @@ contains
       report%remarks = [residual_remarks(parameters, result), lines]
       allocate (report%decks(1))
       report%decks(1)%option = 'case'
-      report%decks(1)%text = fit_case(kind, self%options%input%record_file, parameters, result)
+      report%decks(1)%text = fit_case(kind, files_text(self%options), parameters, result)
       call self%declare(report%keys)
-      report%picture_title = self%options%input%record_file
+      report%picture_title = files_text(self%options)
       if (report%is_drawn()) report%pictures = [fit_picture(kind%quantities, records, model)]
    end subroutine add_results
 

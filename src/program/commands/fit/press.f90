@@ -105,8 +105,7 @@ contains
          integer :: j
 
          if (given .or. any([(free(j)%text == name, j=1, size(free))])) return
-         names = trim(names//' '//name)
-         names = adjustl(names)
+         names = trim(adjustl(names//' '//name))
       end subroutine add_missing
    end function missing
 

@@ -6,10 +6,11 @@ module asperity_program_commands_fit_record_input
    use asperity_base_number_text, only: to_text
    use asperity_program_input_key_list, only: key_list
    use asperity_program_record_columns, only: record_column
-   use asperity_program_record_file, only: read_record
+   use asperity_program_record_file, only: read_record, record_format
    use asperity_program_record_keys, only: column_keys, format_keys
    use asperity_program_record_tests, only: test_text, test_type
    use asperity_program_record_units, only: find_unit, unit_type
+   use asperity_program_system_strings, only: string_type
    implicit none
    private
    public :: fit_record, record_input, record_quantities
@@ -35,8 +36,8 @@ module asperity_program_commands_fit_record_input
 
    !> The record as the user gives it.
    type :: record_input
-      !> Its path
-      character(len=:), allocatable :: record_file
+      !> Its files
+      type(string_type), allocatable :: files(:)
       !> How it is written, and its columns
       type(format_keys) :: format
       type(column_keys) :: columns(2)
@@ -56,7 +57,8 @@ contains
       type(key_list), intent(inout) :: keys
 
       self%columns%name = axes
-      call keys%text('record_file', self%record_file, 'the record, as FILE.csv without an option')
+      call keys%paths('record_file', self%files, &
+         'the record, as FILE.csv without an option; joint takes several')
       call keys%reads('record', is_argument=.true.)
       call self%columns(1)%declare_column(keys, &
          'name or number of the column of closure, slip or displacement; found by name and unit')
@@ -90,75 +92,99 @@ contains
             call fatal_error(error, trim(axes(i))//'_factor = 0.0 is not allowed: nothing '// &
             'would be left of the record', subject=trim(axes(i))//'_factor')
       end do
-      if (.not. allocated(error) .and. self%record_file == '') &
+      if (.not. allocated(error) .and. size(self%files) == 0) &
          call fatal_error(error, 'no record is given: asperity fit FILE.csv')
       if (.not. allocated(error)) call self%format%check(error)
    end subroutine check
 
-   !> Read both columns and bring them to zero, scale and the units of the model.
+   !> Read all files.
    subroutine read_records(self, quantities, records, columns, error)
-      !> What is asked for; what was found is said there
+      !> What is asked for; what was found in the last file is said there
       class(record_input), intent(inout) :: self
       !> What the columns are to the model
       type(record_quantities), intent(in) :: quantities
-      !> One a test
+      !> One a test, file by file
       type(fit_record), allocatable, intent(out) :: records(:)
-      !> What was taken of the file
+      !> What was taken of the last file
       type(record_column), intent(out) :: columns(2)
-      !> Set when the file cannot be read or is faulty
+      !> Set when a file cannot be read or is faulty
+      type(error_type), allocatable, intent(out) :: error
+      integer :: i
+
+      allocate (records(0))
+      do i = 1, size(self%files)
+         call read_file(self, self%files(i)%text, quantities, records, columns, error)
+         if (allocated(error)) return
+      end do
+   end subroutine read_records
+
+   !> Read both columns of a file and bring them to zero, scale and the units of the model.
+   subroutine read_file(self, path, quantities, records, columns, error)
+      class(record_input), intent(inout) :: self
+      character(len=*), intent(in) :: path
+      type(record_quantities), intent(in) :: quantities
+      type(fit_record), allocatable, intent(inout) :: records(:)
+      type(record_column), intent(out) :: columns(2)
       type(error_type), allocatable, intent(out) :: error
       type(test_type), allocatable :: tests(:)
-      character(len=12) :: decimal
+      type(record_format) :: format
+      type(fit_record) :: record
       integer :: i
 
       do i = 1, size(axes)
          call self%columns(i)%ask(columns(i))
       end do
-      decimal = self%format%decimal
-      call read_record(self%record_file, self%format%record_format, &
-         reshape(quantities%holds, [2, 1]), columns, tests, error)
+      format = self%format%record_format
+      call read_record(path, format, reshape(quantities%holds, [2, 1]), columns, tests, error)
       if (allocated(error)) return
       if (columns(1)%place == columns(2)%place) then
-         call fatal_error(error, self%record_file//': '//columns(1)%name//' and '// &
+         call fatal_error(error, path//': '//columns(1)%name//' and '// &
             columns(2)%name//' are both column '//to_text(columns(1)%place))
          return
       end if
-      if (self%format%decimal /= decimal) self%format%decimal_source = 'the numbers of the file'
+      if (path == self%files(size(self%files))%text) then
+         if (self%format%decimal /= format%decimal) &
+            self%format%decimal_source = 'the numbers of the file'
+         self%format%decimal = format%decimal
+         do i = 1, size(axes)
+            call self%columns(i)%tell(columns(i))
+         end do
+      end if
       do i = 1, size(axes)
-         call self%columns(i)%tell(columns(i))
-         call self%columns(i)%tell_unit(columns(i), trim(quantities%units(i)))
-         columns(i)%values(:) = self%factor(i)*(columns(i)%values - self%zero(i))
-         call convert(self, i, trim(quantities%units(i)), columns(i), error)
+         call bring_to_unit(self, path, i, trim(quantities%units(i)), columns(i), error)
          if (allocated(error)) return
       end do
-      allocate (records(size(tests)))
       do i = 1, size(tests)
          associate (first => tests(i)%first, last => tests(i)%last)
-            records(i)%title = test_text(tests(i))
-            records(i)%x = columns(1)%values(first:last)
-            records(i)%y = columns(2)%values(first:last)
+            record%title = test_text(tests(i))
+            if (size(self%files) > 1) record%title = trim(path//' '//record%title)
+            record%x = columns(1)%values(first:last)
+            record%y = columns(2)%values(first:last)
+            records = [records, record]
          end associate
       end do
-   end subroutine read_records
+   end subroutine read_file
 
-   !> From the unit of a column to that of the model.
-   pure subroutine convert(self, which, unit, column, error)
-      type(record_input), intent(in) :: self
+   !> Bring a column to zero, scale, and the unit of the model.
+   pure subroutine bring_to_unit(self, path, which, unit, column, error)
+      class(record_input), intent(inout) :: self
+      character(len=*), intent(in) :: path, unit
       integer, intent(in) :: which
-      character(len=*), intent(in) :: unit
       type(record_column), intent(inout) :: column
       type(error_type), allocatable, intent(out) :: error
       type(unit_type) :: found, wanted
 
+      call self%columns(which)%tell_unit(column, unit)
       found = find_unit(self%columns(which)%unit)
       wanted = find_unit(unit)
       if (found%measures /= wanted%measures) then
-         call fatal_error(error, self%record_file//': '//column%name//' is in '// &
-            self%columns(which)%unit//', which is no unit like '//unit//': bring it to one by --'// &
-            trim(axes(which))//'-factor, and say which by --'//trim(axes(which))//'-unit')
+         call fatal_error(error, path//': '//column%name//' is in '//self%columns(which)%unit// &
+            ', which is no unit like '//unit//': bring it to one by --'//trim(axes(which))// &
+            '-factor, and say which by --'//trim(axes(which))//'-unit')
       else
-         column%values(:) = column%values*found%factor/wanted%factor
+         column%values(:) = self%factor(which)*(column%values - self%zero(which)) &
+            *found%factor/wanted%factor
       end if
-   end subroutine convert
+   end subroutine bring_to_unit
 
 end module asperity_program_commands_fit_record_input

@@ -34,11 +34,7 @@ contains
       integer :: i
 
       text = ''
-      do i = size(parameters), 1, -1
-         if (result%settled(i)) cycle
-         if (text /= '') text = text//'; '
-         text = text//unsettled_words(parameters, result%directions(:, i))
-      end do
+      if (.not. all(result%settled)) text = unsettled_words(parameters, result)
       if (text == '') then
          do i = 1, size(parameters)
             if (.not. result%at_bound(i)) cycle
@@ -51,15 +47,17 @@ contains
       if (text /= '') call fatal_error(error, text, computation_error)
    end subroutine check_settled
 
-   !> What is to be said of a direction that is not settled.
-   pure function unsettled_words(parameters, direction) result(text)
+   !> Which parameters the directions that are not settled are of.
+   pure function unsettled_words(parameters, result) result(text)
       type(fit_parameter), intent(in) :: parameters(:)
-      real(wp), intent(in) :: direction(:)
+      type(fit_result), intent(in) :: result
       character(len=:), allocatable :: text
       integer, allocatable :: members(:)
-      integer :: i
+      integer :: i, n
 
-      members = pack([(i, i=1, size(direction))], abs(direction) > named_part)
+      n = count(.not. result%settled)
+      members = pack([(i, i=1, size(parameters))], [(norm2(pack(result%directions(i, :), &
+         .not. result%settled)) > named_part, i=1, size(parameters))])
       text = ''
       do i = 1, size(members)
          if (i > 1 .and. i == size(members)) then
@@ -69,11 +67,12 @@ contains
          end if
          text = text//trim(parameters(members(i))%name)
       end do
-      if (size(members) == 1) then
-         text = text//' cannot be told by this record: fix it'
+      if (size(members) == n) then
+         text = text//' cannot be told by this record: fix '//trim(merge('it  ', 'them', n == 1))
       else
-         text = text//' cannot be told apart by this record: fix one'
+         text = text//' cannot be told apart by this record: fix '//to_text(n)//' of them'
       end if
+      text = text//', or give a record with less noise'
    end function unsettled_words
 
    !> A direction written out, such as `0.71 ln eta - 0.70 ln radius`.
