@@ -230,8 +230,8 @@ check 'surface: a spike is told, with its place' has out "times sq, at x $(awk '
 run surface numbers.xyz --lateral-unit nm --height-unit mm
 check 'surface: slopes of wrong units are told' has out 'check units and step'
 
-awk '{ print $0, 1, 2, 3 }' numbers.xyz >colours.xyz
-run surface colours.xyz --step 0.01 --height-unit um
+awk '{ print $0, 1.5, 2, 3 }' numbers.xyz >more.xyz
+run surface more.xyz --step 0.01 --height-unit um
 check 'surface: columns taken for a matrix are told' has out 'columns of x, y, z and more'
 
 if command -v gnuplot >/dev/null; then
