@@ -33,7 +33,7 @@ contains
       integer, allocatable :: order(:)
       real(wp), allocatable :: lines(:)
       integer :: i, n
-      real(wp) :: largest, smallest, place, count, off
+      real(wp) :: largest, smallest, place, steps, off
 
       points = 0
       step = 0.0_wp
@@ -63,18 +63,17 @@ contains
          ! whole numbers, and few decimals, are mostly not rounded at all
          off = 0.0_wp
          if (rounding <= coarsest*(smallest + 2.0_wp*rounding)) off = rounding
-         ! two that are rounded each way make a gap; twice a gap is far above all of one step
-         step = sum(gaps, gaps <= smallest + 4.0_wp*off)/ &
-            real(size(pack(gaps, gaps <= smallest + 4.0_wp*off)), wp)
-         count = sum(anint(gaps/step))
+         ! gaps of one step, the smallest of them too, are off by twice that; those of two are larger
+         step = sum(gaps, gaps <= smallest + 4.0_wp*off)/count(gaps <= smallest + 4.0_wp*off)
+         steps = sum(anint(gaps/step))
       end associate
-      if (count + 1.0_wp > real(most_lines, wp)*n) then
+      if (steps + 1.0_wp > real(most_lines, wp)*n) then
          reason = 'distances of neighbours from '//to_text(smallest, 5)//' to '// &
             to_text(largest, 5)//' are on no grid'
          return
       end if
-      points = nint(count) + 1
-      step = (lines(n) - lines(1))/count
+      points = nint(steps) + 1
+      step = (lines(n) - lines(1))/steps
       do i = 1, size(values)
          place = (values(i) - lines(1))/step
          places(i) = nint(place) + 1
