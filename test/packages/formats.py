@@ -57,6 +57,9 @@ def all_writers():
                              path, m.heights*M, x_scale=m.step_x*M, y_scale=m.step_y*M, z_type=k,
                              storage=s), resolution)
     if not gwyddion.missing():
+        yield Writer("Gwyddion GWY", "gwy", gwyddion.write, DOUBLE)
+        # numbers of GSF are singles
+        yield Writer("Gwyddion GSF", "gsf", gwyddion.write, SINGLE, holes=False)
         # five and six figures, and no masks
         yield Writer("Gwyddion SDF", "sdf", gwyddion.write, 1e-6, holes=False, turned=True)
         yield Writer("Gwyddion SUR", "sur", gwyddion.write, SINGLE, holes=False)
@@ -183,8 +186,8 @@ def compare_faults(program):
     if gwyddion.missing():
         return
     m = two_maps()[1]
-    for ending, hints in (("txt", ("--step", "0.0025,0.002")), ("xyz", ()), ("sdf", ()),
-                          ("sur", ())):
+    for ending in ("txt", "xyz", "gsf", "sdf", "sur"):
+        hints = ("--step", "0.0025,0.002") if ending == "txt" else ()
         path = program.folder / f"masked.{ending}"
         gwyddion.write(m, path)
         check(f"Gwyddion {ending.upper()} with a mask: points below it are written as heights",
