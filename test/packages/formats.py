@@ -8,11 +8,14 @@ no longer does it.
 import warnings
 from collections import namedtuple
 
+import gsffile
 import gwyddion
+import gwyfile.objects as gwy
 import maps
 import numpy as np
 import packages
 import sdfio
+import sensofar
 import surface_statistics
 import x3pio
 from surfalize import Surface
@@ -56,9 +59,18 @@ def all_writers():
                          lambda m, path, k=kind, s=storage: x3pio.write(
                              path, m.heights*M, x_scale=m.step_x*M, y_scale=m.step_y*M, z_type=k,
                              storage=s), resolution)
+    yield Writer("SurfaceTopography GWY", "gwy",
+                 lambda m, path: maps.topography(m).to_gwy(str(path)), DOUBLE)
+    yield Writer("gwyfile GWY", "gwy", write_gwyfile, DOUBLE)
+    yield Writer("gsffile GSF", "gsf", lambda m, path: gsffile.write_gsf(
+        path, (m.heights*M).astype("f4"), {
+            "XReal": 40*m.step_x*M, "YReal": 32*m.step_y*M, "XYUnits": "m", "ZUnits": "m"}), SINGLE)
+    # whatever is read alike by others in compare_sensofar
+    yield Writer("PLU by its layout", "plu", sensofar.write_plu, SINGLE)
+    yield Writer("PLUX by its layout", "plux", sensofar.write_plux, SINGLE)
     if not gwyddion.missing():
         yield Writer("Gwyddion GWY", "gwy", gwyddion.write, DOUBLE)
-        # numbers of GSF are singles
+        # singles, and six figures of the sides
         yield Writer("Gwyddion GSF", "gsf", gwyddion.write, SINGLE, holes=False)
         # five and six figures, and no masks
         yield Writer("Gwyddion SDF", "sdf", gwyddion.write, 1e-6, holes=False, turned=True)
@@ -82,6 +94,20 @@ def sdfio_writer(revision, kind, form):
 
     return Writer(f"sdfio {revision.value} {kind.name.lower()} {form.name.lower()}", "sdf", write,
                   resolution)
+
+
+def write_gwyfile(m, path):
+    """A channel with other values before it, and points that are missing under a mask."""
+    holes = np.isnan(m.heights)
+    sides = {"xreal": 40*m.step_x*M, "yreal": 32*m.step_y*M}
+    file = gwy.GwyContainer()
+    file["/0/data/title"], file["/3/data/title"] = "Phase", "Topography"
+    file["/0/data"] = gwy.GwyDataField(0*m.heights, **sides, si_unit_xy="m", si_unit_z="deg")
+    file["/3/data"] = gwy.GwyDataField(np.where(holes, 7.0, m.heights)*M, **sides, si_unit_xy="m",
+                                       si_unit_z="m")
+    if holes.any():
+        file["/3/mask"] = gwy.GwyDataField(holes.astype(float), **sides, si_unit_xy="m")
+    file.tofile(str(path))
 
 
 def surface(m):
@@ -143,6 +169,7 @@ def compare_formats(program, _):
                         read_by_asperity(program, path, writer.hints), m, writer.resolution,
                         writer.turned)
         compare_own(program, m)
+        compare_sensofar(program, m)
     compare_faults(program)
 
 
@@ -170,6 +197,24 @@ def compare_own(program, m):
     check(f"asperity XYZ, {m.name}, read by surfalize: numbers as metres, and steps of range/n",
           abs(step_x/(2500*39/40) - 1) < 1e-9 and abs(step_y/(2000*31/32) - 1) < 1e-9
           and np.array_equal(np.isnan(heights), np.isnan(m.heights)), f"{step_x:g} x {step_y:g} um")
+
+
+def compare_sensofar(program, m):
+    """PLU and PLUX, which no program but the instruments' own writes: files by the layout that is
+    taken for right are read alike by others."""
+    for ending, write, readers in (
+            ("plu", sensofar.write_plu, ["SurfaceTopography"]),
+            ("plux", sensofar.write_plux, ["SurfaceTopography", "surfalize"])):
+        path = program.folder / f"others_{m.name}.{ending}"
+        write(m, path)
+        for name in readers + ([] if gwyddion.missing() else ["Gwyddion"]):
+            reader = {"surfalize": packages.read_by_surfalize, "Gwyddion": gwyddion.read,
+                      "SurfaceTopography": packages.read_by_surfacetopography}[name]
+            compare(f"{ending.upper()} by its layout, {m.name}, read by {name}", reader(path), m,
+                    SINGLE)
+    heights = packages.read_by_surfalize(program.folder / f"others_{m.name}.plu")[0].ravel()
+    check(f"PLU by its layout, {m.name}, read by surfalize: two points late",
+          np.array_equal(heights[2:], m.heights.ravel()[:-2].astype("f4"), equal_nan=True))
 
 
 def compare_faults(program):
