@@ -170,6 +170,7 @@ def compare_formats(program, _):
                         writer.turned)
         compare_own(program, m)
         compare_sensofar(program, m)
+    compare_scans(program)
     compare_faults(program)
 
 
@@ -215,6 +216,18 @@ def compare_sensofar(program, m):
     heights = packages.read_by_surfalize(program.folder / f"others_{m.name}.plu")[0].ravel()
     check(f"PLU by its layout, {m.name}, read by surfalize: two points late",
           np.array_equal(heights[2:], m.heights.ravel()[:-2].astype("f4"), equal_nan=True))
+
+
+def compare_scans(program):
+    """Scans of real microscopes, by asperity and by others."""
+    for path in sensofar.real_files(program.folder):
+        heights, step_x, step_y = packages.read_by_surfacetopography(path)
+        m = maps.Map(path.name, "", heights, step_x, step_y, False, None, None)
+        compare(f"{path.name}, read by asperity as by SurfaceTopography",
+                read_by_asperity(program, path, ()), m, 1e-12)
+        if not gwyddion.missing():
+            compare(f"{path.name}, read by Gwyddion as by SurfaceTopography", gwyddion.read(path),
+                    m, 1e-12)
 
 
 def compare_faults(program):
