@@ -26,7 +26,7 @@ module asperity_height_map_gwyddion_fields
       character(len=longest_text) :: lateral_unit = '', unit = ''
       !> Number of values, and where they and the field are
       integer(int64) :: count = 0_int64
-      type(gwy_span) :: data, place
+      type(gwy_span) :: data = gwy_span(), place = gwy_span()
    end type gwy_field
 
    !> A channel.
@@ -36,7 +36,7 @@ module asperity_height_map_gwyddion_fields
       !> Its title
       character(len=longest_text) :: title = ''
       !> Its image, and the image that says where it is masked
-      type(gwy_field) :: image, mask
+      type(gwy_field) :: image = gwy_field(), mask = gwy_field()
    end type gwy_channel
 
 contains

@@ -51,7 +51,7 @@ contains
       self%purpose = 'From a scanned surface to the parameters of the law: roughness of a '// &
          'height map (ISO 25178-2), spectral moments, summits, asperity density, radius and '// &
          'sigma (Eqs 28-30), how sure they are, and whether the law holds on the map. Reads '// &
-         'SDF, X3P, SUR, xyz, asc, csv.'
+         'SDF, X3P, SUR, PLU, PLUX, GWY, GSF, xyz, asc, csv.'
       self%headings = [character(len=52) :: 'Properties that a map does not give', 'The map']
       self%takes_case = .false.
    end subroutine describe
