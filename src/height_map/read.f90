@@ -8,6 +8,7 @@ module asperity_height_map_read
    use asperity_height_map_bytes_byte_source, only: byte_source, close_source, open_source, &
       progress_report, read_at, use_bytes
    use asperity_height_map_bytes_lines, only: start_lines
+   use asperity_height_map_export_start, only: read_export_end, read_export_start
    use asperity_height_map_file_errors, only: map_error
    use asperity_height_map_formats, only: refuse_other_archive, refuse_other_format
    use asperity_height_map_gwyddion_gsf, only: gsf_magic, read_gsf
@@ -200,21 +201,28 @@ contains
       if (index(head, char(239)//char(187)//char(191)) == 1) mark = 3_int64
       call start_lines(source, mark, error)
       if (allocated(error)) return
-      call read_text_start(source, header, error)
+      call read_export_start(source, head(mark + 1:), hints, header, map, error)
       if (allocated(error)) return
-      call check_columns(source, header, has_points, error)
-      if (allocated(error)) return
+      map%format = trim(header%layout%format)
+      if (map%format /= '') then
+         has_points = all(header%names%places > 0)
+      else
+         call read_text_start(source, header, error)
+         if (.not. allocated(error)) call check_columns(source, header, has_points, error)
+         if (allocated(error)) return
+         map%format = trim(merge('text of x, y, z ', 'text of a matrix', has_points))
+      end if
       call settle_heights(source, header, hints, map, factor, error)
       if (allocated(error)) return
       if (has_points) then
-         map%format = 'text of x, y, z'
          if (header%has_colours) call add_note(map, 'of six columns the last three are '// &
             'taken for red, green and blue, and not used.')
          call read_xyz(source, header, factor, hints, map, error)
       else
-         map%format = 'text of a matrix'
          call read_matrix(source, header, factor, hints, map, error)
       end if
+      if (header%layout%has_more .and. .not. allocated(error)) &
+         call read_export_end(source, header, map, error)
       if (.not. allocated(error)) call note_marker(map, factor)
    end subroutine read_text
 

@@ -65,9 +65,10 @@ contains
       case ('NM', 'nanometer', 'nanometre')
          unit = 'nm'
       case default
-         ! the Greek letter and the micro sign in UTF-8, in Latin-1, of MS-DOS
+         ! the Greek letter and the micro sign in Shift-JIS, GBK, UTF-8, in Latin-1, of MS-DOS
          if (inner(n:n) /= 'm') return
-         if (inner(:n - 1) == char(206)//char(188) .or. inner(:n - 1) == char(194)//char(181) &
+         if (inner(:n - 1) == char(131)//char(202) .or. inner(:n - 1) == char(166)//char(204) &
+            .or. inner(:n - 1) == char(206)//char(188) .or. inner(:n - 1) == char(194)//char(181) &
             .or. inner(:n - 1) == char(181) .or. inner(:n - 1) == char(230)) unit = 'um'
       end select
    end function plain_unit

@@ -3,6 +3,7 @@ program test_height_map
    use funit, only: TestSuite
    use run_suites, only: run_suite
    use test_height_map_binary, only: suite_map_binary
+   use test_height_map_exports, only: suite_map_exports
    use test_height_map_faults, only: suite_map_faults
    use test_height_map_files, only: suite_map_files
    use test_height_map_formats, only: suite_map_formats
@@ -21,6 +22,7 @@ program test_height_map
    call suite%addTest(suite_map_layouts())
    call suite%addTest(suite_map_headers())
    call suite%addTest(suite_map_grids())
+   call suite%addTest(suite_map_exports())
    call suite%addTest(suite_map_faults())
    call suite%addTest(suite_map_x3p())
    call suite%addTest(suite_map_binary())

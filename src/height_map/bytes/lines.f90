@@ -9,7 +9,7 @@ module asperity_height_map_bytes_lines
    use asperity_height_map_bytes_byte_source, only: byte_source, read_at
    implicit none
    private
-   public :: next_line, start_lines
+   public :: next_line, replace_in_line, start_lines
 
    !> Bytes of the longest line
    integer, parameter :: longest_line = 2**26
@@ -78,6 +78,19 @@ contains
          if (ichar(source%block(source%last)) == carriage_return) source%last = source%last - 1
       end if
    end subroutine next_line
+
+   !> Replace a character in the current line.
+   pure subroutine replace_in_line(source, old, new)
+      !> The source
+      type(byte_source), intent(inout) :: source
+      !> What goes and what comes
+      character(len=1), intent(in) :: old, new
+      integer :: i
+
+      do i = source%first, source%last
+         if (source%block(i) == old) source%block(i) = new
+      end do
+   end subroutine replace_in_line
 
    !> Place of a byte in the block from `from` on, 0 if it is not there.
    integer function position_of(source, from, byte)

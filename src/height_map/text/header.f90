@@ -10,6 +10,7 @@ module asperity_height_map_text_header
    use asperity_height_map_bytes_byte_source, only: byte_source
    use asperity_height_map_decode_heights, only: is_allowed_scale
    use asperity_height_map_file_errors, only: line_error, plain_excerpt
+   use asperity_height_map_layout, only: export_layout
    use asperity_height_map_text_column_names, only: column_names, read_column_names
    use asperity_height_map_text_gwyddion_words, only: to_english
    use asperity_height_map_text_header_fields, only: next_pair, number_in, rounding_in, split_at
@@ -55,6 +56,8 @@ module asperity_height_map_text_header
       !> Whether the first field of that line is a word, and all others are numbers; whether there
       !> are six, the last three alone whole numbers from 0 to 255: x, y, z and red, green, blue
       logical :: has_corner_word = .false., has_colours = .false.
+      !> How an export differs
+      type(export_layout) :: layout
    end type text_header
 
 contains
@@ -256,8 +259,9 @@ contains
       !> The number as it stands
       real(wp), intent(in) :: value
 
-      marks_missing = header%has_marker
-      if (marks_missing) marks_missing = abs(value - header%marker) <= same*abs(header%marker)
+      marks_missing = value >= header%layout%missing_from
+      if (header%has_marker .and. .not. marks_missing) &
+         marks_missing = abs(value - header%marker) <= same*abs(header%marker)
    end function marks_missing
 
    !> Keep a line that was not understood.

@@ -1,5 +1,6 @@
 !> Reads a matrix of heights from text: a line for each row of x, the first at y = 0; in Esri's
-!> grid, and below an axis of falling y, the last. Numbers and axes around the heights are left out.
+!> grid, and below an axis of falling y, the last; or a line for each x. Numbers and axes around the
+!> heights are left out.
 module asperity_height_map_text_matrix
    use, intrinsic :: iso_fortran_env, only: int64
    use asperity_base_error, only: error_type
@@ -7,7 +8,7 @@ module asperity_height_map_text_matrix
    use asperity_base_no_value, only: none
    use asperity_base_number_text, only: to_text
    use asperity_height_map_bytes_byte_source, only: byte_source
-   use asperity_height_map_bytes_lines, only: next_line
+   use asperity_height_map_bytes_lines, only: next_line, replace_in_line
    use asperity_height_map_bytes_number_chunks, only: number_store
    use asperity_height_map_decode_heights, only: height_message, scale_heights
    use asperity_height_map_file_errors, only: fits_memory, line_error
@@ -68,19 +69,22 @@ contains
          if (allocated(error)) return
       end if
       ! rows of Esri's grid may be broken into lines anywhere
-      if (header%is_esri .and. all(header%sizes > 0_int64)) matrix%columns = header%sizes(1)
+      if ((header%is_esri .or. header%layout%has_broken_rows) .and. all(header%sizes > 0_int64)) &
+         matrix%columns = header%sizes(1)
       call check_units(source, header, hints, error)
       if (allocated(error)) return
       call read_rows(source, header, factor, matrix, error)
       if (allocated(error)) return
       points = [matrix%columns, matrix%store%count/matrix%columns]
       if (matrix%is_narrower) points(1) = points(1) - 1_int64
-      if (.not. header%is_esri) call find_frame(matrix%border, int(points(1)), int(points(2)), &
+      if (.not. header%is_esri .and. header%layout%format == '') &
+         call find_frame(matrix%border, int(points(1)), int(points(2)), &
          matrix%is_open, header%names%first_is_empty .or. &
          header%names%fields == points(1) - 1, frame)
       call check_border(matrix, header, frame, error)
       if (allocated(error)) return
       where (frame%is_axis([2, 1])) points = points - 1_int64
+      if (header%layout%has_lines_of_x) points = points([2, 1])
       do axis = 1, 2
          call check_size(source, header, axis, points(axis), error)
          if (allocated(error)) return
@@ -89,7 +93,7 @@ contains
       if (allocated(error)) return
       call allocate_heights(source%name, points(1), points(2), map, error)
       if (allocated(error)) return
-      call unload(matrix, header%is_esri, frame, map)
+      call unload(matrix, header, frame, map)
    end subroutine read_matrix
 
    !> Faults in the first line and column count where those hold heights.
@@ -115,18 +119,22 @@ contains
       type(matrix_type), intent(inout) :: matrix
       type(error_type), allocatable, intent(out) :: error
       real(wp) :: value(1)
-      integer(int64) :: in_line, n, row, shape_of(2)
+      integer(int64) :: in_line, last_row, n, row, shape_of(2)
       integer :: at, before, kind
       logical :: found, is_broken, is_last
 
       is_broken = matrix%columns /= header%fields
       matrix%is_narrower = header%separator /= ' '
       found = .true.
+      last_row = huge(row)
+      if (header%layout%has_more) &
+         last_row = header%sizes(merge(1, 2, header%layout%has_lines_of_x))
       row = 1_int64
       n = 0_int64
       ! fields of every line, and lines, of a grid whose lines may be broken
       shape_of = [header%fields, 0_int64]
-      do while (found)
+      do while (found .and. row <= last_row)
+         if (header%layout%has_decimal_commas) call replace_in_line(source, ',', '.')
          at = source%first
          in_line = 0_int64
          is_last = .false.
@@ -164,6 +172,11 @@ contains
             call matrix%store%add(value(1), source%name, error)
             if (allocated(error)) return
             if (is_broken .and. n == matrix%columns) call next_row()
+            if (row > last_row .and. .not. is_last) then
+               call line_error(error, source, at, 'the heights that the header promises end '// &
+                  'here, and so must the line')
+               return
+            end if
          end do
          if (in_line > 0_int64) shape_of(2) = shape_of(2) + 1_int64
          if (in_line > 0_int64 .and. in_line /= header%fields) shape_of(1) = 0_int64
@@ -182,6 +195,8 @@ contains
             end if
             call next_row()
          end if
+         ! what follows the heights is another's to read
+         if (row > last_row) return
          call next_line(source, found, error)
          if (allocated(error)) return
       end do
@@ -230,19 +245,19 @@ contains
    end subroutine read_rows
 
    !> Move the numbers into the map, those around it left out.
-   subroutine unload(matrix, is_esri, frame, map)
+   subroutine unload(matrix, header, frame, map)
       type(matrix_type), intent(inout) :: matrix
-      logical, intent(in) :: is_esri
+      type(text_header), intent(in) :: header
       type(frame_type), intent(in) :: frame
       type(height_map), intent(inout) :: map
       real(wp), allocatable :: values(:)
       logical :: is_reversed(2)
       integer :: chunk, i, j, k, left(2), length, nx, ny
 
-      nx = size(map%heights, 1)
-      ny = size(map%heights, 2)
+      nx = size(map%heights, merge(2, 1, header%layout%has_lines_of_x))
+      ny = size(map%heights)/nx
       is_reversed = frame%is_axis .and. frame%step < 0.0_wp
-      is_reversed(2) = is_reversed(2) .or. is_esri
+      is_reversed(2) = is_reversed(2) .or. header%is_esri
       ! the first column holds y
       left = merge(1, 0, frame%is_axis([2, 1]))
       i = -left(1)
@@ -256,8 +271,12 @@ contains
                j = j + 1
             end if
             if (i < 1 .or. i > nx .or. j < 1) cycle
-            map%heights(merge(nx + 1 - i, i, is_reversed(1)), &
-               merge(ny + 1 - j, j, is_reversed(2))) = values(k)
+            if (header%layout%has_lines_of_x) then
+               map%heights(j, i) = values(k)
+            else
+               map%heights(merge(nx + 1 - i, i, is_reversed(1)), &
+                  merge(ny + 1 - j, j, is_reversed(2))) = values(k)
+            end if
          end do
       end do
    end subroutine unload

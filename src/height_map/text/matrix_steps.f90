@@ -29,7 +29,7 @@ contains
       type(byte_source), intent(in) :: source
       !> Its header
       type(text_header), intent(in) :: header
-      !> 1 for columns, 2 for rows
+      !> Axis of the map
       integer, intent(in) :: axis
       !> How many there are
       integer(int64), intent(in) :: found
@@ -38,7 +38,8 @@ contains
 
       if (header%sizes(axis) == 0_int64 .or. header%sizes(axis) == found) return
       call line_error(error, source, source%first, 'there are '//to_text(found)//' '// &
-         trim(columns_rows(axis))//', the header promises '//to_text(header%sizes(axis))// &
+         trim(columns_rows(merge(3 - axis, axis, header%layout%has_lines_of_x)))// &
+         ', the header promises '//to_text(header%sizes(axis))// &
          ': the file was cut off, or the header is wrong')
    end subroutine check_size
 

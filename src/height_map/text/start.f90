@@ -16,7 +16,7 @@ module asperity_height_map_text_start
    use asperity_height_map_type, only: fewest_points
    implicit none
    private
-   public :: read_text_start
+   public :: count_fields, read_text_start
 
    integer, parameter :: looked_at = 4096, most_lines = 1000
    character(len=*), parameter :: tab = achar(9)
@@ -166,8 +166,11 @@ contains
 
    !> Count the fields of the first line of numbers.
    subroutine count_fields(source, header, error)
+      !> The file
       type(byte_source), intent(in) :: source
+      !> The number of fields is added to
       type(text_header), intent(inout) :: header
+      !> Set when one holds no number
       type(error_type), allocatable, intent(out) :: error
       real(wp) :: value
       integer :: at, before, decimals, figures, kind

@@ -14,7 +14,7 @@ module asperity_height_map_text_xyz
    use asperity_height_map_bytes_lines, only: next_line
    use asperity_height_map_bytes_number_chunks, only: number_store
    use asperity_height_map_decode_heights, only: height_message, scale_heights
-   use asperity_height_map_file_errors, only: line_error, map_error
+   use asperity_height_map_file_errors, only: fits_memory, line_error, map_error
    use asperity_height_map_text_distinct_values, only: axis_type, most_coordinates, &
       number_of_coordinate, rounding_of
    use asperity_height_map_text_ending, only: check_text_end, line_blank, line_comment, line_type
@@ -33,6 +33,8 @@ module asperity_height_map_text_xyz
    integer(int64), parameter :: most_sparse = 4_int64
    !> Bytes of both axes at most; a smaller file has smaller ones
    integer(int64), parameter :: room_for_axes = 8_int64*2_int64**20
+   !> Steps that differ by less are the same, as coordinates are rounded
+   real(wp), parameter :: similar = 1.0e-2_wp
    !> Largest coordinate of either sign, in the units of the file
    real(wp), parameter :: largest_coordinate = 1.0e15_wp
 
@@ -57,15 +59,19 @@ contains
       integer(int64) :: points
       real(wp) :: unit
 
-      call settle_unit(source%name, 'coordinates', '--lateral-unit', header%lateral_unit, &
-         hints%lateral_unit, unit, error)
+      unit = header%layout%coordinate
+      if (unit < 0.0_wp) call settle_unit(source%name, 'coordinates', '--lateral-unit', &
+         header%lateral_unit, hints%lateral_unit, unit, error)
+      if (allocated(error)) return
+      if (any(header%sizes > 0_int64)) call fits_memory(source, header%sizes(1), &
+         header%sizes(2), source%size, 0_int64, error)
       if (allocated(error)) return
       ! the coordinates, at most 65536 along either axis, and how they are found again
       if (source%size > room_for_axes) call check_room(source%name, room_for_axes, error)
       if (allocated(error)) return
       call read_points(source, header, factor, axes, store, points, error)
       if (allocated(error)) return
-      call fill_map(source, axes, points, unit, hints, store, map, error)
+      call fill_map(source, header, axes, points, unit, hints, store, map, error)
    end subroutine read_xyz
 
    !> Read all points; heights in mm.
@@ -171,14 +177,20 @@ contains
                int(numbers(1) - 1, int32)), source%name, error)
             if (allocated(error)) return
          end if
+         if (header%layout%has_more .and. points == product(header%sizes)) return
          call next_line(source, found, error)
          if (allocated(error)) return
       end do lines
+      if (header%layout%has_end_mark .or. header%layout%has_more) &
+         call line_error(error, source, source%first, 'the file ends behind '//to_text(points)// &
+         ' of the '//to_text(header%sizes(1))//' x '//to_text(header%sizes(2))//' points that '// &
+         'the header promises: it was cut off')
    end subroutine read_points
 
    !> Find the grid and put the points on it.
-   subroutine fill_map(source, axes, points, unit, hints, store, map, error)
+   subroutine fill_map(source, header, axes, points, unit, hints, store, map, error)
       type(byte_source), intent(in) :: source
+      type(text_header), intent(in) :: header
       type(axis_type), intent(in) :: axes(2)
       integer(int64), intent(in) :: points
       real(wp), intent(in) :: unit
@@ -195,6 +207,18 @@ contains
       if (allocated(error)) return
       call find_one('y', axes(2), rows, ny, steps(2))
       if (allocated(error)) return
+      if (any(header%sizes > 0_int64 .and. [nx, ny] > header%sizes)) then
+         call map_error(error, source, 'the points are on '//to_text(nx)//' x '//to_text(ny)// &
+            ' lines, the header promises '//to_text(header%sizes(1))//' x '// &
+            to_text(header%sizes(2))//': correct it')
+         return
+      end if
+      if (any(header%steps > 0.0_wp .and. abs(steps - header%steps) > similar*steps)) then
+         call map_error(error, source, 'by their coordinates the steps of the points are '// &
+            to_text(steps(1), 6)//' and '//to_text(steps(2), 6)//', by the header '// &
+            to_text(header%steps(1), 6)//' and '//to_text(header%steps(2), 6)//': correct it')
+         return
+      end if
       if (nx*ny > most_sparse*points) then
          call map_error(error, source, &
             'the points are on no grid: '//to_text(points)//' points '// &
