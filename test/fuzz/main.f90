@@ -76,6 +76,16 @@ program fuzz_main
    call add_file(seeds, 'gwyddion/it.txt')
    call add_file(seeds, 'gwyddion/ja.txt')
    call run('text of a matrix', .false.)
+   call add_file(seeds, 'scans/keyence_vk.csv')
+   call add_file(seeds, 'scans/zygo_header.xyz')
+   call add_file(seeds, 'scans/wyko.asc')
+   call add_file(seeds, 'scans/spip.asc')
+   call add_file(seeds, 'scans/surfer.grd')
+   call add_written(seeds, 'keyence')
+   call add_written(seeds, 'wyko')
+   call add_written(seeds, 'spip')
+   call add_written(seeds, 'surfer')
+   call run('exports', .false.)
    deallocate (seeds)
    write (*, '(i0, a, i0, a)') passed, ' passed, ', failed, ' failed'
    if (failed > 0) stop 1, quiet=.true.
@@ -156,6 +166,10 @@ contains
             hints%step_x = 0.001_wp
             hints%step_y = 0.002_wp
          end if
+      end if
+      if (index(file, 'DSAA') == 1 .and. (must_be_sound .or. is_told)) then
+         hints%height_unit = 'um'
+         hints%lateral_unit = 'mm'
       end if
       hints%has_missing_value = chance%below(8) == 0 .and. .not. must_be_sound
       hints%missing_value = real(chance%below(10), wp)

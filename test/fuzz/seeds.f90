@@ -40,7 +40,7 @@ contains
    end subroutine add_file
 
    !> Append a map as we write it, or as others do: `esri`, `gwyddion`, `semicolons`, `names`,
-   !> `axes`, `factor`, `quoted`, `plu`, `gwy`, `gsf`.
+   !> `axes`, `factor`, `quoted`, `plu`, `gwy`, `gsf`, `keyence`, `wyko`, `spip`, `surfer`.
    subroutine add_written(seeds, form)
       !> The seeds
       type(seed_type), allocatable, intent(inout) :: seeds(:)
@@ -111,6 +111,31 @@ contains
             gwy_field('/1/mask', '', gwy_array(.true.))// &
             gwy_field('/1/data', 'um', gwy_array(.false.))// &
             gwy_field('/0/data', 'V', gwy_array(.false.)))
+      case ('keyence')
+         seed%bytes = '"Data type";"ImageDataCsv"'//line_end//'"XY-Kal";"2,5";"um"'//line_end// &
+            '"Bild";"H'//char(246)//'he"'//line_end//'"H";"5"'//line_end//'"V";"5"'//line_end// &
+            'a;1'//line_end//'b;2'//line_end//'"E";"'//char(181)//'m"'//line_end//line_end// &
+            '"H"'//line_end//repeat('"1,5";"2";"";"0,25";"-3"'//line_end, 5)
+      case ('wyko')
+         seed%bytes = 'Wyko ASCII Data File Format 1 1 1'//line_end//'X Size'//achar(9)//'5'// &
+            line_end//'Y Size'//achar(9)//'5'//line_end//'Pixel_size'//achar(9)//'7'//achar(9)// &
+            '4'//achar(9)//'1'//line_end//'OPD'//achar(9)//'3'//achar(9)//'100'//line_end
+         do j = 1, 5
+            do i = 1, 5
+               seed%bytes = seed%bytes//achar(48 + j)//achar(9)//achar(48 + i)//achar(9)// &
+                  achar(48 + mod(i*j, 10))//'.5'//line_end
+            end do
+         end do
+         seed%bytes = seed%bytes//'Intensity'//achar(9)//'3'//achar(9)//'100'//line_end
+      case ('spip')
+         seed%bytes = '# File Format = ASCII'//line_end//'# x-pixels = 6'//line_end// &
+            '# y-pixels = 5'//line_end//'# x-length = 12'//line_end//'# y-length = 15'// &
+            line_end//'# Bit2nm = 2.0'//line_end//'# voidpixels = 1'//line_end// &
+            '# Start of Data:'//line_end//repeat('1 2.5 -3e1 4 7 6 2 8'//line_end//'4 1'// &
+            line_end, 3)//repeat('0 0 0 1 0'//line_end, 6)
+      case ('surfer')
+         seed%bytes = 'DSAA'//line_end//'5 6'//line_end//'0 1'//line_end//'-1 2e3'//line_end// &
+            '0 1'//line_end//repeat('1.5 2 1.70141e+038'//line_end//'4 5.5'//line_end, 6)
       case default
          error stop 'no such form'
       end select
