@@ -527,7 +527,7 @@ contains
       text = lines(' ', '.', nl)
       call read_text(head//text, in_um, map)
       call check(um*small_heights)
-      call read_text(head//text, map_hints('', 'um', 0.002_wp, 0.003_wp), map)
+      call read_text(head//text//achar(13)//crlf, map_hints('', 'um', 0.002_wp, 0.003_wp), map)
       call check(um*small_heights)
       ! rows in pieces, blanked points
       heights = um*small_heights

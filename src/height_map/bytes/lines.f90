@@ -74,9 +74,11 @@ contains
       source%first = source%next
       source%last = finish - 1
       source%next = finish + 1
-      if (source%last >= source%first) then
-         if (ichar(source%block(source%last)) == carriage_return) source%last = source%last - 1
-      end if
+      ! GDAL's Surfer grid ends with two
+      do while (source%last >= source%first)
+         if (ichar(source%block(source%last)) /= carriage_return) exit
+         source%last = source%last - 1
+      end do
    end subroutine next_line
 
    !> Replace a character in the current line.
