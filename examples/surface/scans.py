@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Write scan.plu and scan.gwy beside this file: a map by formula as a confocal microscope saves it
-(PLU), and as Gwyddion does (GWY), with 3 points missing.
+"""Write scan.plu, scan.gwy and scan.csv beside this file: a map by formula as a confocal microscope
+saves it (PLU), as Gwyddion does (GWY), and as Keyence's program exports it, with 3 points missing.
 
 It is no measurement: waves across a lay, whose phases follow the golden ratio, 64 x 48 points at 5 um.
 """
@@ -65,12 +65,27 @@ def gwy(heights):
     return b"GWYP" + component_object("", "GwyContainer", *inside)[2:]
 
 
+def keyence(heights):
+    """Text of the csv file: nothing between the quotes where a point is missing."""
+    lines = [("Measured date", "2026-11-30 09:15:00"), ("Model", "VK-X3000 Series"),
+             ("Data type", "ImageDataCsv"), ("File version", "1000"),
+             ("Measurement data name", "a map by formula"),
+             ("XY Calibration", f"{1e3*STEP:g}", "nm"), ("Output image data", "Height"),
+             ("Horizontal", NX), ("Vertical", NY), ("Minimum value", f"{min(heights.values()):.3f}"),
+             ("Maximum value", f"{max(heights.values()):.3f}"), ("Unit", "um"),
+             ("Reference data name", ""), (), ("Height",)]
+    lines += [["" if (i, j) in MISSING else f"{heights[i, j]:.3f}" for i in range(NX)]
+              for j in range(NY)]
+    return "".join(",".join(f'"{field}"' for field in line) + "\n" for line in lines)
+
+
 def main():
-    """Both files."""
+    """All files."""
     heights = {(i, j): height(i, j) for j in range(NY) for i in range(NX)}
     folder = Path(__file__).resolve().parent
     (folder/"scan.plu").write_bytes(plu(heights))
     (folder/"scan.gwy").write_bytes(gwy(heights))
+    (folder/"scan.csv").write_text(keyence(heights), encoding="ascii")
 
 
 if __name__ == "__main__":
