@@ -412,7 +412,7 @@ contains
       points = ''
       do j = 0, 4
          do i = 0, 5
-            write (line, '(f5.3, a, f5.3, a, f0.1)') 0.002*j, tab, 0.003*i, tab, &
+            write (line, '(f5.3, a, f5.3, a, f0.1)') 0.002_wp*j, tab, 0.003_wp*i, tab, &
                small_heights(6*j + i + 1)
             if (i == 1 .and. j == 2) line(index(line, tab, .true.) + 1:) = 'Bad'
             points = points//trim(line)//crlf

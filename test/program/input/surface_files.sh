@@ -29,6 +29,14 @@ check 'surface files: a factor is said' has out 'height of 6.30079E-5 mm, by the
 reads_scan width_in_points.txt 0.00169677 24 18 0.0025 0.0025 0 $both
 reads_scan width_in_points.txt 0.00169677 24 18 0.0025 0.0025 0 $um --step 0.0025
 reads_scan y_first.csv 0.00169677 24 18 0.0025 0.002 0
+reads_scan keyence_vk.csv 0.00169677 24 18 0.0025 0.0025 0
+reads_scan keyence_vk_no_quotes.csv 0.00169677 24 18 0.0025 0.0025 0 $um --step 0.0025
+reads_scan zygo_header.xyz 0.00170121 24 18 0.0025 0.0025 3
+check 'surface files: what an export leaves open is said' has out 'heights are taken for um'
+reads_scan wyko.asc 0.00170121 24 18 0.0025 0.002 3
+check 'surface files: wave lengths are said' has out 'wave lengths of 633'
+reads_scan spip.asc 0.00169677 24 18 0.0025 0.002 0
+reads_scan surfer.grd 0.00169677 24 18 0.0025 0.002 0 $um --step 0.0025,0.002
 reads_scan marker_99999.csv 0.00177928 48 36 0.0025 0.002 42 $um --step 0.0025,0.002 \
    --missing-value -99999.9999
 run surface "$scans/marker_99999.csv" $um --step 0.0025,0.002
@@ -38,6 +46,9 @@ check 'surface files: many equal extremes are called a marker, before the units'
    | grep -q '42 points' && grep -q -e '--missing-value -99999.9999' out && grep -q 'check units' out"
 refuses 'surface files: intensities' 2 '.*percent.sur: byte 212: the unit of z is %, which is no length' \
    surface "$scans/percent.sur" --height-unit um
+sed 's/"Output image data","Height"/"Output image data","Color"/' "$scans/keyence_vk.csv" >colour.csv
+refuses 'surface files: an image of colours' 2 "colour.csv:11:1: .*an image of 'Color', no heights" \
+   surface colour.csv --height-unit um
 refuses 'surface files: a profile, at once' 2 '.*profile.txt: .*profiles are not read' \
    surface "$scans/profile.txt"
 sed '/factor/d' "$scans/holography_factor.txt" >rad.txt
