@@ -1,16 +1,15 @@
 !> Nonlinear least squares with bounded parameters: searches by GSL from the start and from the best
 !> of many sets of values, and checks of our own of what it calls a success.
 !>
-!> GSL 2.7.1 takes a point that is no number for converged, and tests the gradient in the units of
-!> the residuals. So residuals have no units, and the end is tested here: finite, no worse than the
-!> start, and no step of Gauss and Newton left.
+!> GSL 2.7.1 takes a point that is no number for converged. So its word is not taken: the end is the
+!> lowest finite sum seen at the beginning or end of a search, and is an end if no step of Gauss and
+!> Newton leads away from it.
 module asperity_fit_least_squares
    use asperity_base_error, only: computation_error, error_type, fatal_error
-   use asperity_base_finite, only: is_finite
    use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
    use asperity_fit_parameter, only: check_parameters, fit_parameter, value_of, y_of
-   use asperity_fit_problem, only: fit_problem
+   use asperity_fit_problem, only: fit_problem, sum_of_squares
    use asperity_fit_search, only: search_type
    use asperity_fit_sensitivities, only: describe_minimum
    use asperity_fit_spread_sets, only: spread_set
@@ -57,13 +56,15 @@ contains
       search%n_residuals = n_residuals
       search%step = settings%difference_step
       search%max_iterations = settings%max_iterations
+      allocate (y(size(parameters)))
+      allocate (result%values(size(parameters)), source=0.0_wp)
+      allocate (result%residuals(n_residuals), source=0.0_wp)
       call find_starts(search, settings, starts, result, error)
-      if (.not. allocated(error)) call search_from(search, starts, y, result)
+      if (allocated(error)) return
+      call search_from(search, starts, y, result)
       result%iterations = search%iterations
-      if (.not. allocated(error)) call check_end(result, error)
-      if (.not. allocated(error)) call describe_minimum(problem, parameters, settings, y, result, &
-         error)
       result%evaluations = result%evaluations + search%evaluations
+      call describe_minimum(problem, parameters, settings, y, result, error)
    end subroutine fit_least_squares
 
    !> Where searches begin: at the start, and at the best of the sets that are spread.
@@ -92,8 +93,7 @@ contains
             i=2, n)], [size(p), n - 1]), residuals(:, 2:), failed(2:))
          do i = 1, n
             sums(i) = huge(1.0_wp)
-            if (.not. failed(i)) sums(i) = sum(residuals(:, i)**2)
-            if (.not. is_finite(sums(i))) sums(i) = huge(1.0_wp)
+            if (.not. failed(i)) sums(i) = sum_of_squares(residuals(:, i))
          end do
          result%evaluations = n
          result%start_chi_squared = sums(1)
@@ -115,49 +115,49 @@ contains
       end if
    end subroutine find_starts
 
-   !> Search from each start, and keep the lowest end.
+   !> Search from each start, and keep the lowest end. A search that ends no lower than it began ends
+   !> where it began.
    subroutine search_from(search, starts, y, result)
       type(search_type), intent(inout) :: search
       real(wp), intent(in) :: starts(:, :)
       !> The lowest end
-      real(wp), allocatable, intent(out) :: y(:)
+      real(wp), intent(out) :: y(:)
       type(fit_result), intent(inout) :: result
-      type(error_type), allocatable :: error
-      real(wp) :: sums(size(starts, 2)), end(size(starts, 1)), residuals(search%n_residuals)
+      real(wp) :: sums(size(starts, 2)), begin(size(starts, 1)), end(size(starts, 1))
+      real(wp) :: residuals(search%n_residuals)
       integer :: i
 
-      allocate (y, source=starts(:, 1))
-      allocate (result%residuals(search%n_residuals), source=0.0_wp)
+      y = starts(:, 1)
       result%chi_squared = huge(1.0_wp)
-      sums = huge(1.0_wp)
       do i = 1, size(sums)
-         end = starts(:, i)
+         begin = starts(:, i)
+         call take(begin)
+         sums(i) = sum_of_squares(residuals)
+         end = begin
          call search%run(end)
-         call search%problem%residuals(value_of(search%parameters, end), residuals, error)
-         if (allocated(error)) cycle
-         sums(i) = sum(residuals**2)
-         if (.not. sums(i) < result%chi_squared) cycle
-         y = end
-         result%residuals = residuals
-         result%chi_squared = sums(i)
+         call take(end)
+         sums(i) = min(sums(i), sum_of_squares(residuals))
       end do
-      allocate (result%values, source=value_of(search%parameters, y))
-      result%evaluations = result%evaluations + size(sums)
       result%searches = size(sums)
       result%agreeing = count(sums <= result%chi_squared*(1.0_wp + same_minimum) &
          + search%n_residuals*rounding**2)
+
+   contains
+
+      !> Evaluate a set, and keep it if it is the lowest.
+      subroutine take(set)
+         real(wp), intent(in) :: set(:)
+         type(error_type), allocatable :: error
+
+         call search%problem%residuals(value_of(search%parameters, set), residuals, error)
+         search%evaluations = search%evaluations + 1
+         if (allocated(error)) residuals = huge(1.0_wp)
+         if (.not. sum_of_squares(residuals) < result%chi_squared) return
+         y = set
+         result%values(:) = value_of(search%parameters, set)
+         result%residuals(:) = residuals
+         result%chi_squared = sum_of_squares(residuals)
+      end subroutine take
    end subroutine search_from
-
-   !> Set `error` unless the end is finite and no worse than the start. Whether it is a minimum is
-   !> seen by what steps are left, not by GSL's word.
-   subroutine check_end(result, error)
-      type(fit_result), intent(in) :: result
-      type(error_type), allocatable, intent(out) :: error
-
-      if (result%chi_squared < huge(1.0_wp) .and. all(is_finite(result%values)) &
-         .and. result%chi_squared <= result%start_chi_squared) return
-      call fatal_error(error, 'no minimum was found: the values are no better than those at '// &
-         'the start', computation_error)
-   end subroutine check_end
 
 end module asperity_fit_least_squares

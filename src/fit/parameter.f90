@@ -4,6 +4,7 @@
 !> y swings from one bound to the other and back as the sine of t does. So no search can ask for a
 !> value that is not allowed, and one that leaps past a bound comes back.
 module asperity_fit_parameter
+   use asperity_base_constants, only: pi
    use asperity_base_error, only: error_type, fatal_error
    use asperity_base_finite, only: is_finite
    use asperity_base_kinds, only: wp
@@ -16,7 +17,7 @@ module asperity_fit_parameter
    !> One parameter that is sought.
    type :: fit_parameter
       !> Name, as the library calls it
-      character(len=32) :: name = ''
+      character(len=40) :: name = ''
       !> Unit, empty for none
       character(len=16) :: unit = ''
       !> Where the search begins, strictly between the bounds
@@ -119,7 +120,8 @@ contains
       !> Its y
       real(wp), intent(in) :: y
 
-      t_of = asin(min(max(2.0_wp*share_of(parameter, y) - 1.0_wp, -1.0_wp), 1.0_wp))
+      ! a round further than need be, as GSL measures steps over t
+      t_of = 2.0_wp*pi + asin(min(max(2.0_wp*share_of(parameter, y) - 1.0_wp, -1.0_wp), 1.0_wp))
    end function t_of
 
    !> dy/dt.

@@ -1,10 +1,14 @@
 !> What is fitted: a model beside a record.
 module asperity_fit_problem
    use asperity_base_error, only: error_type
+   use asperity_base_finite, only: all_below
    use asperity_base_kinds, only: wp
    implicit none
    private
-   public :: fit_problem
+   public :: fit_problem, sum_of_squares
+
+   !> Residuals of this size or larger, or no numbers, are as good as refused
+   real(wp), parameter, public :: refused_residual = 1.0e30_wp
 
    !> A model, and a record that it should give. Its procedures may be called by several threads.
    type, abstract :: fit_problem
@@ -32,6 +36,15 @@ module asperity_fit_problem
    end interface
 
 contains
+
+   !> Sum of squared residuals; huge where one of them is as good as refused.
+   pure real(wp) function sum_of_squares(residuals)
+      !> The residuals
+      real(wp), intent(in), contiguous :: residuals(:)
+
+      sum_of_squares = huge(1.0_wp)
+      if (all_below(residuals, refused_residual)) sum_of_squares = sum(residuals**2)
+   end function sum_of_squares
 
    !> Residuals of several sets of values, one after the other; where they are dear, a problem has a
    !> procedure of its own that shares them among threads.

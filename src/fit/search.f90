@@ -1,27 +1,26 @@
 !> One search for the minimum by GSL's trust region (Levenberg-Marquardt with geodesic
-!> acceleration). GSL 2.7.1 asks again and again for a point that is refused, so a set that cannot be
-!> evaluated gives huge residuals here.
+!> acceleration). GSL 2.7.1 asks again and again for a point that is refused, so a set that cannot
+!> be evaluated gives huge residuals here.
 module asperity_fit_search
    use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_f_pointer, c_funloc, c_int, &
       c_loc, c_null_funptr, c_null_ptr, c_ptr, c_size_t
    use asperity_base_error, only: error_type
-   use asperity_base_finite, only: is_finite
+   use asperity_base_finite, only: all_below, is_finite
    use asperity_base_kinds, only: wp
    use asperity_fit_gsl_linear, only: view_of_vector
    use asperity_fit_gsl_multifit, only: c_alloc, c_default_parameters, c_driver, c_free, &
       c_iterations, c_position, c_set_error_handler_off, c_winit, gsl_accelerated, &
       gsl_ebadfunc, gsl_fdf, gsl_matrix, gsl_parameters, gsl_success, gsl_trust, gsl_vector
    use asperity_fit_parameter, only: fit_parameter, slope_of, t_of, value_of, y_at
-   use asperity_fit_problem, only: fit_problem
+   use asperity_fit_problem, only: fit_problem, refused_residual
    use asperity_fit_sensitivities, only: differentiate
    implicit none
    private
    public :: search_type
 
-   !> Residual where the model cannot be evaluated: any step there is taken back
-   real(wp), parameter :: refused_residual = 1.0e30_wp
-   !> A step so small ends a search, over t; a gradient, over the sum of squares or one
-   real(c_double), parameter :: least_step = 1.0e-10_c_double, least_gradient = 1.0e-12_c_double
+   !> A step so small over t ends a search. GSL's test of the gradient would depend on the units of
+   !> the residuals
+   real(c_double), parameter :: least_step = 1.0e-10_c_double, no_test = 0.0_c_double
 
    !> A search, and what GSL hands back to the callbacks.
    type :: search_type
@@ -66,8 +65,8 @@ contains
          int(self%n_residuals, c_size_t), size(t, kind=c_size_t), address_of(self))
       status = c_winit(view_of_vector(t), c_null_ptr, fdf, work)
       if (status == gsl_success) then
-         status = c_driver(int(self%max_iterations, c_size_t), least_step, least_gradient, &
-            0.0_c_double, c_null_funptr, c_null_ptr, reason, work)
+         status = c_driver(int(self%max_iterations, c_size_t), least_step, no_test, no_test, &
+            c_null_funptr, c_null_ptr, reason, work)
          call c_f_pointer(c_position(work), position)
          call c_f_pointer(position%values, found, shape=shape(t))
          if (all(is_finite(found))) y = y_at(self%parameters, found)
@@ -97,7 +96,7 @@ contains
       call c_f_pointer(t%values, at, shape=[int(t%size)])
       call c_f_pointer(residuals%values, r, shape=[int(residuals%size)])
       residuals_at = gsl_success
-      ! a step of no number leads nowhere
+      ! a step of no number leads nowhere, and one where the model cannot be evaluated is taken back
       r = refused_residual
       if (.not. all(is_finite(at))) return
       call search%problem%residuals(value_of(search%parameters, y_at(search%parameters, at)), r, &
@@ -105,7 +104,7 @@ contains
       search%evaluations = search%evaluations + 1
       if (allocated(error)) then
          r = refused_residual
-      else if (.not. all(abs(r) < refused_residual)) then
+      else if (.not. all_below(r, refused_residual)) then
          r = refused_residual
       end if
    end function residuals_at

@@ -2,13 +2,13 @@
 !> correlations, and which directions of the parameters the record tells apart.
 module asperity_fit_sensitivities
    use asperity_base_error, only: computation_error, error_type, fatal_error
-   use asperity_base_finite, only: is_finite
+   use asperity_base_finite, only: all_below, is_finite
    use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
    use asperity_base_student, only: student_factor
    use asperity_fit_gsl_linear, only: decompose
    use asperity_fit_parameter, only: ends_of, fit_parameter, share_of, value_of, y_of
-   use asperity_fit_problem, only: fit_problem
+   use asperity_fit_problem, only: fit_problem, refused_residual
    use asperity_fit_types, only: fit_result, fit_settings
    implicit none
    private
@@ -63,7 +63,7 @@ contains
       values(:, 2*p + 1) = value_of(parameters, y)
       call problem%several_residuals(values, residuals, failed)
       do i = 1, size(failed)
-         if (.not. failed(i)) failed(i) = .not. all(is_finite(residuals(:, i)))
+         if (.not. failed(i)) failed(i) = .not. all_below(residuals(:, i), refused_residual)
       end do
       fine = .not. failed(2*p + 1)
       do i = 1, p
@@ -110,10 +110,9 @@ contains
       end if
       result%degrees_of_freedom = size(result%residuals) - p
       noise = sqrt(result%chi_squared/result%degrees_of_freedom)
-      allocate (result%directions, source=right)
-      allocate (result%direction_errors(p), &
-         source=noise/max(strength, 1.0e-3_wp*difference_error*strength(1), noise/unknown, &
-         tiny(noise)))
+      result%directions = right
+      result%direction_errors = noise/max(strength, 1.0e-3_wp*difference_error*strength(1), &
+         noise/unknown, tiny(noise))
       result%settled = strength > difference_error*strength(1) &
          .and. result%direction_errors < largest_error
       do j = 1, p

@@ -3,7 +3,7 @@ module asperity_fit_types
    use asperity_base_kinds, only: wp
    implicit none
    private
-   public :: fit_result, fit_settings
+   public :: fit_result, fit_settings, is_unsettled
 
    !> How the minimum is sought.
    type :: fit_settings
@@ -47,5 +47,21 @@ module asperity_fit_types
       !> Iterations of all searches, and evaluations of the model
       integer :: iterations = 0, evaluations = 0
    end type fit_result
+
+   !> Part of a parameter in the directions that are not settled from which it is one of those that
+   !> the record does not tell
+   real(wp), parameter :: named_part = 0.3_wp
+
+contains
+
+   !> Whether a parameter is one of those that the record does not tell.
+   pure logical function is_unsettled(result, which)
+      !> What was found
+      type(fit_result), intent(in) :: result
+      !> Which parameter
+      integer, intent(in) :: which
+
+      is_unsettled = norm2(pack(result%directions(which, :), .not. result%settled)) > named_part
+   end function is_unsettled
 
 end module asperity_fit_types

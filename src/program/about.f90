@@ -8,11 +8,14 @@ module asperity_program_about
 
 contains
 
-   !> Name and version.
+   !> Name and version, and what the program is linked with.
    pure function version_text() result(text)
       character(len=:), allocatable :: text
 
-      text = 'asperity '//version//newline
+      text = 'asperity '//version//newline// &
+         'linked with FFTW and GSL, under the GNU GPL, which binds whoever passes the program on,'// &
+         newline//'and with libzip, libxml2 and zlib; UINTER and the C interface have none of them' &
+         //newline
    end function version_text
 
    !> What to cite: the paper of the law, and the program.

@@ -2,7 +2,8 @@
 
 version=$(sed -n "s/.*version = '\(.*\)'.*/\1/p" "$root/src/base/version.f90")
 run --version
-check 'version is that of the library' test "$(cat out)" = "asperity $version"
+check 'version is that of the library' test "$(head -n 1 out)" = "asperity $version"
+check 'version says which libraries are under the GPL' has out 'linked with FFTW and GSL, under the GNU GPL'
 cp out first
 run version
 check 'version and --version agree' cmp first out
@@ -11,13 +12,13 @@ check 'version is quiet' is_quiet
 run help
 check 'help' is_quiet
 check 'help names every command' \
-   sh -c 'for c in curve press shear tenon table "deck shear" "deck tenon" hysteresis pairs version help; do grep -q "^  $c " out || exit 1; done'
+   sh -c 'for c in curve press shear tenon table "deck shear" "deck tenon" hysteresis fit pairs version help; do grep -q "^  $c " out || exit 1; done'
 cp out first
 run --help
 check '--help is help' cmp first out
 run -V
-check '-V is version' test "$(cat out)" = "asperity $version"
-for command in curve press shear tenon table hysteresis surface pairs; do
+check '-V is version' test "$(head -n 1 out)" = "asperity $version"
+for command in curve press shear tenon table hysteresis fit surface pairs; do
    run help $command
    cp out first
    run $command --help

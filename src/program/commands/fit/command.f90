@@ -112,7 +112,10 @@ contains
       if (.not. allocated(error)) call kind%make_problem(free, &
          scale_of(self%options%residual_scale, records), problem, error)
       if (allocated(error)) return
-      if (self%options%searches == 0) self%options%searches = kind%usual_searches
+      if (self%options%searches == 0) then
+         self%options%searches = kind%usual_searches
+         self%options%searches_source = 'usual for '//trim(self%options%kind)
+      end if
       settings%searches = self%options%searches
       call fit_least_squares(problem, samples_of(records), parameters, settings, result, error)
       if (.not. allocated(error)) call check_settled(parameters, result, error)
@@ -145,17 +148,9 @@ contains
       if (.not. allocated(error)) call declare_again(kind, error)
       if (allocated(error)) return
       names = kind%missing(free)
-      if (names /= '') call fatal_error(error, 'nothing says '//escaped_list(names)// &
+      if (names /= '') call fatal_error(error, 'nothing says '//escaped(names, ' ', ', ')// &
          ': free them, or fix them by --fix, --model or a pair (--fix pair=NAME)')
    end subroutine set_model
-
-   !> Names between commas.
-   pure function escaped_list(names) result(text)
-      character(len=*), intent(in) :: names
-      character(len=:), allocatable :: text
-
-      text = escaped(names, ' ', ', ')
-   end function escaped_list
 
    !> Declare the keys of the model with their values.
    subroutine declare_again(kind, error)

@@ -118,8 +118,8 @@ contains
          if (allocated(error)) return
          associate (p => parameters(place))
             if (.not. low < high .or. (p%by_ratio .and. .not. low > 0.0_wp)) then
-               call fatal_error(error, option//': '//quoted(words(i)%text)//': the first must be '// &
-                  'below the second'//trim(merge(', and both above 0', '                  ', &
+               call fatal_error(error, option//': '//quoted(words(i)%text)//': the first must '// &
+                  'be below the second'//trim(merge(', and both above 0', '                  ', &
                   p%by_ratio)))
                return
             end if
@@ -195,8 +195,8 @@ contains
       type(error_type), allocatable, intent(out) :: error
 
       place = findloc(parameters%name == plain(name), .true., 1)
-      if (place == 0) call fatal_error(error, option//': '//quoted(name)//' is not free: name it '// &
-         'by --free, too')
+      if (place == 0) call fatal_error(error, option//': '//quoted(name)//' is not free: name '// &
+         'it by --free, too')
    end subroutine find_parameter
 
    !> Place of a key of the model; `error` says why it cannot be fixed or free.

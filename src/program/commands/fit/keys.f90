@@ -23,8 +23,9 @@ module asperity_program_commands_fit_keys
       character(len=:), allocatable :: model, case
       !> What differences are divided by
       character(len=8) :: residual_scale = 'absolute'
-      !> Searches, zero for what is usual
+      !> Searches, zero for what is usual, and what says so
       integer :: searches = 0
+      character(len=:), allocatable :: searches_source
    contains
       procedure :: declare, check
    end type fit_options
@@ -55,6 +56,7 @@ contains
          'noise is as large everywhere, or in proportion to the reading')
       call keys%whole('searches', self%searches, &
          'searches from values spread between the bounds, the best counts; as usual for 0')
+      call keys%said_by(self%searches_source)
       call self%input%declare(keys)
       call keys%text('case', self%case, &
          'write a case file with the values found; - is standard output', kind_file)

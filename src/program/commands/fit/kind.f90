@@ -1,9 +1,9 @@
 !> What a kind of fit is: a model with keys, the record that it is held against, and what of it may
 !> be free.
 !>
-!> `asperity fit` first declares the keys of the model, then sets what is fixed, declares again, gives
-!> the record, and asks for a parameter of every free key and for the problem. When the values are
-!> found it asks for the curve and for a case file.
+!> `asperity fit` first declares the keys of the model, then sets what is fixed, declares again,
+!> gives the record, and asks for a parameter of every free key and for the problem. When the values
+!> are found it asks for the curve and for a case file.
 module asperity_program_commands_fit_kind
    use asperity_base_error, only: error_type
    use asperity_base_kinds, only: wp
@@ -44,7 +44,8 @@ module asperity_program_commands_fit_kind
    end type fit_kind
 
    abstract interface
-      !> Give the variables of the model the values of its keys; keys%error is set when one is refused.
+      !> Give the variables of the model the values of its keys; keys%error is set when one is
+      !> refused.
       subroutine declare(self)
          import :: fit_kind
          !> The kind

@@ -2,10 +2,9 @@
 module asperity_program_commands_fit_press
    use asperity_base_error, only: error_type, fatal_error
    use asperity_base_kinds, only: wp
-   use asperity_base_no_value, only: is_none, none
    use asperity_base_number_text, only: to_text
    use asperity_fit_parameter, only: fit_parameter
-   use asperity_fit_press, only: press_compliance, press_pressures, press_problem, press_separation
+   use asperity_fit_press, only: press_pressures, press_problem, press_separation
    use asperity_fit_problem, only: fit_problem
    use asperity_law_normal_law, only: evaluate_normal_law, normal_response
    use asperity_law_normal_properties, only: normal_properties, unloading_elastic, &
@@ -15,6 +14,8 @@ module asperity_program_commands_fit_press
       friction_coefficient, n_properties, sigma, yield_factor
    use asperity_program_commands_faces_type, only: faces_type
    use asperity_program_commands_fit_kind, only: fit_kind
+   use asperity_program_commands_fit_press_numbers, only: compliance_name, least_yield_factor, &
+      press_names, press_number, press_parameter, separation_name
    use asperity_program_commands_fit_record_input, only: fit_record, record_quantities
    use asperity_program_commands_surface_law, only: refusal
    use asperity_program_input_key, only: given_as_option
@@ -25,16 +26,6 @@ module asperity_program_commands_fit_press
    private
    public :: new_press_kind
 
-   character(len=*), parameter :: separation_name = 'initial_separation', &
-      compliance_name = 'machine_compliance'
-   !> Bounds of what nothing is known of, and the way to them from a value that something gives
-   real(wp), parameter :: usual_bounds(2, sigma) = reshape([1.0_wp, 1.0e5_wp, 1.0_wp, 1.0e5_wp, &
-      1.0e-3_wp, 1.0e2_wp, 0.1_wp, 1.0e4_wp, 0.05_wp, 1.0_wp, 1.0e-5_wp, 5.0_wp], [2, sigma]), &
-      usual_ratio = 100.0_wp
-   !> Bounds of sigma, and of the separation at closure zero from the largest closure on, over the
-   !> range of closures
-   real(wp), parameter :: sigma_bounds(2) = [0.02_wp, 50.0_wp], separation_bounds(2) = [-5.0_wp, &
-      25.0_wp]
    !> A record returns if it opens again by this share of the range; pulls if the least pressure is
    !> below minus this share of the largest
    real(wp), parameter :: least_return = 0.05_wp, largest_pull = 0.05_wp
@@ -146,8 +137,8 @@ contains
             call fatal_error(error, 'no pressure is above zero: turn the sign by '// &
                '--force-factor -1')
          else if (minval(y) < -largest_pull*maxval(y)) then
-            call fatal_error(error, 'pressures go down to '//to_text(minval(y), 3)//' MPa, but '// &
-               'faces do not pull: this is no press record, or its zero is off (--force-zero)')
+            call fatal_error(error, 'pressures go down to '//to_text(minval(y), 3)//' MPa, but'// &
+               ' faces do not pull: this is no press record, or its zero is off (--force-zero)')
          else if (y(peak) < 0.5_wp*maxval(y)) then
             call fatal_error(error, 'the largest pressure is not near the largest closure: this '// &
                'is no press record, or closing is counted downwards (--displacement-factor -1)')
@@ -176,57 +167,26 @@ contains
       type(fit_parameter), intent(out) :: parameter
       !> Set when it is no number of the model
       type(error_type), allocatable, intent(out) :: error
-      real(wp) :: range
       integer :: which
 
-      parameter%name = name
-      associate (p => parameter, x => self%record%x, y => self%record%y)
-         range = maxval(x) - minval(x)
-         select case (name)
-         case (separation_name)
-            p%unit = 'mm'
-            p%scale = range
-            p%lower = maxval(x) + separation_bounds(1)*range
-            p%upper = maxval(x) + separation_bounds(2)*range
-            p%start = maxval(x) + range
-            associate (place => self%keys%find(separation_name))
-               if (self%keys%given(place)) p%start = self%faces%initial_separation
-            end associate
-         case (compliance_name)
-            p%unit = 'mm/MPa'
-            p%scale = range/maxval(y)
-            p%upper = p%scale
-            p%start = 0.1_wp*p%upper
-            if (self%compliance > 0.0_wp) p%start = self%compliance
-         case default
-            which = findloc(face_properties(eta:sigma)%name == name, .true., 1)
-            if (which == 0) then
-               call fatal_error(error, '--free: '//name//' cannot be free: a press record may '// &
-                  'settle eta, modulus, radius, hardness, yield_factor, sigma, '// &
-                  separation_name//' and '//compliance_name)
-               return
-            end if
-            p%unit = face_properties(which)%unit
-            p%by_ratio = .true.
-            p%lower = usual_bounds(1, which)
-            p%upper = usual_bounds(2, which)
-            if (which == sigma) then
-               p%lower = max(p%lower, sigma_bounds(1)*range)
-               p%upper = min(p%upper, sigma_bounds(2)*range)
-            else if (which == yield_factor .and. self%faces%has_memory) then
-               ! less is refused with elastic unloading
-               p%lower = 2.0001_wp/sqrt(self%faces%heights%plastic_ratio)
-            end if
-            p%start = sqrt(p%lower)*sqrt(p%upper)
-            if (is_given(self, which)) then
-               p%start = self%faces%values(which)
-               if (which /= yield_factor) then
-                  p%lower = p%start/usual_ratio
-                  p%upper = p%start*usual_ratio
-               end if
-            end if
-         end select
-      end associate
+      which = press_number(name)
+      if (which == 0) then
+         call fatal_error(error, '--free: '//name//' cannot be free: a press record may settle '// &
+            press_names())
+      else if (which <= sigma) then
+         parameter = press_parameter(which, self%record, self%faces%values(which), &
+            is_given(self, which))
+      else if (which == press_separation) then
+         parameter = press_parameter(which, self%record, self%faces%initial_separation, &
+            self%keys%given(self%keys%find(separation_name)))
+      else
+         parameter = press_parameter(which, self%record, self%compliance, self%compliance > 0.0_wp)
+      end if
+      if (which == yield_factor .and. self%faces%has_memory) then
+         ! less is refused with elastic unloading
+         parameter%lower = least_yield_factor(self%faces%heights%plastic_ratio)
+         if (.not. is_given(self, which)) parameter%start = sqrt(parameter%lower)
+      end if
    end subroutine parameter_of
 
    !> The problem of some free numbers.
@@ -252,9 +212,7 @@ contains
          self%compliance]
       allocate (press%free(size(free)))
       do i = 1, size(free)
-         press%free(i) = findloc(face_properties(eta:sigma)%name == free(i)%text, .true., 1)
-         if (free(i)%text == separation_name) press%free(i) = press_separation
-         if (free(i)%text == compliance_name) press%free(i) = press_compliance
+         press%free(i) = press_number(free(i)%text)
       end do
       press%unloading = merge(unloading_elastic, unloading_reversible, self%faces%has_memory)
       press%plastic_ratio = self%faces%heights%plastic_ratio

@@ -5,14 +5,14 @@ module asperity_program_commands_fit_words
    use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
    use asperity_fit_parameter, only: fit_parameter
-   use asperity_fit_types, only: fit_result
+   use asperity_fit_types, only: fit_result, is_unsettled
    use asperity_program_system_strings, only: add_line, string_type
    implicit none
    private
    public :: check_settled, combination, durbin_watson, residual_remarks
 
-   !> Parts of a direction that count when it is named, and when it is written out
-   real(wp), parameter :: named_part = 0.3_wp, written_part = 0.1_wp
+   !> Parts of a direction that count when it is written out
+   real(wp), parameter :: written_part = 0.1_wp
    !> Residuals are not random if Durbin and Watson's number is so many standard errors below 2
    real(wp), parameter :: least_deviation = 3.0_wp
    !> Residuals smaller than this, over the scale, are rounding
@@ -56,8 +56,8 @@ contains
       integer :: i, n
 
       n = count(.not. result%settled)
-      members = pack([(i, i=1, size(parameters))], [(norm2(pack(result%directions(i, :), &
-         .not. result%settled)) > named_part, i=1, size(parameters))])
+      members = pack([(i, i=1, size(parameters))], [(is_unsettled(result, i), &
+         i=1, size(parameters))])
       text = ''
       do i = 1, size(members)
          if (i > 1 .and. i == size(members)) then
@@ -128,7 +128,8 @@ contains
 
       allocate (lines(0))
       if (result%agreeing < result%searches) call add_line(lines, to_text(result%agreeing)// &
-         ' of '//to_text(result%searches)//' searches came to this minimum, the others to worse ends.')
+         ' of '//to_text(result%searches)//' searches came to this '// &
+         'minimum, the others to worse ends.')
       number = durbin_watson(result%residuals)
       if ((1.0_wp - 0.5_wp*number)*sqrt(real(size(result%residuals), wp)) > least_deviation &
          .and. norm2(result%residuals) > rounding*sqrt(real(size(result%residuals), wp))) &
