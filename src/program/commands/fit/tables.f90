@@ -16,7 +16,7 @@ module asperity_program_commands_fit_tables
       quality_table
 
    integer, parameter :: value_figures = 5, bound_figures = 3
-   integer, parameter :: longest = 80
+   integer, parameter :: longest = 200
 
 contains
 
