@@ -8,20 +8,25 @@ module asperity_hysteresis_analysis
    use asperity_base_memory, only: check_work
    use asperity_base_no_value, only: is_none, none
    use asperity_base_number_text, only: to_text
+   use asperity_hysteresis_amplitudes, only: find_amplitudes, three_cycle_amplitude
    use asperity_hysteresis_cycles, only: find_peaks, measure_cycles
+   use asperity_hysteresis_en_12512, only: evaluate_en_12512
+   use asperity_hysteresis_en_26891, only: evaluate_en_26891
+   use asperity_hysteresis_mean_skeletons, only: new_mean_skeleton
    use asperity_hysteresis_record_kinds, only: classify
    use asperity_hysteresis_samples, only: displacement_noise, find_gaps, find_outliers, &
       find_zeros, leave_out
    use asperity_hysteresis_skeletons, only: evaluate_skeleton, new_skeleton
    use asperity_hysteresis_turning_points, only: cut_cycles, find_turning_points
-   use asperity_hysteresis_types, only: check_hysteresis_settings, hysteresis_cycle, &
-      hysteresis_result, hysteresis_settings, hysteresis_skeleton, largest_value, negative_side, &
-      positive_side, record_gap, record_outlier, round_off_share
+   use asperity_hysteresis_types, only: check_hysteresis_settings, en_12512_numbers, &
+      en_26891_numbers, hysteresis_amplitude, hysteresis_cycle, hysteresis_result, &
+      hysteresis_settings, hysteresis_skeleton, largest_value, negative_side, positive_side, &
+      record_gap, record_outlier, round_off_share
    implicit none
    private
    public :: analyse_hysteresis, leave_out
    public :: hysteresis_cycle, hysteresis_result, hysteresis_settings, hysteresis_skeleton
-   public :: record_gap, record_outlier
+   public :: en_12512_numbers, en_26891_numbers, hysteresis_amplitude, record_gap, record_outlier
    public :: check_hysteresis_settings, negative_side, positive_side
 
    !> Default threshold over the record's range of displacement, over the standard deviation of
@@ -30,8 +35,8 @@ module asperity_hysteresis_analysis
       most_threshold = 1.0_wp/40.0_wp
    integer, parameter :: fewest_points = 3
    !> Bytes that the analysis takes for each sample at most: the record without outliers 16, both
-   !> skeletons 48, work 32
-   integer(int64), parameter :: bytes_of_sample = 96
+   !> skeletons 48, their mean 48, work 48
+   integer(int64), parameter :: bytes_of_sample = 160
 
 contains
 
@@ -124,6 +129,18 @@ contains
             result%skeleton(side))
          call evaluate_skeleton(side, s, result%threshold, force_floor, result%skeleton(side))
       end do
+      call new_mean_skeleton(result%skeleton, result%mean_skeleton)
+      call evaluate_skeleton(positive_side, s, result%threshold, force_floor, result%mean_skeleton)
+      call find_amplitudes(result%cycles, s%amplitude_tolerance, result%amplitudes)
+      do side = positive_side, negative_side
+         call evaluate_en_12512(side, s, result%threshold, force_floor, &
+            three_cycle_amplitude(result%amplitudes, side), result%skeleton(side))
+      end do
+      call evaluate_en_12512(positive_side, s, result%threshold, force_floor, none, &
+         result%mean_skeleton)
+      if (result%record_kind(:9) /= 'monotonic') return
+      side = merge(negative_side, positive_side, is_none(result%skeleton(1)%peak_force))
+      call evaluate_en_26891(displacement, force, side, s, result%skeleton(side), result%en_26891)
    end subroutine analyse_samples
 
    !> Set `error` unless there is memory for an analysis.

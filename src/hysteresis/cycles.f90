@@ -11,6 +11,8 @@ module asperity_hysteresis_cycles
    !> A loop with so much less than no area, as a share of the rectangle of its peaks, gives energy
    !> back, which is no damping
    real(wp), parameter :: given_back = 0.02_wp
+   !> A half cycle begins and ends without force if it has less than this share of its peak's
+   real(wp), parameter :: unloaded_share = 0.1_wp
 
 contains
 
@@ -87,6 +89,7 @@ contains
          cycles(i)%cumulative_energy = total
          if (loaded .and. cycles(i)%closed .and. all(cycles(i)%peak > 0)) &
             call measure_shape(cycles(i), displacement, force, threshold)
+         if (loaded) call measure_halves(cycles(i), displacement, force, threshold)
       end do
    end subroutine measure_cycles
 
@@ -163,6 +166,59 @@ contains
             *(after - between)/height
       end associate
    end subroutine measure_shape
+
+   !> Work and damping of both halves of a cycle, cut at zero displacement. Where a half begins or
+   !> ends without force away from zero, the axis closes it.
+   pure subroutine measure_halves(loop, displacement, force, threshold)
+      type(hysteresis_cycle), intent(inout) :: loop
+      real(wp), intent(in) :: displacement(:), force(:), threshold
+      integer :: i, side
+      real(wp) :: work
+
+      do side = positive_side, negative_side
+         if (loop%peak(side) == 0) cycle
+         associate (s => side_sign(side), x => loop%displacement(side), f => loop%force(side))
+            if (.not. x*f > 0.0_wp) cycle
+            if (.not. loop%closed) then
+               if (is_under_way(s*loop%start_displacement, loop%start_force, f, threshold)) cycle
+               if (is_under_way(s*loop%end_displacement, loop%end_force, f, threshold)) cycle
+            end if
+            work = work_beyond(s, loop%start_displacement, loop%start_force, &
+               displacement(loop%first), force(loop%first))
+            do i = loop%first, loop%last - 1
+               work = work + work_beyond(s, displacement(i), force(i), displacement(i + 1), &
+                  force(i + 1))
+            end do
+            work = work + work_beyond(s, displacement(loop%last), force(loop%last), &
+               loop%end_displacement, loop%end_force)
+            if (loop%closed) work = work + work_beyond(s, loop%end_displacement, loop%end_force, &
+               loop%start_displacement, loop%start_force)
+            loop%half_energy(side) = work
+            if (work >= -given_back*x*f) loop%half_damping(side) = work/(pi*x*f)
+         end associate
+      end do
+   end subroutine measure_halves
+
+   !> Whether an end of a cycle lies out on a side, and under force.
+   pure logical function is_under_way(x, force, peak, threshold)
+      real(wp), intent(in) :: x, force, peak, threshold
+
+      is_under_way = x > threshold .and. abs(force) > unloaded_share*abs(peak)
+   end function is_under_way
+
+   !> Work along a straight line, of its part on one side of zero displacement.
+   pure real(wp) function work_beyond(s, x1, f1, x2, f2) result(work)
+      real(wp), intent(in) :: s, x1, f1, x2, f2
+      real(wp) :: at_zero
+
+      work = 0.0_wp
+      if (max(s*x1, s*x2) <= 0.0_wp) return
+      work = trapezoid(x1, f1, x2, f2)
+      if (min(s*x1, s*x2) >= 0.0_wp) return
+      at_zero = f1 + (f2 - f1)*(x1/(x1 - x2))
+      if (s*x1 < 0.0_wp) work = trapezoid(0.0_wp, at_zero, x2, f2)
+      if (s*x2 < 0.0_wp) work = trapezoid(x1, f1, 0.0_wp, at_zero)
+   end function work_beyond
 
    !> Force where the displacement first comes to zero.
    pure subroutine force_at_zero(displacement, force, at_zero, crosses)

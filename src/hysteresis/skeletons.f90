@@ -2,6 +2,8 @@
 module asperity_hysteresis_skeletons
    use asperity_base_kinds, only: wp
    use asperity_base_no_value, only: is_none
+   use asperity_hysteresis_curves, only: displacement_at, find_ultimate, outward, peak_of, &
+      rises_from_zero
    use asperity_hysteresis_envelopes, only: find_envelope
    use asperity_hysteresis_types, only: hysteresis_cycle, hysteresis_settings, &
       hysteresis_skeleton, initial_fraction, side_sign
@@ -9,15 +11,10 @@ module asperity_hysteresis_skeletons
    private
    public :: new_skeleton, evaluate_skeleton
 
-   !> Forces that differ by less than this share are equally large
-   real(wp), parameter :: same_force = 1.0e-9_wp
    !> Round-off of the equal-energy equation
    real(wp), parameter :: round_off = 1.0e-12_wp
    !> Yield force over peak force where that equation has no solution (ASTM E2126)
    real(wp), parameter :: assumed_yield = 0.85_wp
-
-   !> A displacement below this share of the threshold is zero
-   real(wp), parameter :: resolved = 0.1_wp
 
 contains
 
@@ -120,28 +117,18 @@ contains
       !> point
       type(hysteresis_skeleton), intent(inout) :: skeleton
       real(wp), allocatable :: x(:), f(:)
-      real(wp) :: largest, elastic, initial, last_x, last_f
-      integer :: i, peak
+      real(wp) :: elastic, initial, last_x, last_f
+      integer :: peak
 
       if (size(skeleton%force) == 0) return
       associate (s => side_sign(side), share => settings%elastic_fraction)
-         ! outwards from the origin
-         allocate (x(0:size(skeleton%force)), f(0:size(skeleton%force)))
-         x(0) = 0.0_wp
-         f(0) = 0.0_wp
-         do i = 1, size(skeleton%force)
-            x(i) = s*skeleton%displacement(i)
-            f(i) = s*skeleton%force(i)
-         end do
-         largest = maxval(f)
-         if (.not. largest > force_floor) return
-         do peak = ubound(f, 1), 1, -1
-            if (f(peak) >= (1.0_wp - same_force)*largest) exit
-         end do
+         call outward(s, skeleton, x, f)
+         if (.not. maxval(f) > force_floor) return
+         peak = peak_of(f)
          skeleton%peak_displacement = s*x(peak)
          skeleton%peak_force = s*f(peak)
 
-         if (x(1) > resolved*threshold .or. f(1) < share*f(peak)) then
+         if (rises_from_zero(x, f, peak, share, threshold)) then
             elastic = displacement_at(x, f, share*f(peak))
             initial = displacement_at(x, f, initial_fraction*f(peak))
             skeleton%elastic_stiffness = share*f(peak)/elastic
@@ -157,45 +144,6 @@ contains
          if (.not. is_none(skeleton%elastic_stiffness)) call find_yield(s, last_x, skeleton)
       end associate
    end subroutine evaluate_skeleton
-
-   !> Displacement at which the skeleton first has a force between zero and its peak.
-   pure real(wp) function displacement_at(x, f, force)
-      real(wp), intent(in) :: x(0:), f(0:), force
-      integer :: i
-
-      displacement_at = x(ubound(x, 1))
-      do i = 1, ubound(x, 1)
-         if (f(i) < force) cycle
-         displacement_at = x(i - 1) + (x(i) - x(i - 1))*((force - f(i - 1))/(f(i) - f(i - 1)))
-         return
-      end do
-   end function displacement_at
-
-   !> Point past the peak where the force has fallen to a share of it, or the last point, and the
-   !> area up to there.
-   pure subroutine find_ultimate(x, f, peak, share, last_x, last_f, area, reached)
-      real(wp), intent(in) :: x(0:), f(0:), share
-      integer, intent(in) :: peak
-      real(wp), intent(out) :: last_x, last_f, area
-      logical, intent(out) :: reached
-      integer :: i
-
-      area = 0.0_wp
-      reached = .false.
-      last_x = x(0)
-      last_f = f(0)
-      do i = 1, ubound(x, 1)
-         last_x = x(i)
-         last_f = f(i)
-         reached = i > peak .and. f(i) <= share*f(peak)
-         if (reached) then
-            last_f = share*f(peak)
-            last_x = x(i - 1) + (x(i) - x(i - 1))*((last_f - f(i - 1))/(f(i) - f(i - 1)))
-         end if
-         area = area + 0.5_wp*(f(i - 1) + last_f)*(last_x - x(i - 1))
-         if (reached) return
-      end do
-   end subroutine find_ultimate
 
    !> Yield point of the elastic and perfectly plastic curve with the same elastic stiffness,
    !> ultimate displacement and area.

@@ -5,11 +5,12 @@ module asperity_hysteresis_types
    use asperity_base_checks, only: check_range
    use asperity_base_error, only: error_type, fatal_error
    use asperity_base_kinds, only: wp
-   use asperity_base_no_value, only: none
+   use asperity_base_no_value, only: is_none, none
    implicit none
    private
    public :: hysteresis_settings, hysteresis_cycle, hysteresis_skeleton, hysteresis_result
    public :: check_hysteresis_settings, record_outlier, record_gap
+   public :: en_12512_numbers, en_26891_numbers, hysteresis_amplitude
 
    !> The two sides of a record, as places in arrays of two
    integer, parameter, public :: positive_side = 1, negative_side = 2
@@ -17,6 +18,8 @@ module asperity_hysteresis_types
    real(wp), parameter, public :: side_sign(2) = [1.0_wp, -1.0_wp]
    !> Share of the peak force at which the initial stiffness begins (EN 12512)
    real(wp), parameter, public :: initial_fraction = 0.1_wp
+   !> Share of the force of the first cycle that the third must hold (EN 1998-1)
+   real(wp), parameter, public :: held_share = 0.8_wp
    !> Numbers of a record, and a threshold, must be smaller, so that no product overflows
    real(wp), parameter, public :: largest_value = 1.0e100_wp
    !> Forces below this share of the record's largest are round-off
@@ -43,6 +46,11 @@ module asperity_hysteresis_types
       real(wp) :: elastic_fraction = 0.4_wp
       !> Share of the peak force, past the peak, at the ultimate point (ASTM E2126)
       real(wp) :: ultimate_fraction = 0.8_wp
+      !> One millimetre in the unit of displacement, for the limits of EN 12512 and EN 26891, which
+      !> are not applied without it
+      real(wp) :: millimetre = none
+      !> Estimated largest force (EN 26891); found in the record where it has none
+      real(wp) :: estimated_force = none
    end type hysteresis_settings
 
    !> One cycle. Arrays of two hold the positive side first.
@@ -80,7 +88,74 @@ module asperity_hysteresis_types
       real(wp) :: pinching = none
       !> Area over that of the rectangle (F+ - F-)(X+ - X-)
       real(wp) :: fullness = none
+      !> Work on each side of zero displacement: of half cycles that begin and end at zero
+      !> displacement or without force, as are the next
+      real(wp) :: half_energy(2) = none
+      !> Equivalent viscous damping of each half cycle, work/(2 pi F X/2) (EN 12512)
+      real(wp) :: half_damping(2) = none
    end type hysteresis_cycle
+
+   !> What EN 12512 makes of a skeleton, as it is commonly cited; the skeleton counts up to 30 mm,
+   !> if it is known what a millimetre is. Displacement and force are signed.
+   type :: en_12512_numbers
+      !> Point of the largest force
+      real(wp) :: peak_displacement = none, peak_force = none
+      !> Yield point where two straight parts meet (method a); only if there are two clear ones
+      real(wp) :: two_lines_displacement = none, two_lines_force = none
+      !> Yield point where the line through 0.1 and 0.4 of the peak force meets the tangent with a
+      !> sixth of its slope (method b)
+      real(wp) :: tangent_displacement = none, tangent_force = none
+      !> The method that counts, `two_lines` or `tangent`; blank if there is no yield point
+      character(len=name_length) :: yield_method = ''
+      !> Ultimate point
+      real(wp) :: ultimate_displacement = none, ultimate_force = none
+      !> What ends the skeleton there: the `force`, fallen to 0.8 of its peak, the `limit` of 30 mm,
+      !> or its `end`, as at a failure
+      character(len=name_length) :: ultimate_reason = ''
+      !> Ultimate over yield displacement
+      real(wp) :: ductility = none
+      !> Largest amplitude over yield displacement at which the force of the third cycle is at least
+      !> 0.8 of that of the first
+      real(wp) :: three_cycle_ductility = none
+   end type en_12512_numbers
+
+   !> What EN 26891 makes of a monotonic test, as it is commonly cited. Displacement and force are
+   !> signed, `slip` is displacement.
+   type :: en_26891_numbers
+      !> Estimated largest force, and where it comes from: `given`, `unloading` (from 0.4 to 0.1 of
+      !> it), or `peak_force`, if nothing else tells it
+      real(wp) :: estimated_force = none
+      character(len=name_length) :: estimated_by = ''
+      !> Largest force up to 15 mm, if it is known what a millimetre is, and its displacement
+      real(wp) :: peak_displacement = none, peak_force = none
+      !> Slip at 0.1 and 0.4 of the estimated force, when it is first loaded; the latter is v_i
+      real(wp) :: slip_at_0_1 = none, initial_slip = none
+      !> v_i,mod = 4/3 (v_04 - v_01)
+      real(wp) :: modified_initial_slip = none
+      !> v_s = v_i - v_i,mod
+      real(wp) :: joint_settlement = none
+      !> v_e = 2/3 (v_14 + v_24 - v_11 - v_21), at 0.4 before and after the unloading, and at 0.1
+      !> at its beginning and its end; of tests that have the unloading, as is what needs v_24
+      real(wp) :: elastic_slip = none
+      !> k_i = 0.4 F_est/v_i and k_s = 0.4 F_est/v_i,mod
+      real(wp) :: initial_slip_modulus = none, slip_modulus = none
+      !> Slip at 0.6 and 0.8 of the largest force
+      real(wp) :: slip_at_0_6 = none, slip_at_0_8 = none
+      !> The same less v_24, with v_i,mod
+      real(wp) :: modified_slip_at_0_6 = none, modified_slip_at_0_8 = none
+   end type en_26891_numbers
+
+   !> The cycles of one amplitude on one side.
+   type :: hysteresis_amplitude
+      !> Side, and how many cycles reach this amplitude before a larger one
+      integer :: side = positive_side, cycles = 0
+      !> The first three of them, zero where there are fewer
+      integer :: cycle(3) = 0
+      !> Their peaks, signed: points of the envelopes of first, second and third cycles (EN 12512)
+      real(wp) :: displacement(3) = none, force(3) = none
+      !> Impairment of strength from the first to the third cycle, over the first (EN 12512)
+      real(wp) :: impairment = none
+   end type hysteresis_amplitude
 
    !> Skeleton of one side and what follows from it; displacement and force are signed.
    type :: hysteresis_skeleton
@@ -113,6 +188,8 @@ module asperity_hysteresis_types
       real(wp) :: area = none
       !> Ultimate over yield displacement
       real(wp) :: ductility = none
+      !> The same by EN 12512
+      type(en_12512_numbers) :: en_12512
    end type hysteresis_skeleton
 
    !> A sample far off those beside it.
@@ -157,6 +234,12 @@ module asperity_hysteresis_types
       type(hysteresis_cycle), allocatable :: cycles(:)
       !> Skeletons of the positive and the negative side; without points if there are none
       type(hysteresis_skeleton) :: skeleton(2)
+      !> Mean of both skeletons, without points unless both have some (ASTM E2126)
+      type(hysteresis_skeleton) :: mean_skeleton
+      !> Cycles by amplitude, the positive side first
+      type(hysteresis_amplitude), allocatable :: amplitudes(:)
+      !> Of monotonic records
+      type(en_26891_numbers) :: en_26891
    end type hysteresis_result
 
 contains
@@ -177,6 +260,12 @@ contains
          settings%ultimate_fraction, 0.1_wp, 0.99_wp, '')
       if (.not. allocated(error)) call check_range(error, 'force_floor', settings%force_floor, &
          0.0_wp, largest_value, '')
+      if (.not. allocated(error) .and. .not. is_none(settings%millimetre)) &
+         call check_range(error, 'millimetre', settings%millimetre, round_off_share, &
+         largest_value, '')
+      if (.not. allocated(error) .and. .not. is_none(settings%estimated_force)) &
+         call check_range(error, 'estimated_force', settings%estimated_force, &
+         1.0_wp/largest_value, largest_value, '')
       if (allocated(error)) return
       if (all(settings%peaks /= [character(len=12) :: 'envelope', 'displacement', 'force'])) then
          call fatal_error(error, "peaks = '"//trim(settings%peaks)// &
