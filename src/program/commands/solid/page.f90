@@ -2,7 +2,7 @@
 !> file that needs no other and prints well.
 module asperity_program_commands_solid_page
    use asperity_base_text_builder, only: growing_text
-   use asperity_program_commands_joint_page, only: add_case, add_comparison, add_head, add_list, &
+   use asperity_program_report_page, only: add_case, add_comparison, add_head, add_list, &
       add_pictures, add_remarks, end_page
    use asperity_program_commands_solid_page_texts, only: assumptions, cautions, origins, &
       paper_cautions

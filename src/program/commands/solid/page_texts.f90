@@ -1,7 +1,7 @@
 !> What a page on the solid joint says of its input: what was chosen and why, what is assumed, and
 !> what cannot be compared. What the keys of the joint share with the plane one is said there.
 module asperity_program_commands_solid_page_texts
-   use asperity_program_commands_joint_page, only: origin_type
+   use asperity_program_report_page, only: origin_type
    implicit none
    private
 

@@ -1,7 +1,7 @@
 !> What a page on the tenon joint says of its input: what the paper gives, what was chosen and why,
 !> what is assumed, and what cannot be compared.
 module asperity_program_commands_tenon_page_texts
-   use asperity_program_commands_joint_page, only: origin_type
+   use asperity_program_report_page, only: origin_type
    implicit none
    private
 

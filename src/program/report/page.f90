@@ -1,5 +1,5 @@
 !> Pieces of a page on a tenon joint: head, pictures, case, remarks.
-module asperity_program_commands_joint_page
+module asperity_program_report_page
    use asperity_base_text_builder, only: growing_text
    use asperity_base_version, only: version
    use asperity_law_validity, only: validity_remark
@@ -218,4 +218,4 @@ contains
       html = '<td class="text">'//html_text(text)//'</td>'
    end function cell
 
-end module asperity_program_commands_joint_page
+end module asperity_program_report_page
