@@ -1,4 +1,4 @@
-!> Pieces of a page on a tenon joint: head, pictures, case, remarks.
+!> Pieces of a page: head, pictures, input, remarks.
 module asperity_program_report_page
    use asperity_base_text_builder, only: growing_text
    use asperity_base_version, only: version
@@ -11,14 +11,13 @@ module asperity_program_report_page
    use asperity_program_system_strings, only: string_type
    implicit none
    private
-   public :: origin_type, add_head, add_comparison, add_list, add_remarks, add_pictures, add_case, &
-      end_page
+   public :: origin_type, add_head, add_list, add_remarks, add_pictures, add_case, end_page
 
    !> Where the default of a key comes from.
    type :: origin_type
       !> Name of the key
       character(len=24) :: key
-      !> What the paper says, or why the value was chosen
+      !> What its source says, or why the value was chosen
       character(len=150) :: words
    end type origin_type
 
@@ -65,27 +64,15 @@ contains
          'tr, li { break-inside: avoid } thead { display: table-header-group } }')
       call b%line('</style></head><body>')
       call b%line('<h1>'//html_text(title)//'</h1>')
-      call b%line('<p class="sub">Faces: '//html_text(report%faces)//'.<br>'// &
-         'Made on '//time_text()//' by asperity '//version//': <code>'// &
+      call b%line('<p class="sub">')
+      if (allocated(report%faces)) &
+         call b%line('Faces: '//html_text(report%faces)//'.<br>')
+      if (allocated(report%record_kind)) &
+         call b%line('Record: '//html_text(report%record_kind)//'.<br>')
+      call b%line('Made on '//time_text()//' by asperity '//version//': <code>'// &
          html_text(command_text())//'</code></p>')
       call b%line('<h2>Result</h2>')
    end subroutine add_head
-
-   !> The table that is like the paper's Table 5.
-   pure subroutine add_comparison(b, report, beside_paper)
-      !> Where to append
-      type(growing_text), intent(inout) :: b
-      !> The report
-      type(report_type), intent(in) :: report
-      !> Whether the paper's rows are in it
-      logical, intent(in) :: beside_paper
-
-      call add_html_table(b, report%summary, &
-         trim(merge('As Table 5 of the paper: negative', 'Negative                         ', &
-         beside_paper))//' loading; yield moment by equal energy (EEEP), bending stiffness = '// &
-         'ultimate moment over the ultimate rotation; ratios are to hard contact of the same '// &
-         'source')
-   end subroutine add_comparison
 
    !> A list of sentences.
    pure subroutine add_list(b, items)
@@ -111,8 +98,8 @@ contains
       integer :: bit, i
 
       call b%line('<ul>')
-      if (report%validity() == 0) call b%line('<li>Validity: '// &
-         html_text(report%valid_text())//'</li>')
+      if (report%table%find('validity') > 0 .and. report%validity() == 0) &
+         call b%line('<li>Validity: '//html_text(report%valid_text())//'</li>')
       do bit = 0, bit_size(bit) - 2
          if (btest(report%validity(), bit)) call b%line('<li>Past a limit of the law: '// &
             html_text(validity_remark(ibset(0, bit)))//'</li>')
@@ -162,8 +149,10 @@ contains
       character(len=:), allocatable :: origin, usual_origin
       integer :: i, place
 
-      call b%line('<div class="table"><table class="case"><caption>Input; asperity '// &
-         trim(report%name)//' --print-case writes it as a case file</caption>')
+      call b%add('<div class="table"><table class="case"><caption>Input')
+      if (report%keys%find('print_case') > 0) call b%add('; asperity '//trim(report%name)// &
+         ' --print-case writes it as a case file')
+      call b%line('</caption>')
       call b%line('<thead><tr><th>key</th><th>value</th><th>what it is</th><th>where the value '// &
          'comes from</th></tr></thead><tbody>')
       do i = 1, report%keys%n
@@ -199,14 +188,14 @@ contains
       end do
    end function origin_of
 
-   !> The paper, and the end.
-   pure subroutine end_page(b)
+   !> A note, and the end.
+   pure subroutine end_page(b, note)
       !> Where to append
       type(growing_text), intent(inout) :: b
+      !> The note
+      character(len=*), intent(in) :: note
 
-      call b%line('<p class="sub">The law, and the figures called the paper''s: Xie, Zhang, '// &
-         'Zhang, Guo, Wu, Normal contact performance of mortise and tenon joint, Journal of '// &
-         'Wood Science 67 (2021), DOI 10.1186/s10086-021-01963-x.</p>')
+      call b%line('<p class="sub">'//html_text(note)//'</p>')
       call b%line('</body></html>')
    end subroutine end_page
 

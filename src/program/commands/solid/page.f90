@@ -2,14 +2,15 @@
 !> file that needs no other and prints well.
 module asperity_program_commands_solid_page
    use asperity_base_text_builder, only: growing_text
-   use asperity_program_report_page, only: add_case, add_comparison, add_head, add_list, &
-      add_pictures, add_remarks, end_page
+   use asperity_program_commands_joint_page, only: add_comparison, paper_note
    use asperity_program_commands_solid_page_texts, only: assumptions, cautions, origins, &
       paper_cautions
    use asperity_program_commands_tenon_page_texts, only: tenon_origins => origins
    use asperity_program_commands_tenon_sketch, only: add_sketch
    use asperity_program_input_key_list, only: key_list
    use asperity_program_report_html, only: add_html_table
+   use asperity_program_report_page, only: add_case, add_head, add_list, add_pictures, &
+      add_remarks, end_page
    use asperity_program_report_report, only: report_type
    use asperity_program_system_strings, only: string_type
    use asperity_replay_tenon_settings, only: tenon_settings
@@ -59,7 +60,7 @@ contains
       call add_case(b, report, usual, [tenon_origins, origins])
       call b%line('<h2>Assumptions</h2>')
       call add_list(b, assumptions)
-      call end_page(b)
+      call end_page(b, paper_note)
       parts(size(parts))%text = b%text()
    end function solid_page
 

@@ -2,8 +2,7 @@
 !> file that needs no other and prints well.
 module asperity_program_commands_tenon_page
    use asperity_base_text_builder, only: growing_text
-   use asperity_program_report_page, only: add_case, add_comparison, add_head, add_list, &
-      add_pictures, add_remarks, end_page
+   use asperity_program_commands_joint_page, only: add_comparison, paper_note
    use asperity_program_commands_tenon_joint_keys, only: declare_replay_case, tenon_case
    use asperity_program_commands_tenon_page_texts, only: assumptions, cautions, origins, &
       paper_cautions
@@ -11,6 +10,8 @@ module asperity_program_commands_tenon_page
    use asperity_program_commands_tenon_sketch, only: add_sketch
    use asperity_program_input_key_list, only: key_list
    use asperity_program_report_html, only: add_html_table
+   use asperity_program_report_page, only: add_case, add_head, add_list, add_pictures, &
+      add_remarks, end_page
    use asperity_program_report_report, only: report_type
    use asperity_program_system_strings, only: string_type
    implicit none
@@ -57,7 +58,7 @@ contains
       call add_case(b, report, usual, origins)
       call b%line('<h2>Assumptions</h2>')
       call add_list(b, assumptions)
-      call end_page(b)
+      call end_page(b, paper_note)
       parts(size(parts))%text = b%text()
    end function joint_page
 
