@@ -3,7 +3,7 @@ module asperity_hysteresis_amplitudes
    use asperity_base_kinds, only: wp
    use asperity_base_no_value, only: none
    use asperity_hysteresis_types, only: held_share, hysteresis_amplitude, hysteresis_cycle, &
-      negative_side, positive_side
+      negative_side, positive_side, round_off_share
    implicit none
    private
    public :: find_amplitudes, three_cycle_amplitude
@@ -60,21 +60,23 @@ contains
       end associate
    end subroutine append
 
-   !> Largest amplitude of a side, unsigned, whose third cycle has at least 0.8 of the force of the
-   !> first; `none` if there is none.
-   pure real(wp) function three_cycle_amplitude(amplitudes, side) result(largest)
+   !> Largest amplitude of a side, unsigned, up to the ultimate displacement, whose third cycle has
+   !> at least 0.8 of the force of the first; `none` if there is none.
+   pure real(wp) function three_cycle_amplitude(amplitudes, side, ultimate) result(largest)
       !> All amplitudes
       type(hysteresis_amplitude), intent(in) :: amplitudes(:)
       !> The side
       integer, intent(in) :: side
+      !> Ultimate displacement, unsigned
+      real(wp), intent(in) :: ultimate
       integer :: i
 
       largest = none
       do i = 1, size(amplitudes)
          if (amplitudes(i)%side /= side .or. amplitudes(i)%cycles < 3) cycle
-         associate (f => amplitudes(i)%force)
-            if (f(3)*f(1) >= held_share*f(1)**2 .and. abs(f(1)) > 0.0_wp) &
-               largest = abs(amplitudes(i)%displacement(1))
+         associate (f => amplitudes(i)%force, x => abs(amplitudes(i)%displacement(1)))
+            if (x > (1.0_wp + round_off_share)*ultimate) cycle
+            if (f(3)*f(1) >= held_share*f(1)**2 .and. abs(f(1)) > 0.0_wp) largest = x
          end associate
       end do
    end function three_cycle_amplitude

@@ -8,7 +8,7 @@ module asperity_hysteresis_analysis
    use asperity_base_memory, only: check_work
    use asperity_base_no_value, only: is_none, none
    use asperity_base_number_text, only: to_text
-   use asperity_hysteresis_amplitudes, only: find_amplitudes, three_cycle_amplitude
+   use asperity_hysteresis_amplitudes, only: find_amplitudes
    use asperity_hysteresis_cycles, only: find_peaks, measure_cycles
    use asperity_hysteresis_en_12512, only: evaluate_en_12512
    use asperity_hysteresis_en_26891, only: evaluate_en_26891
@@ -133,11 +133,11 @@ contains
       call evaluate_skeleton(positive_side, s, result%threshold, force_floor, result%mean_skeleton)
       call find_amplitudes(result%cycles, s%amplitude_tolerance, result%amplitudes)
       do side = positive_side, negative_side
-         call evaluate_en_12512(side, s, result%threshold, force_floor, &
-            three_cycle_amplitude(result%amplitudes, side), result%skeleton(side))
+         call evaluate_en_12512(side, s, result%threshold, force_floor, result%amplitudes, &
+            result%skeleton(side))
       end do
-      call evaluate_en_12512(positive_side, s, result%threshold, force_floor, none, &
-         result%mean_skeleton)
+      call evaluate_en_12512(positive_side, s, result%threshold, force_floor, &
+         result%amplitudes(:0), result%mean_skeleton)
       if (result%record_kind(:9) /= 'monotonic') return
       side = merge(negative_side, positive_side, is_none(result%skeleton(1)%peak_force))
       call evaluate_en_26891(displacement, force, side, s, result%skeleton(side), result%en_26891)

@@ -2,14 +2,18 @@
 module asperity_hysteresis_en_12512
    use asperity_base_kinds, only: wp
    use asperity_base_no_value, only: is_none
+   use asperity_hysteresis_amplitudes, only: three_cycle_amplitude
    use asperity_hysteresis_curves, only: cut_off, displacement_at, find_ultimate, outward, &
       peak_of, rises_from_zero
-   use asperity_hysteresis_types, only: en_12512_numbers, hysteresis_settings, &
-      hysteresis_skeleton, initial_fraction, side_sign
+   use asperity_hysteresis_types, only: en_12512_numbers, hysteresis_amplitude, &
+      hysteresis_settings, hysteresis_skeleton, initial_fraction, side_sign
    implicit none
    private
-   public :: evaluate_en_12512
+   public :: ductility_class, evaluate_en_12512
 
+   !> Least ductility of the classes medium and high: 4 and 6, which EN 1998-1 asks of the zones
+   !> that dissipate energy in timber structures of the classes M and H
+   real(wp), parameter :: least_medium = 4.0_wp, least_high = 6.0_wp
    !> Displacement in mm that ends a test
    real(wp), parameter :: largest_displacement = 30.0_wp
    !> Slope of the tangent over that of the first line
@@ -34,7 +38,7 @@ module asperity_hysteresis_en_12512
 contains
 
    !> Evaluate the skeleton of a side, or the mean of both.
-   pure subroutine evaluate_en_12512(side, settings, threshold, force_floor, amplitude, skeleton)
+   pure subroutine evaluate_en_12512(side, settings, threshold, force_floor, amplitudes, skeleton)
       !> The side, the positive one for the mean
       integer, intent(in) :: side
       !> Shares of the peak force, and what a millimetre is
@@ -43,12 +47,12 @@ contains
       real(wp), intent(in) :: threshold
       !> Forces up to this size are zero
       real(wp), intent(in) :: force_floor
-      !> Largest amplitude at which three cycles hold; `none` if there is none
-      real(wp), intent(in) :: amplitude
+      !> Cycles by amplitude; none for the mean
+      type(hysteresis_amplitude), intent(in) :: amplitudes(:)
       !> Its points are known
       type(hysteresis_skeleton), intent(inout) :: skeleton
       real(wp), allocatable :: x(:), f(:)
-      real(wp) :: last_x, last_f, area
+      real(wp) :: last_x, last_f, area, held
       logical :: is_cut, reached
       integer :: peak
 
@@ -71,23 +75,36 @@ contains
          if (.not. rises_from_zero(x, f, peak, settings%elastic_fraction, threshold)) return
          call find_tangent(s, x, f, peak, settings%elastic_fraction, n)
          call find_two_lines(s, x, f, peak, n)
+         held = three_cycle_amplitude(amplitudes, side, last_x)
          if (.not. is_none(n%two_lines_displacement)) then
             n%yield_method = 'two_lines'
-            call add_ductility(last_x, amplitude, abs(n%two_lines_displacement), n)
+            call add_ductility(last_x, held, abs(n%two_lines_displacement), n)
          else if (.not. is_none(n%tangent_displacement)) then
             n%yield_method = 'tangent'
-            call add_ductility(last_x, amplitude, abs(n%tangent_displacement), n)
+            call add_ductility(last_x, held, abs(n%tangent_displacement), n)
          end if
       end associate
    end subroutine evaluate_en_12512
 
-   pure subroutine add_ductility(ultimate, amplitude, yield, numbers)
-      real(wp), intent(in) :: ultimate, amplitude, yield
+   !> Class of a ductility, `low`, `medium` or `high`; blank if it is not known.
+   pure character(len=6) function ductility_class(ductility)
+      !> Ultimate displacement, or one that three cycles hold, over yield displacement
+      real(wp), intent(in) :: ductility
+
+      ductility_class = ''
+      if (is_none(ductility)) return
+      ductility_class = 'low'
+      if (ductility >= least_medium) ductility_class = 'medium'
+      if (ductility >= least_high) ductility_class = 'high'
+   end function ductility_class
+
+   pure subroutine add_ductility(ultimate, held, yield, numbers)
+      real(wp), intent(in) :: ultimate, held, yield
       type(en_12512_numbers), intent(inout) :: numbers
 
       if (.not. yield > 0.0_wp) return
       numbers%ductility = ultimate/yield
-      if (.not. is_none(amplitude)) numbers%three_cycle_ductility = amplitude/yield
+      if (.not. is_none(held)) numbers%three_cycle_ductility = held/yield
    end subroutine add_ductility
 
    !> Method b: the line through 0.1 and 0.4 of the peak force, and the tangent with a sixth of its

@@ -56,18 +56,18 @@ contains
          call find_unloading(record_f, least_share*f(peak), top, bottom)
          call estimate(settings, n%peak_force*s, record_f, top, bottom, n)
 
-         n%slip_at_0_1 = s*slip_at(x, f, lower_share*n%estimated_force)
+         n%slip_at_10_percent = s*slip_at(x, f, lower_share*n%estimated_force)
          n%initial_slip = s*slip_at(x, f, upper_share*n%estimated_force)
-         n%slip_at_0_6 = s*slip_at(x, f, service_share*f(peak))
-         n%slip_at_0_8 = s*slip_at(x, f, late_share*f(peak))
+         n%slip_at_60_percent = s*slip_at(x, f, service_share*f(peak))
+         n%slip_at_80_percent = s*slip_at(x, f, late_share*f(peak))
          if (f(peak) < upper_share*n%estimated_force*(1.0_wp - round_off)) then
             ! never loaded so far
-            n%slip_at_0_1 = none
+            n%slip_at_10_percent = none
             n%initial_slip = none
             n%estimated_force = s*n%estimated_force
             return
          end if
-         n%modified_initial_slip = 4.0_wp/3.0_wp*(n%initial_slip - n%slip_at_0_1)
+         n%modified_initial_slip = 4.0_wp/3.0_wp*(n%initial_slip - n%slip_at_10_percent)
          n%joint_settlement = n%initial_slip - n%modified_initial_slip
          if (s*n%initial_slip > 0.0_wp) &
             n%initial_slip_modulus = upper_share*n%estimated_force/(s*n%initial_slip)
@@ -78,8 +78,10 @@ contains
                n%elastic_slip, reloaded)
             if (.not. is_none(reloaded)) then
                n%elastic_slip = s*n%elastic_slip
-               n%modified_slip_at_0_6 = n%slip_at_0_6 - s*reloaded + n%modified_initial_slip
-               n%modified_slip_at_0_8 = n%slip_at_0_8 - s*reloaded + n%modified_initial_slip
+               n%modified_slip_at_60_percent = n%slip_at_60_percent - s*reloaded &
+                  + n%modified_initial_slip
+               n%modified_slip_at_80_percent = n%slip_at_80_percent - s*reloaded &
+                  + n%modified_initial_slip
             end if
          end if
          n%estimated_force = s*n%estimated_force

@@ -1,9 +1,9 @@
 !> Mean of the skeletons of both sides.
 !>
 !> ASTM E2126, as it is commonly cited, takes the mean of the absolute displacements and forces of
-!> both sides, cycle by cycle. Here the tips of the cycles that both skeletons have are those points;
-!> between two of them, points at equal shares of the way on either side belong together. Where both
-!> sides reach equally far, this is the mean force at each displacement.
+!> both sides, cycle by cycle. Here the tips of the cycles that both skeletons have are those
+!> points; between two of them, points at equal shares of the way on either side belong together.
+!> Where both sides reach equally far, this is the mean force at each displacement.
 module asperity_hysteresis_mean_skeletons
    use asperity_base_kinds, only: wp
    use asperity_hysteresis_types, only: hysteresis_skeleton, negative_side, positive_side, &

@@ -114,8 +114,8 @@ module asperity_hysteresis_types
       character(len=name_length) :: ultimate_reason = ''
       !> Ultimate over yield displacement
       real(wp) :: ductility = none
-      !> Largest amplitude over yield displacement at which the force of the third cycle is at least
-      !> 0.8 of that of the first
+      !> Largest amplitude over yield displacement, up to the ultimate point, at which the force of
+      !> the third cycle is at least 0.8 of that of the first
       real(wp) :: three_cycle_ductility = none
    end type en_12512_numbers
 
@@ -129,7 +129,7 @@ module asperity_hysteresis_types
       !> Largest force up to 15 mm, if it is known what a millimetre is, and its displacement
       real(wp) :: peak_displacement = none, peak_force = none
       !> Slip at 0.1 and 0.4 of the estimated force, when it is first loaded; the latter is v_i
-      real(wp) :: slip_at_0_1 = none, initial_slip = none
+      real(wp) :: slip_at_10_percent = none, initial_slip = none
       !> v_i,mod = 4/3 (v_04 - v_01)
       real(wp) :: modified_initial_slip = none
       !> v_s = v_i - v_i,mod
@@ -140,9 +140,9 @@ module asperity_hysteresis_types
       !> k_i = 0.4 F_est/v_i and k_s = 0.4 F_est/v_i,mod
       real(wp) :: initial_slip_modulus = none, slip_modulus = none
       !> Slip at 0.6 and 0.8 of the largest force
-      real(wp) :: slip_at_0_6 = none, slip_at_0_8 = none
+      real(wp) :: slip_at_60_percent = none, slip_at_80_percent = none
       !> The same less v_24, with v_i,mod
-      real(wp) :: modified_slip_at_0_6 = none, modified_slip_at_0_8 = none
+      real(wp) :: modified_slip_at_60_percent = none, modified_slip_at_80_percent = none
    end type en_26891_numbers
 
    !> The cycles of one amplitude on one side.

@@ -77,8 +77,8 @@ contains
    end subroutine test_whole
 
    !> Up to (2, 10), down to a rest of 1 without force, up to (4, 12), down to 3, and so on: the
-   !> loops do not close, and have 10 - 5, 18 - 6 and 21 - 7 of work. The last, which stays out under
-   !> force, is no half cycle.
+   !> loops do not close, and have 10 - 5, 18 - 6 and 21 - 7 of work. The last, which stays out
+   !> under force, is no half cycle.
    subroutine test_one_sided()
       type(record_type) :: loops
       type(hysteresis_result) :: result

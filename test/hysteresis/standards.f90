@@ -215,8 +215,8 @@ contains
    end subroutine test_impairment
 
    !> 10 x to 4 kN, back to 1 kN and up again along a slope of 20, on to 7 kN at 1 mm, to 10 kN at 4
-   !> mm: F_est = 10, v_01 = 0.1, v_04 = v_14 = 0.4 = v_24, v_11 = v_21 = 0.25. A hold of 0.05 at the
-   !> top and of 0.02 at the bottom moves v_14, v_11, v_21, v_24.
+   !> mm: F_est = 10, v_01 = 0.1, v_04 = v_14 = 0.4 = v_24, v_11 = v_21 = 0.25. A hold of 0.05 at
+   !> the top and of 0.02 at the bottom moves v_14, v_11, v_21, v_24.
    subroutine test_slips()
       type(record_type) :: loops
       type(hysteresis_result) :: result
@@ -230,15 +230,15 @@ contains
          associate (e => result%en_26891)
             call assertEqual('unloading', e%estimated_by, 'from 0.4 to 0.1')
             call assertEqual(s*10.0_wp, e%estimated_force, exact, 'F_est')
-            call assertEqual(s*[0.1_wp, 0.4_wp, 0.4_wp, 0.0_wp], [e%slip_at_0_1, &
+            call assertEqual(s*[0.1_wp, 0.4_wp, 0.4_wp, 0.0_wp], [e%slip_at_10_percent, &
                e%initial_slip, e%modified_initial_slip, e%joint_settlement], 1.0e-9_wp, 'slips')
             call assertEqual([10.0_wp, 10.0_wp], [e%initial_slip_modulus, e%slip_modulus], &
                1.0e-7_wp, 'moduli')
             call assertEqual(s*2.0_wp/3.0_wp*0.3_wp, e%elastic_slip, 1.0e-9_wp, 'elastic slip')
-            call assertEqual(s*[0.8_wp, 2.0_wp], [e%slip_at_0_6, e%slip_at_0_8], 1.0e-8_wp, &
-               'at 0.6 and 0.8')
-            call assertEqual(s*[0.8_wp, 2.0_wp], [e%modified_slip_at_0_6, &
-               e%modified_slip_at_0_8], 1.0e-8_wp, 'less v_24, with v_i,mod')
+            call assertEqual(s*[0.8_wp, 2.0_wp], [e%slip_at_60_percent, &
+               e%slip_at_80_percent], 1.0e-8_wp, 'at 0.6 and 0.8')
+            call assertEqual(s*[0.8_wp, 2.0_wp], [e%modified_slip_at_60_percent, &
+               e%modified_slip_at_80_percent], 1.0e-8_wp, 'less v_24, with v_i,mod')
          end associate
       end do
       loops%displacement = [0.0_wp, 0.05_wp, 0.45_wp, 0.5_wp, 0.35_wp, 0.37_wp, 0.52_wp, 1.0_wp, &
@@ -246,14 +246,14 @@ contains
       loops%force = [0.0_wp, 0.0_wp, 4.0_wp, 4.0_wp, 1.0_wp, 1.0_wp, 4.0_wp, 7.0_wp, 10.0_wp]
       call analyse(loops, result)
       associate (e => result%en_26891)
-         call assertEqual([0.15_wp, 0.45_wp, 0.4_wp, 0.05_wp], [e%slip_at_0_1, e%initial_slip, &
-            e%modified_initial_slip, e%joint_settlement], 1.0e-8_wp, 'after slack')
+         call assertEqual([0.15_wp, 0.45_wp, 0.4_wp, 0.05_wp], [e%slip_at_10_percent, &
+            e%initial_slip, e%modified_initial_slip, e%joint_settlement], 1.0e-8_wp, 'after slack')
          call assertEqual(2.0_wp/3.0_wp*(0.5_wp + 0.52_wp - 0.35_wp - 0.37_wp), e%elastic_slip, &
             1.0e-8_wp, 'with holds')
          call assertEqual([4.0_wp/0.45_wp, 10.0_wp], [e%initial_slip_modulus, e%slip_modulus], &
             1.0e-6_wp, 'moduli')
-         call assertEqual(e%slip_at_0_6 - 0.52_wp + 0.4_wp, e%modified_slip_at_0_6, 1.0e-8_wp, &
-            'modified slip')
+         call assertEqual(e%slip_at_60_percent - 0.52_wp + 0.4_wp, e%modified_slip_at_60_percent, &
+            1.0e-8_wp, 'modified slip')
       end associate
    end subroutine test_slips
 
@@ -268,14 +268,17 @@ contains
       associate (e => result%en_26891)
          call assertEqual([20.0_wp, 10.0_wp], [e%peak_displacement, e%peak_force], exact, 'peak')
          call assertEqual('peak_force', e%estimated_by, 'as there is no unloading')
-         call assertEqual([0.2_wp, 0.8_wp], [e%slip_at_0_1, e%initial_slip], 1.0e-8_wp, 'slips')
-         call assertTrue(is_none(e%elastic_slip) .and. is_none(e%modified_slip_at_0_6), 'nor these')
+         call assertEqual([0.2_wp, 0.8_wp], [e%slip_at_10_percent, e%initial_slip], 1.0e-8_wp, &
+            'slips')
+         call assertTrue(is_none(e%elastic_slip) .and. is_none(e%modified_slip_at_60_percent), &
+            'nor these')
       end associate
       call analyse(loops, result, hysteresis_settings(millimetre=1.0_wp, estimated_force=5.0_wp))
       associate (e => result%en_26891)
          call assertEqual([15.0_wp, 9.0_wp], [e%peak_displacement, e%peak_force], exact, '15 mm')
          call assertEqual('given', e%estimated_by, 'as given')
-         call assertEqual([0.1_wp, 0.4_wp], [e%slip_at_0_1, e%initial_slip], 1.0e-8_wp, 'slips')
+         call assertEqual([0.1_wp, 0.4_wp], [e%slip_at_10_percent, e%initial_slip], 1.0e-8_wp, &
+            'slips')
       end associate
       call analyse(loops, result, hysteresis_settings(estimated_force=50.0_wp))
       call assertEqual(none, result%en_26891%slip_modulus, 0.0_wp, 'never loaded so far')
