@@ -8,12 +8,12 @@ module asperity_program_record_file
    use asperity_base_memory, only: check_memory, check_work
    use asperity_base_number_text, only: to_text
    use asperity_program_record_columns, only: choose_columns, record_column
+   use asperity_program_record_conditions, only: condition_type, is_wanted, test_type
    use asperity_program_record_layout, only: find_layout, headings_text, layout_type
    use asperity_program_record_lines, only: field_count, find_field, next_line, place_text, &
       place_type
    use asperity_program_record_numbers, only: decimal_of, looks_like_number, read_number
-   use asperity_program_record_tests, only: condition_type, find_tests, is_wanted, &
-      read_conditions, test_type
+   use asperity_program_record_tests, only: find_tests, read_conditions
    use asperity_program_system_files, only: read_file
    use asperity_program_system_strings, only: newline, quoted
    implicit none

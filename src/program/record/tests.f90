@@ -2,46 +2,23 @@
 !> from another.
 module asperity_program_record_tests
    use asperity_base_error, only: error_type, fatal_error
-   use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
    use asperity_program_record_columns, only: column_with_name, number_of
+   use asperity_program_record_conditions, only: condition_type, is_same, is_wanted, shown, &
+      test_type
    use asperity_program_record_layout, only: layout_type
    use asperity_program_record_lines, only: field, next_line, place_type
    use asperity_program_record_names, only: holds_other, holds_pressure, holds_unknown
-   use asperity_program_record_numbers, only: looks_like_number, read_number
+   use asperity_program_record_numbers, only: looks_like_number
    use asperity_program_system_strings, only: quoted, string_type
-   use asperity_program_system_utf8, only: utf8_text
    implicit none
    private
-   public :: condition_type, test_type, read_conditions, find_tests, is_wanted, test_text
-
-   !> What the rows of a test have in a column.
-   type :: condition_type
-      !> Place and name of the column
-      integer :: place = 0
-      character(len=:), allocatable :: name
-      !> Unit of the column, empty for none
-      character(len=:), allocatable :: unit
-      !> Its text in these rows
-      character(len=:), allocatable :: value
-   end type condition_type
-
-   !> Rows of one test, counted over those that are read.
-   type :: test_type
-      !> First and last row
-      integer :: first = 1, last = 0
-      !> What tells it from the others, none if it is the only one
-      type(condition_type), allocatable :: conditions(:)
-   end type test_type
+   public :: read_conditions, find_tests
 
    !> Fewest rows of a test, and most tests of a file
    integer, parameter :: fewest_rows = 3, most_tests = 1000
    !> Values that a message lists
    integer, parameter :: most_listed = 12
-   !> Numbers this near to each other, relative to them, are the same value
-   real(wp), parameter :: same = 1.0e-9_wp
-   !> Decimal sign of values, which takes a point as well
-   character(len=*), parameter :: any_decimal = 'comma'
 
 contains
 
@@ -121,35 +98,6 @@ contains
             quoted(last%value)//'; there are: '//known)
       end associate
    end subroutine check_value
-
-   !> Whether a line meets all conditions.
-   pure logical function is_wanted(line, place, conditions)
-      !> The line and where it stands
-      character(len=*), intent(in) :: line
-      type(place_type), intent(in) :: place
-      !> The conditions
-      type(condition_type), intent(in) :: conditions(:)
-      integer :: i
-
-      is_wanted = .false.
-      do i = 1, size(conditions)
-         if (.not. is_same(field(line, place, conditions(i)%place), conditions(i)%value)) return
-      end do
-      is_wanted = .true.
-   end function is_wanted
-
-   !> Whether two texts are the same value: the same text, or the same number.
-   pure logical function is_same(a, b)
-      character(len=*), intent(in) :: a, b
-      real(wp) :: x, y
-      type(error_type), allocatable :: error
-
-      is_same = a == b
-      if (is_same .or. .not. (looks_like_number(a) .and. looks_like_number(b))) return
-      call read_number(a, any_decimal, x, error)
-      if (.not. allocated(error)) call read_number(b, any_decimal, y, error)
-      if (.not. allocated(error)) is_same = abs(x - y) <= same*max(abs(x), abs(y))
-   end function is_same
 
    !> The tests of a file, one if nothing tells them apart. A leading column does so if it holds
    !> texts, or numbers of a name that is none of those looked for, no time and no count, changes at
@@ -238,36 +186,5 @@ contains
          if (row + 1 - all_tests(count)%first >= fewest_rows) tests = all_tests(:count)
       end if
    end subroutine split
-
-   !> What tells a test from others, such as `model = rough, normal_stress = 0.05 MPa`; empty for
-   !> the only one.
-   pure function test_text(test) result(words)
-      !> The test
-      type(test_type), intent(in) :: test
-      character(len=:), allocatable :: words
-      integer :: i
-
-      words = ''
-      do i = 1, size(test%conditions)
-         if (i > 1) words = words//', '
-         associate (c => test%conditions(i))
-            words = words//c%name//' = '//shown(c%value)
-            if (c%unit /= '') words = words//' '//c%unit
-         end associate
-      end do
-   end function test_text
-
-   !> A value as it is read: a number in its shortest form.
-   pure function shown(value) result(text)
-      character(len=*), intent(in) :: value
-      character(len=:), allocatable :: text
-      real(wp) :: number
-      type(error_type), allocatable :: error
-
-      text = utf8_text(value)
-      if (verify(value, '0123456789') == 0 .or. .not. looks_like_number(value)) return
-      call read_number(value, any_decimal, number, error)
-      if (.not. allocated(error)) text = to_text(number)
-   end function shown
 
 end module asperity_program_record_tests

@@ -72,8 +72,8 @@ module asperity_program_report_report
    contains
       !> Whether pictures are asked for
       procedure :: is_drawn
-      !> A further table by its name
-      procedure :: table_of
+      !> A further table by its name, and its rows
+      procedure :: table_of, table_rows
       !> Rows to show when only about so many per run fit
       procedure :: selected_rows
       !> All validity flags of the results together
@@ -109,6 +109,20 @@ contains
          if (self%more(i)%name == name) table = self%more(i)%table
       end do
    end function table_of
+
+   !> Rows of a further table by its name.
+   pure integer function table_rows(self, name) result(rows)
+      !> The report
+      class(report_type), intent(in) :: self
+      !> Its name in JSON
+      character(len=*), intent(in) :: name
+      integer :: i
+
+      rows = 0
+      do i = 1, size(self%more)
+         if (self%more(i)%name == name) rows = self%more(i)%table%rows
+      end do
+   end function table_rows
 
    !> Rows to show when only about `limit` per run fit: evenly spaced ones and important ones.
    pure function selected_rows(self, limit) result(rows)

@@ -16,7 +16,7 @@ check 'hysteresis: what the record is, on the screen' has out 'Record: cyclic'
 check 'hysteresis: and in JSON' has c.json '"record_kind": "cyclic",'
 header=cycle,closed,positive_displacement,positive_force,negative_displacement,negative_force,\
 skeleton,secant_stiffness,mean_secant_stiffness,stiffness_ratio,energy,cumulative_energy,loop_area,\
-damping,pinching,fullness,first_sample,last_sample
+damping,positive_energy,positive_damping,negative_energy,negative_damping,pinching,fullness,first_sample,last_sample
 check 'hysteresis: columns' test "$(columns c.csv)" = "$header"
 check 'hysteresis: four cycles' test "$(rows c.csv)" -eq 4
 check 'hysteresis: 17 figures, counts as they are' sh -c \
@@ -51,8 +51,8 @@ check 'hysteresis: the table is printed' sh -c 'grep -Eq "^ +4 +yes +2.0 +4.0 +-
 check 'hysteresis: the threshold is said' has out '1/400 of the range'
 
 # The same record in other clothes gives the same cycles, but for the lines they come from
-same_cycles() { cut -d, -f1-16 c2.csv | tail -n +2 | cmp - plain.csv; }
-cut -d, -f1-16 c.csv | tail -n +2 >plain.csv
+same_cycles() { cut -d, -f1-20 c2.csv | tail -n +2 | cmp - plain.csv; }
+cut -d, -f1-20 c.csv | tail -n +2 >plain.csv
 same() { # name file options...
    local name=$1 file=$2
    shift 2
@@ -260,8 +260,7 @@ bad_record 'a large threshold' 'bad.csv: displacement changes by no more than 2.
 head -c 4096 "$program" >bad.csv
 refuses 'hysteresis: a binary' 2 'bad.csv:' hysteresis bad.csv --csv never.csv
 refuses 'hysteresis: no record' 2 'no record is given: asperity hysteresis FILE.csv' hysteresis
-refuses 'hysteresis: two records' 2 "'b.csv': there is already the record 'a.csv'" \
-   hysteresis a.csv b.csv
+refuses 'hysteresis: the same record twice' 2 'h.csv: is given twice' hysteresis h.csv crlf.csv h.csv
 refuses 'hysteresis: empty name' 2 'the name of the record is empty' hysteresis ''
 refuses 'hysteresis: missing file' 3 'no.csv: cannot be read: No such file' hysteresis no.csv
 refuses 'hysteresis: a folder' 3 '\.: cannot be read: Is a directory' hysteresis .

@@ -231,7 +231,7 @@ if command -v python3 >/dev/null; then
    check 'records: ... JSON of it is JSON' python3 -c "
 import json
 data = json.load(open('l.json', encoding='utf-8'))
-assert data['units']['positive_displacement'] == '\u00b5m' and data['settings']['record_file'] == 'Pr\u00fcf \u00b5m.csv'"
+assert data['units']['positive_displacement'] == '\u00b5m' and data['settings']['record_file'] == ['Pr\u00fcf \u00b5m.csv']"
    if command -v gnuplot >/dev/null; then
       run hysteresis "$latin" --plot l.svg
       check 'records: ... and its picture XML' python3 -c "

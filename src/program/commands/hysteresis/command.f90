@@ -1,30 +1,36 @@
-!> `asperity hysteresis`: cycles, skeleton, stiffness, energy and damping of a record.
+!> `asperity hysteresis`: cycles, skeleton, stiffness, energy and damping of records, and what the
+!> standards make of them.
 module asperity_program_commands_hysteresis_command
    use, intrinsic :: iso_fortran_env, only: int64
    use asperity_base_error, only: error_type
    use asperity_base_kinds, only: wp
    use asperity_base_memory, only: check_work
    use asperity_base_no_value, only: is_none, none
-   use asperity_hysteresis_analysis, only: analyse_hysteresis, check_hysteresis_settings, &
-      hysteresis_result, hysteresis_settings, leave_out, negative_side, positive_side
+   use asperity_base_number_text, only: to_text
+   use asperity_hysteresis_analysis, only: check_hysteresis_settings, hysteresis_result, &
+      hysteresis_settings
+   use asperity_hysteresis_characteristic_values, only: fewest_tests
    use asperity_program_commands_command, only: command_type
-   use asperity_program_commands_hysteresis_plot, only: loops_panel, record_picture
+   use asperity_program_commands_hysteresis_one_test, only: bytes_of_row, report_test
+   use asperity_program_commands_hysteresis_page, only: record_page
    use asperity_program_commands_hysteresis_record_input, only: record_input
-   use asperity_program_commands_hysteresis_remarks, only: record_remarks
-   use asperity_program_commands_hysteresis_tables, only: cycle_table, record_labels, side_table, &
-      skeleton_table
-   use asperity_program_commands_hysteresis_tests, only: join_reports
+   use asperity_program_commands_hysteresis_records, only: list_tests, number_of_tests, &
+      read_records, record_type, remark_columns
+   use asperity_program_commands_hysteresis_statistics, only: statistics_table
+   use asperity_program_commands_hysteresis_tables, only: record_labels
+   use asperity_program_commands_hysteresis_tests, only: join_reports, stacked
+   use asperity_program_input_key, only: kind_picture
    use asperity_program_input_key_list, only: key_list
-   use asperity_program_plot_figure, only: figure_type
-   use asperity_program_record_columns, only: record_column
+   use asperity_program_record_conditions, only: name_records, test_text, test_type
    use asperity_program_record_table, only: columns_table
-   use asperity_program_record_tests, only: test_text, test_type
    use asperity_program_report_report, only: named_table, report_type
+   use asperity_program_report_table, only: table_type
+   use asperity_program_system_strings, only: string_type
    implicit none
    private
    public :: hysteresis_command
 
-   !> Analyses a record.
+   !> Analyses records.
    type, extends(command_type) :: hysteresis_command
       private
       type(record_input) :: input
@@ -33,13 +39,14 @@ module asperity_program_commands_hysteresis_command
       !> Reversals that are noise, none unless given or found
       real(wp) :: threshold = none
       character(len=:), allocatable :: threshold_source
+      !> Path of the page
+      character(len=:), allocatable :: page
    contains
       procedure :: describe, declare, check, run
    end type hysteresis_command
 
-   !> Bytes of a row of a table, at most; how often a table is in memory while it is made, and while
-   !> those of tests are joined
-   integer(int64), parameter :: bytes_of_row = 300, copies_made = 2, copies_joined = 4
+   !> How often a table is in memory while those of tests are joined
+   integer(int64), parameter :: copies_joined = 4
 
 contains
 
@@ -50,10 +57,11 @@ contains
 
       self%name = 'hysteresis'
       self%summary = 'stiffness, energy and damping of a record of displacement and force'
-      self%usage = 'FILE.csv [options]'
+      self%usage = 'FILE.csv [FILE.csv ...] [options]'
       self%purpose = 'What a record of displacement and force, or of rotation and moment, is '// &
          '(monotonic, with or without unloading, one-sided, cyclic), its cycles, skeleton, '// &
-         'yield and ultimate point, stiffness, energy and damping.'
+         'yield and ultimate point, stiffness, energy and damping, and what EN 12512, EN 26891 '// &
+         'and ASTM E2126 make of it. Of several records also mean, variation and 5 % fractile.'
       self%headings(2) = 'The record'
       self%takes_case = .false.
    end subroutine describe
@@ -68,6 +76,8 @@ contains
       call self%input%declare(keys)
       call declare_analysis(self, keys)
       call self%declare_outputs(keys, has_picture=.true.)
+      call keys%text('report', self%page, &
+         'write a page of result, pictures and input, .html (needs gnuplot)', kind_picture)
       call self%declare_requests(keys)
    end subroutine declare
 
@@ -89,6 +99,8 @@ contains
          'share of the peak force that the elastic stiffness goes through')
       call keys%real('ultimate_fraction', self%analysis%ultimate_fraction, '', &
          'share of the peak force, past the peak, at the ultimate point')
+      call keys%real('estimated_force', self%analysis%estimated_force, '', &
+         'EN 26891: estimated largest force; found by its unloading, else the largest force')
    end subroutine declare_analysis
 
    !> Check how the record is read and analysed.
@@ -103,7 +115,7 @@ contains
       if (.not. allocated(error)) call self%input%check(error)
    end subroutine check
 
-   !> Read the record and analyse it. `error` is set when either fails.
+   !> Read the records and analyse them. `error` is set when that fails.
    subroutine run(self, report, error)
       !> The command
       class(hysteresis_command), intent(inout) :: self
@@ -111,106 +123,121 @@ contains
       type(report_type), intent(inout) :: report
       !> Set on failure
       type(error_type), allocatable, intent(out) :: error
-      type(record_column) :: columns(2)
-      type(test_type), allocatable :: tests(:)
-      type(report_type), allocatable :: reports(:)
-      type(record_labels) :: labels
-      integer :: i
+      type(record_type), allocatable :: records(:)
+      type(hysteresis_result) :: result
+      type(table_type) :: columns
 
-      call self%input%read(columns, tests, error)
+      call read_records(self%input, records, error)
       if (allocated(error)) return
-      call self%input%label(columns, labels)
-      if (size(tests) == 1) then
-         call report_test(self, columns(1)%values, columns(2)%values, labels, .true., report, error)
+      self%input = records(1)%input
+      columns = columns_of(self%input%record_files, records)
+      if (sum(number_of_tests(records)) == 1) then
+         associate (first => records(1))
+            call report_test(self%analysis, first%columns(1)%values, first%columns(2)%values, &
+               first%labels, .true., report, result, error)
+            if (allocated(error)) then
+               error%message = first%labels%title//': '//error%message
+               return
+            end if
+         end associate
+         call tell_threshold(self, result)
       else
-         allocate (reports(size(tests)))
-         do i = 1, size(tests)
-            associate (first => tests(i)%first, last => tests(i)%last)
-               reports(i)%keys = report%keys
-               labels%title = test_text(tests(i))
-               call report_test(self, columns(1)%values(first:last), &
-                  columns(2)%values(first:last), labels, .false., reports(i), error)
-            end associate
-            if (.not. allocated(error)) cycle
-            error%message = test_text(tests(i))//': '//error%message
-            exit
-         end do
-         if (.not. allocated(error)) call check_reports(reports, error)
-         if (.not. allocated(error)) &
-            call join_reports(reports, tests, self%input%record_file, report)
+         call report_tests(self, records, report, error)
+         if (allocated(error)) return
       end if
-      if (allocated(error)) then
-         error%message = self%input%record_file//': '//error%message
-         return
-      end if
-      report%more = [report%more, named_table('columns', '', columns_table(columns))]
+      report%more = [report%more, named_table('columns', '', columns)]
       call self%declare(report%keys)
+      if (self%page /= '') report%page = record_page(report)
    end subroutine run
 
-   !> Analyse one test. `error` is set when that fails.
-   subroutine report_test(self, displacement, force, labels, is_only_one, report, error)
-      class(hysteresis_command), intent(inout) :: self
-      real(wp), intent(in) :: displacement(:), force(:)
-      type(record_labels), intent(in) :: labels
-      logical, intent(in) :: is_only_one
+   !> Which columns were taken of each record.
+   pure function columns_of(paths, records) result(table)
+      type(string_type), intent(in) :: paths(:)
+      type(record_type), intent(in) :: records(:)
+      type(table_type) :: table
+      type(table_type) :: tables(size(records))
+      type(test_type) :: names(size(records))
+      integer :: i
+
+      do i = 1, size(records)
+         tables(i) = columns_table(records(i)%columns)
+         allocate (names(i)%conditions(0))
+      end do
+      call name_records(paths, [(i, i=1, size(records))], names)
+      table = tables(1)
+      if (size(records) > 1) table = stacked(tables, names)
+   end function columns_of
+
+   !> Analyse several tests, of one record or of several. `error` is set when that fails.
+   subroutine report_tests(self, records, report, error)
+      type(hysteresis_command), intent(inout) :: self
+      type(record_type), intent(in) :: records(:)
       type(report_type), intent(inout) :: report
       type(error_type), allocatable, intent(out) :: error
+      type(report_type), allocatable :: reports(:)
+      type(test_type), allocatable :: tests(:)
+      integer, allocatable :: numbers(:)
+      character(len=:), allocatable :: title
+      type(table_type) :: statistics
+      type(record_labels) :: labels
       type(hysteresis_result) :: result
-      real(wp), allocatable :: x(:), f(:)
+      integer :: i
 
-      call analyse_hysteresis(displacement, force, result, error, self%analysis)
+      call list_tests(self%input%record_files, records, tests, numbers)
+      allocate (reports(size(tests)))
+      do i = 1, size(tests)
+         associate (first => tests(i)%first, last => tests(i)%last, of => records(numbers(i)))
+            reports(i)%keys = report%keys
+            labels = of%labels
+            labels%title = test_text(tests(i))
+            call report_test(self%analysis, of%columns(1)%values(first:last), &
+               of%columns(2)%values(first:last), labels, .false., reports(i), result, error)
+            if (allocated(error)) then
+               error%message = of%labels%title//': '//error%message
+               if (size(of%tests) > 1) error%message = of%labels%title//': '// &
+                  test_text(of%tests(i - findloc(numbers, numbers(i), 1) + 1))// &
+                  error%message(len(of%labels%title) + 1:)
+               return
+            end if
+         end associate
+         call tell_threshold(self, result)
+      end do
+      call check_reports(reports, error)
       if (allocated(error)) return
-      call check_work('the tables', copies_made*bytes_of_row*(size(result%cycles) &
-         + size(result%skeleton(1)%force) + size(result%skeleton(2)%force)), error)
-      if (allocated(error)) return
-      if (.not. self%analysis%threshold > 0.0_wp .and. is_none(self%threshold)) then
-         self%threshold = result%threshold
-         self%threshold_source = trim(merge('noise of displacement', '1/400 of the range   ', &
-            result%noise_sets_threshold))
-      end if
-      report%table = cycle_table(result, labels)
-      report%summary = side_table(result, labels)
-      allocate (report%more(1))
-      report%more(1)%name = 'skeleton'
-      report%more(1)%title = ''
-      report%more(1)%table = skeleton_table(result, labels)
-      report%shown_columns = [character(len=24) :: 'cycle', 'closed', 'positive_'//labels%x, &
-         'positive_'//labels%f, 'negative_'//labels%x, 'negative_'//labels%f, &
-         'secant_stiffness', 'mean_secant_stiffness', 'stiffness_ratio', 'energy', &
-         'cumulative_energy', 'damping', 'pinching', 'fullness']
-      report%first_rows = [1, size(result%cycles) + 1]
-      allocate (report%important, source=result%cycles%in_skeleton(positive_side) .or. &
-         result%cycles%in_skeleton(negative_side))
-      report%record_kind = trim(result%record_kind)
-      allocate (report%remarks, source=record_remarks(self%analysis, result, labels))
-      call report%table%check_finite(error)
-      if (.not. allocated(error)) call report%summary%check_finite(error)
-      if (allocated(error)) return
-      if (.not. report%is_drawn()) return
-      ! The picture is one of the samples that count; it may have all of them
-      call check_work('the picture', 6_int64*storage_size(force)/8_int64*size(force), error)
-      if (allocated(error)) return
-      allocate (x, source=displacement)
-      allocate (f, source=force)
-      if (self%analysis%outliers == 'drop') call leave_out(result%outliers, x, f)
-      report%picture_title = labels%title
-      if (is_only_one) then
-         report%pictures = [record_picture(x, f, result, labels)]
+      if (size(records) > 1) then
+         call join_reports(reports, tests, to_text(size(records))//' records', report)
+         statistics = statistics_table(reports, tests)
+         title = 'Mean, coefficient of variation and 5 % fractile (EN 14358, lognormal, of '// &
+            to_text(fewest_tests)//' tests at least)'
+         if (statistics%rows == 0) title = ''
+         report%more = [report%more, named_table('statistics', title, statistics)]
+         call remark_columns(records, report)
       else
-         report%pictures = [figure_type('', [loops_panel(x, f, result, labels, labels%title)])]
+         call join_reports(reports, tests, records(1)%labels%title, report)
       end if
-   end subroutine report_test
+   end subroutine report_tests
+
+   !> Say which threshold was found, that of the first test.
+   pure subroutine tell_threshold(self, result)
+      type(hysteresis_command), intent(inout) :: self
+      type(hysteresis_result), intent(in) :: result
+
+      if (self%analysis%threshold > 0.0_wp .or. .not. is_none(self%threshold)) return
+      self%threshold = result%threshold
+      self%threshold_source = trim(merge('noise of displacement', '1/400 of the range   ', &
+         result%noise_sets_threshold))
+   end subroutine tell_threshold
 
    !> Set `error` unless there is memory for joining the reports of all tests.
    pure subroutine check_reports(reports, error)
       type(report_type), intent(in) :: reports(:)
-      type(error_type), allocatable, intent(inout) :: error
+      type(error_type), allocatable, intent(out) :: error
       integer(int64) :: rows
       integer :: i
 
       rows = 0
       do i = 1, size(reports)
-         rows = rows + reports(i)%table%rows + reports(i)%more(1)%table%rows
+         rows = rows + reports(i)%table%rows + reports(i)%table_rows('skeleton')
       end do
       call check_work('the tables of all tests', copies_joined*bytes_of_row*rows, error)
    end subroutine check_reports

@@ -3,13 +3,16 @@ module asperity_program_commands_hysteresis_plot
    use asperity_base_kinds, only: wp
    use asperity_base_no_value, only: is_none
    use asperity_hysteresis_analysis, only: hysteresis_result, negative_side, positive_side
-   use asperity_program_commands_hysteresis_tables, only: record_labels
+   use asperity_program_commands_hysteresis_tables, only: record_labels, side_names
    use asperity_program_plot_figure, only: as_bars, as_line, as_line_and_points, as_points, cross, &
       disc, figure_type, panel_type, ring
    use asperity_program_plot_palette, only: black, blue, green, red, sky
    implicit none
    private
    public :: record_picture, loops_panel
+
+   !> Which series of the loops' panel is the skeleton
+   integer, parameter, public :: skeleton_series = 2
 
    !> Samples of the record that are drawn, besides the peaks
    integer, parameter :: most_samples = 5000
@@ -49,11 +52,18 @@ contains
          if (.not. all(is_none(c%damping))) then
             call ratios%add(number, (c%damping), 'viscous damping', blue, as_line_and_points)
             call ratios%add(number, (c%pinching), 'pinching', green, as_line_and_points)
+         else
+            do i = positive_side, negative_side
+               if (.not. all(is_none(c%half_damping(i)))) call ratios%add(number, &
+                  (c%half_damping(i)), 'viscous damping, '//trim(side_names(i)), i, &
+                  as_line_and_points)
+            end do
          end if
          ratios%empty = 'no damping: no closed cycle'
       end associate
-      picture = figure_type('', [loops_panel(displacement, force, result, labels, ''), &
-         stiffness, energy, ratios])
+      picture = figure_type('Loops, skeleton, yield point of equal energy and ultimate point; '// &
+         'stiffness, energy and ratios of the cycles', &
+         [loops_panel(displacement, force, result, labels, ''), stiffness, energy, ratios])
    end function record_picture
 
    !> Loops, skeletons through the origin, yield and ultimate points.

@@ -1,4 +1,4 @@
-!> The record that `asperity hysteresis` reads: its keys, its columns, what they are called.
+!> The records that `asperity hysteresis` reads: their keys, their columns, what these are called.
 module asperity_program_commands_hysteresis_record_input
    use asperity_base_error, only: error_type, fatal_error
    use asperity_base_kinds, only: wp
@@ -6,11 +6,13 @@ module asperity_program_commands_hysteresis_record_input
    use asperity_program_commands_hysteresis_tables, only: record_labels
    use asperity_program_input_key_list, only: key_list
    use asperity_program_record_columns, only: record_column
+   use asperity_program_record_conditions, only: test_type
    use asperity_program_record_file, only: read_record
    use asperity_program_record_keys, only: column_keys, format_keys
    use asperity_program_record_names, only: holds_displacement, holds_force, holds_moment, &
       holds_rotation
-   use asperity_program_record_tests, only: test_type
+   use asperity_program_record_units, only: find_unit, unit_length
+   use asperity_program_system_strings, only: string_type
    implicit none
    private
    public :: record_input
@@ -20,8 +22,8 @@ module asperity_program_commands_hysteresis_record_input
 
    !> The record.
    type :: record_input
-      !> Path of the record, and what is taken of it
-      character(len=:), allocatable :: record_file
+      !> Paths of the records, and what is taken of them
+      type(string_type), allocatable :: record_files(:)
       character(len=6) :: quantity = ''
       character(len=:), allocatable :: quantity_source
       logical :: has_quantity = .false.
@@ -44,7 +46,8 @@ contains
       type(key_list), intent(inout) :: keys
 
       self%columns%name = axes
-      call keys%text('record_file', self%record_file, 'the record, as FILE.csv without an option')
+      call keys%paths('record_file', self%record_files, &
+         'the record, or several, as FILE.csv without an option')
       call keys%reads('record', is_argument=.true.)
       call keys%choice('quantity', self%quantity, 'force moment', &
          'what is taken of the record: displacement and force, or rotation and moment')
@@ -81,15 +84,17 @@ contains
             call fatal_error(error, trim(axes(i))//'_factor = 0.0 is not allowed: nothing '// &
             'would be left of the record', subject=trim(axes(i))//'_factor')
       end do
-      if (.not. allocated(error) .and. self%record_file == '') &
+      if (.not. allocated(error) .and. size(self%record_files) == 0) &
          call fatal_error(error, 'no record is given: asperity hysteresis FILE.csv')
       if (.not. allocated(error)) call self%format%check(error)
    end subroutine check
 
    !> Read both columns and bring them to zero and scale.
-   subroutine read_columns(self, columns, tests, error)
+   subroutine read_columns(self, path, columns, tests, error)
       !> What is asked for; what was found is said there
       class(record_input), intent(inout) :: self
+      !> Path of the record
+      character(len=*), intent(in) :: path
       !> The columns
       type(record_column), intent(out) :: columns(2)
       !> The tests of the file, as rows of the columns
@@ -103,11 +108,11 @@ contains
          call self%columns(i)%ask(columns(i))
       end do
       decimal = self%format%decimal
-      call read_record(self%record_file, self%format%record_format, quantities_of(self%quantity), &
+      call read_record(path, self%format%record_format, quantities_of(self%quantity), &
          columns, tests, error)
       if (allocated(error)) return
       if (columns(1)%place == columns(2)%place) then
-         call fatal_error(error, self%record_file//': '//columns(1)%name//' and '// &
+         call fatal_error(error, path//': '//columns(1)%name//' and '// &
             columns(2)%name//' are both column '//to_text(columns(1)%place))
          return
       end if
@@ -136,9 +141,11 @@ contains
    end function quantities_of
 
    !> Names and units of what the record holds. Units of the file count unless others were given.
-   pure subroutine label(self, columns, labels)
+   pure subroutine label(self, path, columns, labels)
       !> What is asked for; what was found is said there
       class(record_input), intent(inout) :: self
+      !> Path of the record
+      character(len=*), intent(in) :: path
       !> The columns
       type(record_column), intent(in) :: columns(2)
       !> Names and units
@@ -161,7 +168,11 @@ contains
       end if
       labels%x_unit = self%columns(1)%unit
       labels%f_unit = self%columns(2)%unit
-      labels%title = self%record_file
+      labels%title = path
+      if (.not. self%columns(1)%has_unit .and. columns(1)%unit == '') return
+      associate (unit => find_unit(labels%x_unit))
+         if (unit%measures == unit_length) labels%millimetre = 1.0_wp/unit%factor
+      end associate
    end subroutine label
 
 end module asperity_program_commands_hysteresis_record_input

@@ -4,8 +4,9 @@ module asperity_program_commands_hysteresis_remarks
    use asperity_base_kinds, only: wp
    use asperity_base_no_value, only: is_none
    use asperity_base_number_text, only: to_text
-   use asperity_hysteresis_analysis, only: hysteresis_result, hysteresis_settings, &
-      hysteresis_skeleton, negative_side, positive_side
+   use asperity_hysteresis_analysis, only: en_26891_numbers, hysteresis_result, &
+      hysteresis_settings, hysteresis_skeleton, negative_side, positive_side
+   use asperity_hysteresis_en_12512, only: ductility_class
    use asperity_program_commands_hysteresis_tables, only: record_labels, side_names
    use asperity_program_system_strings, only: string_type
    implicit none
@@ -15,6 +16,8 @@ module asperity_program_commands_hysteresis_remarks
    !> Share by which the record may hold more than the skeleton, and by which a ratio may leave its
    !> range, as noise does
    real(wp), parameter :: allowance = 0.02_wp
+   !> Share by which the largest force may differ from its estimate (EN 26891)
+   real(wp), parameter :: estimate_allowance = 0.2_wp
    !> Damping of a rectangle
    real(wp), parameter :: largest_damping = 2.0_wp/pi
    !> Cycles, samples and gaps that are named; of more, the number is said
@@ -52,6 +55,7 @@ contains
          call add_side(list, side_names(side), settings, result%threshold, &
             result%skeleton(side), labels)
       end do
+      call add_estimate(list, result%en_26891, labels)
       call move_alloc(list%lines, lines)
    end function record_remarks
 
@@ -222,12 +226,34 @@ contains
          call list%add('The elastic stiffness of the '//name//' side comes from within the '// &
             'threshold of '//shown(threshold, labels%x_unit)//', where noise may make it.')
       end if
+      associate (n => skeleton%en_12512)
+         if (ductility_class(n%three_cycle_ductility) /= ductility_class(n%ductility) .and. &
+            .not. is_none(n%three_cycle_ductility)) call list%add('Three cycles on the '//name// &
+            ' side hold 0.8 of the force of the first up to a ductility of '// &
+            to_text(n%three_cycle_ductility, 3)//', class '// &
+            trim(ductility_class(n%three_cycle_ductility))//', not '// &
+            trim(ductility_class(n%ductility))//' (EN 12512, EN 1998-1).')
+      end associate
       if (skeleton%yield_assumed) call list%add('The '//name//' skeleton is too hollow for a '// &
          'yield point of equal energy: 0.85 of the peak is taken (ASTM E2126).')
       if (skeleton%ductility < 1.0_wp - allowance) call list%add('The '//name//' ductility is '// &
          'below 1: the yield point lies beyond the ultimate point, so zero of '//labels%x// &
          ' or of '//labels%f//', or the record, is not what it seems.')
    end subroutine add_side
+
+   !> An estimate of EN 26891 that is far off.
+   pure subroutine add_estimate(list, numbers, labels)
+      type(remark_list), intent(inout) :: list
+      type(en_26891_numbers), intent(in) :: numbers
+      type(record_labels), intent(in) :: labels
+
+      if (is_none(numbers%peak_force)) return
+      if (abs(numbers%peak_force/numbers%estimated_force - 1.0_wp) <= estimate_allowance) return
+      call list%add('EN 26891: the largest '//labels%f//', '//shown(numbers%peak_force, &
+         labels%f_unit)//', is more than 20 % off the estimate of '// &
+         shown(numbers%estimated_force, labels%f_unit)//', which then counts for further tests '// &
+         'only if it is adjusted.')
+   end subroutine add_estimate
 
    !> How much more force the record has than its skeleton; empty if it is no more than 2 %.
    pure function excess_words(skeleton, unit) result(text)

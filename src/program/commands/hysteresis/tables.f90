@@ -1,18 +1,20 @@
-!> Tables of what a record says: cycles, both sides, skeleton.
+!> Tables of what a record says: cycles, sides, skeleton.
 module asperity_program_commands_hysteresis_tables
    use asperity_base_kinds, only: wp
    use asperity_base_no_value, only: is_none, none
-   use asperity_hysteresis_analysis, only: hysteresis_cycle, hysteresis_result, negative_side, &
-      positive_side
+   use asperity_hysteresis_analysis, only: hysteresis_cycle, hysteresis_result, &
+      hysteresis_skeleton, negative_side, positive_side
    use asperity_program_report_table, only: column_counts, new_table, table_type
    implicit none
    private
-   public :: record_labels, cycle_table, side_table, skeleton_table
+   public :: record_labels, cycle_table, shown, side_skeletons, side_table, skeleton_table
 
    !> What the record holds.
    type :: record_labels
       !> Name of displacement and its unit
       character(len=:), allocatable :: x, x_unit
+      !> A millimetre in that unit, `none` where no unit is known or it is no length
+      real(wp) :: millimetre = none
       !> Name of force and its unit
       character(len=:), allocatable :: f, f_unit
       !> Title of pictures
@@ -25,10 +27,10 @@ module asperity_program_commands_hysteresis_tables
    end type record_labels
 
    !> Decimals of damping and ratios
-   integer, parameter :: ratio_decimals = 4
-   !> The two sides in tables and remarks
-   character(len=*), parameter, public :: side_names(2) = &
-      [character(len=8) :: 'positive', 'negative']
+   integer, parameter, public :: ratio_decimals = 4
+   !> The two sides, and the mean of both, in tables and remarks
+   character(len=*), parameter, public :: side_names(3) = &
+      [character(len=8) :: 'positive', 'negative', 'mean']
 
 contains
 
@@ -61,7 +63,7 @@ contains
       character(len=:), allocatable :: energy
       integer :: i, side
 
-      table = new_table(columns=18, rows=size(result%cycles))
+      table = new_table(columns=22, rows=size(result%cycles))
       ! Parentheses make the copies that gfortran makes anyway, and would warn of when checking
       energy = labels%energy_unit()
       associate (c => result%cycles)
@@ -83,6 +85,12 @@ contains
          call table%add_numbers('cumulative_energy', energy, (c%cumulative_energy))
          call table%add_numbers('loop_area', energy, shown((c%loop_area)))
          call table%add_numbers('damping', '-', shown((c%damping)), ratio_decimals)
+         do side = positive_side, negative_side
+            call table%add_numbers(side_names(side)//'_energy', energy, &
+               shown((c%half_energy(side))))
+            call table%add_numbers(side_names(side)//'_damping', '-', &
+               shown((c%half_damping(side))), ratio_decimals)
+         end do
          call table%add_numbers('pinching', '-', shown((c%pinching)), ratio_decimals)
          call table%add_numbers('fullness', '-', shown((c%fullness)), ratio_decimals)
          call table%add_codes('first_sample', column_counts, (c%first))
@@ -106,34 +114,48 @@ contains
       end do
    end function skeleton_texts
 
-   !> One row per side: stiffness, yield, peak and ultimate point.
+   !> Both skeletons, and their mean if there is one.
+   pure subroutine side_skeletons(result, skeletons)
+      !> What was found
+      type(hysteresis_result), intent(in) :: result
+      !> Two or three
+      type(hysteresis_skeleton), allocatable, intent(out) :: skeletons(:)
+
+      ! no constructor: gfortran 12 frees its components twice
+      allocate (skeletons(merge(3, 2, size(result%mean_skeleton%force) > 0)))
+      skeletons(positive_side) = result%skeleton(positive_side)
+      skeletons(negative_side) = result%skeleton(negative_side)
+      if (size(skeletons) == 3) skeletons(3) = result%mean_skeleton
+   end subroutine side_skeletons
+
+   !> One row per side, and one of the mean: stiffness, yield, peak and ultimate point.
    pure function side_table(result, labels) result(table)
       !> What was found
       type(hysteresis_result), intent(in) :: result
       !> Names and units
       type(record_labels), intent(in) :: labels
       type(table_type) :: table
+      type(hysteresis_skeleton), allocatable :: s(:)
 
-      table = new_table(columns=11, rows=2)
-      associate (s => result%skeleton)
-         call table%add_texts('side', side_names)
-         call table%add_numbers('initial_stiffness', labels%stiffness_unit(), &
-            shown((s%initial_stiffness)))
-         call table%add_numbers('elastic_stiffness', labels%stiffness_unit(), &
-            shown((s%elastic_stiffness)))
-         call table%add_numbers('yield_'//labels%x, labels%x_unit, shown((s%yield_displacement)))
-         call table%add_numbers('yield_'//labels%f, labels%f_unit, shown((s%yield_force)))
-         call table%add_numbers('peak_'//labels%x, labels%x_unit, shown((s%peak_displacement)))
-         call table%add_numbers('peak_'//labels%f, labels%f_unit, shown((s%peak_force)))
-         call table%add_numbers('ultimate_'//labels%x, labels%x_unit, &
-            shown((s%ultimate_displacement)))
-         call table%add_numbers('ultimate_'//labels%f, labels%f_unit, shown((s%ultimate_force)))
-         call table%add_texts('failed', yes_or_no((s%ultimate_reached)))
-         call table%add_numbers('ductility', '-', shown((s%ductility)))
-      end associate
+      call side_skeletons(result, s)
+      table = new_table(columns=11, rows=size(s))
+      call table%add_texts('side', side_names(:size(s)))
+      call table%add_numbers('initial_stiffness', labels%stiffness_unit(), &
+         shown((s%initial_stiffness)))
+      call table%add_numbers('elastic_stiffness', labels%stiffness_unit(), &
+         shown((s%elastic_stiffness)))
+      call table%add_numbers('yield_'//labels%x, labels%x_unit, shown((s%yield_displacement)))
+      call table%add_numbers('yield_'//labels%f, labels%f_unit, shown((s%yield_force)))
+      call table%add_numbers('peak_'//labels%x, labels%x_unit, shown((s%peak_displacement)))
+      call table%add_numbers('peak_'//labels%f, labels%f_unit, shown((s%peak_force)))
+      call table%add_numbers('ultimate_'//labels%x, labels%x_unit, &
+         shown((s%ultimate_displacement)))
+      call table%add_numbers('ultimate_'//labels%f, labels%f_unit, shown((s%ultimate_force)))
+      call table%add_texts('failed', yes_or_no((s%ultimate_reached)))
+      call table%add_numbers('ductility', '-', shown((s%ductility)))
    end function side_table
 
-   !> The points of both skeletons, each from the inside to the outside.
+   !> The points of all skeletons, each from the inside to the outside.
    pure function skeleton_table(result, labels) result(table)
       !> What was found
       type(hysteresis_result), intent(in) :: result
@@ -142,19 +164,23 @@ contains
       type(table_type) :: table
       integer :: i
 
-      associate (p => result%skeleton(positive_side), n => result%skeleton(negative_side))
-         table = new_table(columns=4, rows=size(p%force) + size(n%force))
+      associate (p => result%skeleton(positive_side), n => result%skeleton(negative_side), &
+            m => result%mean_skeleton)
+         table = new_table(columns=4, rows=size(p%force) + size(n%force) + size(m%force))
          call table%add_texts('side', [character(len=8) :: &
             (side_names(positive_side), i=1, size(p%force)), &
-            (side_names(negative_side), i=1, size(n%force))])
-         call table%add_codes('cycle', column_counts, [p%cycle, n%cycle])
-         call table%add_numbers(labels%x, labels%x_unit, [p%displacement, n%displacement])
-         call table%add_numbers(labels%f, labels%f_unit, [p%force, n%force])
+            (side_names(negative_side), i=1, size(n%force)), &
+            (side_names(3), i=1, size(m%force))])
+         call table%add_codes('cycle', column_counts, [p%cycle, n%cycle, m%cycle])
+         call table%add_numbers(labels%x, labels%x_unit, &
+            [p%displacement, n%displacement, m%displacement])
+         call table%add_numbers(labels%f, labels%f_unit, [p%force, n%force, m%force])
       end associate
    end function skeleton_table
 
    !> What is not known has no value.
    pure elemental real(wp) function shown(value)
+      !> A number
       real(wp), intent(in) :: value
 
       shown = value

@@ -1,20 +1,26 @@
-!> Several tests of one file in one report: their tables below each other, with what tells the tests
-!> apart in front.
+!> Several tests in one report: their tables below each other, with what tells the tests apart in
+!> front.
 module asperity_program_commands_hysteresis_tests
    use asperity_base_error, only: error_type
    use asperity_base_kinds, only: wp
+   use asperity_program_commands_hysteresis_plot, only: skeleton_series
+   use asperity_program_plot_figure, only: figure_type, panel_type
    use asperity_program_record_numbers, only: looks_like_number, read_number
-   use asperity_program_record_tests, only: test_text, test_type
+   use asperity_program_record_conditions, only: test_text, test_type
    use asperity_program_report_report, only: report_type
    use asperity_program_report_table, only: column_numbers, column_texts, column_type, table_type
    use asperity_program_system_strings, only: string_type
    implicit none
    private
-   public :: join_reports
+   public :: join_reports, stacked
+
+   !> Rows of a further table that the terminal shows, and tests whose envelopes have a legend
+   integer, parameter :: most_rows = 60, most_named = 12
 
 contains
 
-   !> Make one report of those of several tests, two at least. The picture has the loops of each.
+   !> Make one report of those of several tests, two at least. The picture has the envelopes of all
+   !> and the loops of each.
    pure subroutine join_reports(reports, tests, title, report)
       !> One report a test, of the same tables
       type(report_type), intent(inout) :: reports(:)
@@ -33,6 +39,10 @@ contains
       report%summary = stacked([(reports(i)%summary, i=1, size(tests))], tests)
       do j = 1, size(report%more)
          report%more(j)%table = stacked([(reports(i)%more(j)%table, i=1, size(tests))], tests)
+         do i = 2, size(tests)
+            if (report%more(j)%title == '') report%more(j)%title = reports(i)%more(j)%title
+         end do
+         if (report%more(j)%table%rows > most_rows) report%more(j)%title = ''
       end do
       report%shown_columns = [character(len=len(report%shown_columns)) :: &
          (tests(1)%conditions(i)%name, i=1, size(tests(1)%conditions)), report%shown_columns]
@@ -51,9 +61,12 @@ contains
       if (report%is_drawn()) then
          report%picture_title = title
          deallocate (report%pictures)
-         allocate (report%pictures(size(tests)))
+         allocate (report%pictures(size(tests) + 1))
+         report%pictures(1) = figure_type('Envelopes of all tests', &
+            [envelopes_panel(reports, tests)])
          do i = 1, size(tests)
-            call move_alloc(reports(i)%pictures(1)%panels, report%pictures(i)%panels)
+            report%pictures(i + 1)%caption = test_text(tests(i))
+            call move_alloc(reports(i)%pictures(1)%panels, report%pictures(i + 1)%panels)
          end do
       end if
       if (allocated(report%remarks)) deallocate (report%remarks)
@@ -67,9 +80,31 @@ contains
       end do
    end subroutine join_reports
 
+   !> The skeletons of all tests.
+   pure function envelopes_panel(reports, tests) result(panel)
+      type(report_type), intent(in) :: reports(:)
+      type(test_type), intent(in) :: tests(:)
+      type(panel_type) :: panel
+      character(len=:), allocatable :: legend
+      integer :: i
+
+      associate (first => reports(1)%pictures(1)%panels(1))
+         panel = panel_type(first%x%label, first%y%label, 'envelopes')
+      end associate
+      do i = 1, size(tests)
+         legend = ''
+         if (size(tests) <= most_named) legend = test_text(tests(i))
+         associate (skeleton => reports(i)%pictures(1)%panels(1)%series(skeleton_series))
+            call panel%add(skeleton%x, skeleton%y, legend, i)
+         end associate
+      end do
+   end function envelopes_panel
+
    !> Tables of the same columns below each other, the tests' conditions in front.
    pure function stacked(tables, tests) result(table)
+      !> The tables
       type(table_type), intent(in) :: tables(:)
+      !> The tests
       type(test_type), intent(in) :: tests(:)
       type(table_type) :: table
       integer :: i, j, n

@@ -5,10 +5,10 @@ module asperity_program_commands_tenon_history
    use asperity_base_number_text, only: to_text
    use asperity_program_commands_tenon_joint_keys, only: tenon_case
    use asperity_program_record_columns, only: record_column
+   use asperity_program_record_conditions, only: test_text, test_type
    use asperity_program_record_file, only: read_record
    use asperity_program_record_names, only: holds_displacement, holds_rotation
    use asperity_program_record_table, only: columns_table
-   use asperity_program_record_tests, only: test_text, test_type
    use asperity_program_record_units, only: find_unit, unit_angle, unit_length, unit_share, &
       unit_type
    use asperity_program_report_report, only: named_table
