@@ -32,7 +32,7 @@ module asperity_hysteresis_en_12512
    type :: line_type
       real(wp) :: slope = 0.0_wp, at_zero = 0.0_wp
       !> Sum of squares of the distances in force
-      real(wp) :: squares = huge(1.0_wp)
+      real(wp) :: squares = 0.25_wp*huge(1.0_wp)
    end type line_type
 
 contains

@@ -7,8 +7,11 @@ cp "$made"/*.csv .
 value_of() {
    sed -n "/^\"$1\": {/,/^}/p" "${4:-s.json}" | sed -n "s/^\"$2\": \[\(.*\)\],*$/\1/p" | tr -d ' "' | cut -d, -f"$3"
 }
-# is_about VALUE EXPECTED TOLERANCE
-is_about() { awk -v a="$1" -v b="$2" -v t="$3" 'BEGIN { print a, b; exit !(a != "" && a - b <= t && b - a <= t) }'; }
+# is_about VALUE EXPECTED TOLERANCE: numbers both, and near to each other
+is_about() {
+   awk -v a="$1" -v b="$2" -v t="$3" 'BEGIN { print a, b
+      exit !(a ~ /^-?[0-9]/ && b ~ /^-?[0-9]/ && a - b <= t && b - a <= t) }'
+}
 
 same_examples() { mkdir again && bash "$made/make.sh" again && for file in again/*; do cmp "$file" "$made/${file#again/}" || return 1; done; }
 check 'standards: the examples are those of their script' same_examples
@@ -82,8 +85,8 @@ check 'standards: ... 0.8 of the peak comes first' test "$(value_of en_12512 ult
 check 'standards: ... at 0.8 of the peak on the falling line' is_about "$(value_of en_12512 ultimate_displacement 1)" \
    "$(awk 'BEGIN { print 16 + (1 - 0.8*(1 - 0.06*0.2))/0.06 }')" 0.02
 check 'standards: ... class' test "$(value_of en_12512 ductility_class 1)" = high
-check 'standards: the mean of equal sides is either' test \
-   "$(value_of summary yield_force 1)" = "$(value_of summary yield_force 3)"
+check 'standards: the mean of equal sides is either' is_about \
+   "$(value_of summary yield_force 1)" "$(value_of summary yield_force 3)" 1e-12
 check 'standards: halves of equal sides have the damping of the whole' csv s.csv \
    'if (NR > 2 && far(c["positive_damping"], c["damping"], 1e-9)) fail(c["positive_damping"])'
 awk -F, -v OFS=, 'NR > 1 { $2 *= 2 } { print }' cyclic_1.csv >wide.csv
@@ -109,8 +112,8 @@ cp s.json all.json
 cp s.csv all.csv
 for i in 1 2 3; do
    run hysteresis cyclic_$i.csv --json s.json --csv s.csv
-   check "standards: ... record $i has its yield force" test \
-      "$(value_of summary yield_force $((3*i - 2)) all.json)" = "$(value_of summary yield_force 1)"
+   check "standards: ... record $i has its yield force" is_about \
+      "$(value_of summary yield_force $((3*i - 2)) all.json)" "$(value_of summary yield_force 1)" 0
    check "standards: ... record $i has its cycles" sh -c \
       "tail -n +2 s.csv >one.csv && grep '^cyclic_$i' all.csv | cut -d, -f2- | cmp - one.csv"
 done
@@ -135,7 +138,7 @@ sed '1s/^/specimen,/; 2,$s/^/A,/' cyclic_1.csv >tests_1.csv
 sed '2,$s/^/B,/; 1d' cyclic_2.csv >>tests_1.csv
 sed 's/^B,/C,/; s/^A,/B,/' tests_1.csv >tests_2.csv
 run hysteresis tests_1.csv --json s.json
-check 'standards: tests of one file have no statistics' lacks s.json '"statistics"'
+check 'standards: tests of one file have no statistics' sh -c 'grep -q "\"summary\"" s.json && ! grep -q "\"statistics\"" s.json'
 run hysteresis tests_1.csv tests_2.csv --json s.json --csv s.csv
 check 'standards: two files, four tests' test "$(rows s.csv)" -eq 80
 check 'standards: ... by record and specimen' test "$(head -n 1 s.csv | cut -d, -f1-3)" = record,specimen,cycle
@@ -164,8 +167,8 @@ if command -v gnuplot >/dev/null; then
    check 'standards: ... ends' sh -c 'tail -n 1 r.html | grep -q "</html>"'
    check 'standards: ... has the statistics' has r.html '5 % fractile'
    check 'standards: ... and the input' has r.html '<td class="text">amplitude_tolerance</td>'
-   check 'standards: ... names no faces' lacks r.html 'Faces:'
-   check 'standards: ... and no limit of the law' lacks r.html 'Validity'
+   check 'standards: ... names its kind, no faces, no limit of the law' sh -c \
+      'grep -q "Record: cyclic" r.html && ! grep -q "Faces:\|Validity" r.html'
    cp cyclic_1.csv '<b>&.csv'
    run hysteresis '<b>&.csv' --report r.html
    check 'standards: a page of an odd name' sh -c 'grep -q "&lt;b&gt;&amp;.csv" r.html && ! grep -q "<b>" r.html'

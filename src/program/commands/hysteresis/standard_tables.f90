@@ -4,8 +4,8 @@ module asperity_program_commands_hysteresis_standard_tables
    use asperity_base_no_value, only: is_none
    use asperity_hysteresis_analysis, only: hysteresis_result, hysteresis_skeleton
    use asperity_hysteresis_en_12512, only: ductility_class
-   use asperity_program_commands_hysteresis_tables, only: ratio_decimals, record_labels, shown, &
-      side_names, side_skeletons
+   use asperity_program_commands_hysteresis_tables, only: get_skeletons, &
+      number_of_skeletons, ratio_decimals, record_labels, shown, side_names
    use asperity_program_report_report, only: named_table
    use asperity_program_report_table, only: column_counts, new_table, table_type
    implicit none
@@ -36,7 +36,8 @@ contains
       end do
       tables(1)%name = en_12512
       tables(1)%table = en_12512_table(result, labels)
-      tables(1)%title = 'Yield and ultimate point by EN 12512, '//limit_words(labels, '30')
+      if (tables(1)%table%rows > 0) &
+         tables(1)%title = 'Yield and ultimate point by EN 12512, '//limit_words(labels, '30')
       tables(2)%name = 'amplitudes'
       tables(2)%table = amplitude_table(result, labels)
       if (any(result%amplitudes%cycles > 1)) tables(2)%title = 'Strength of first, second and '// &
@@ -68,11 +69,11 @@ contains
       type(hysteresis_result), intent(in) :: result
       type(record_labels), intent(in) :: labels
       type(table_type) :: table
-      type(hysteresis_skeleton), allocatable :: s(:)
+      type(hysteresis_skeleton) :: s(number_of_skeletons(result))
       integer, allocatable :: sides(:)
       integer :: i
 
-      call side_skeletons(result, s)
+      call get_skeletons(result, s)
       sides = pack([(i, i=1, size(s))], .not. is_none(s%en_12512%peak_force))
       table = new_table(columns=14, rows=size(sides))
       associate (e => s(sides)%en_12512)

@@ -7,7 +7,8 @@ module asperity_program_commands_hysteresis_tables
    use asperity_program_report_table, only: column_counts, new_table, table_type
    implicit none
    private
-   public :: record_labels, cycle_table, shown, side_skeletons, side_table, skeleton_table
+   public :: record_labels, cycle_table, get_skeletons, number_of_skeletons, shown, side_table, &
+      skeleton_table
 
    !> What the record holds.
    type :: record_labels
@@ -114,19 +115,26 @@ contains
       end do
    end function skeleton_texts
 
-   !> Both skeletons, and their mean if there is one.
-   pure subroutine side_skeletons(result, skeletons)
+   !> How many skeletons a record has: those of both sides, and their mean if there is one.
+   pure integer function number_of_skeletons(result)
+      !> What was found
+      type(hysteresis_result), intent(in) :: result
+
+      number_of_skeletons = merge(3, 2, size(result%mean_skeleton%force) > 0)
+   end function number_of_skeletons
+
+   !> All skeletons.
+   pure subroutine get_skeletons(result, skeletons)
       !> What was found
       type(hysteresis_result), intent(in) :: result
       !> Two or three
-      type(hysteresis_skeleton), allocatable, intent(out) :: skeletons(:)
+      type(hysteresis_skeleton), intent(out) :: skeletons(:)
 
       ! no constructor: gfortran 12 frees its components twice
-      allocate (skeletons(merge(3, 2, size(result%mean_skeleton%force) > 0)))
       skeletons(positive_side) = result%skeleton(positive_side)
       skeletons(negative_side) = result%skeleton(negative_side)
       if (size(skeletons) == 3) skeletons(3) = result%mean_skeleton
-   end subroutine side_skeletons
+   end subroutine get_skeletons
 
    !> One row per side, and one of the mean: stiffness, yield, peak and ultimate point.
    pure function side_table(result, labels) result(table)
@@ -135,9 +143,9 @@ contains
       !> Names and units
       type(record_labels), intent(in) :: labels
       type(table_type) :: table
-      type(hysteresis_skeleton), allocatable :: s(:)
+      type(hysteresis_skeleton) :: s(number_of_skeletons(result))
 
-      call side_skeletons(result, s)
+      call get_skeletons(result, s)
       table = new_table(columns=11, rows=size(s))
       call table%add_texts('side', side_names(:size(s)))
       call table%add_numbers('initial_stiffness', labels%stiffness_unit(), &
