@@ -34,9 +34,8 @@ contains
       end do
    end subroutine find_option
 
-   !> The option at `arguments(i)`: `--name value`, `--name=value`, `--name` or `--no-name`; paths are
-   !> all up to the next option.
-   !> `error` names the option.
+   !> The option at `arguments(i)`: `--name value`, `--name=value`, `--name` or `--no-name`; paths
+   !> are all up to the next option. `error` names the option.
    pure subroutine parse_option(keys, arguments, i, is_known, error)
       !> Keys of the command; that of the option takes the value
       type(key_list), intent(inout) :: keys

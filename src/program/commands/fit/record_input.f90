@@ -6,9 +6,9 @@ module asperity_program_commands_fit_record_input
    use asperity_base_number_text, only: to_text
    use asperity_program_input_key_list, only: key_list
    use asperity_program_record_columns, only: record_column
+   use asperity_program_record_conditions, only: test_text, test_type
    use asperity_program_record_file, only: read_record, record_format
    use asperity_program_record_keys, only: column_keys, format_keys
-   use asperity_program_record_conditions, only: test_text, test_type
    use asperity_program_record_units, only: find_unit, unit_type
    use asperity_program_system_strings, only: string_type
    implicit none
