@@ -2,11 +2,12 @@
 module asperity_program_commands_hysteresis_plot
    use asperity_base_kinds, only: wp
    use asperity_base_no_value, only: is_none
-   use asperity_hysteresis_analysis, only: hysteresis_result, negative_side, positive_side
+   use asperity_hysteresis_analysis, only: hysteresis_amplitude, hysteresis_result, &
+      negative_side, positive_side
    use asperity_program_commands_hysteresis_tables, only: record_labels, side_names
    use asperity_program_plot_figure, only: as_bars, as_line, as_line_and_points, as_points, cross, &
-      disc, figure_type, panel_type, ring
-   use asperity_program_plot_palette, only: black, blue, green, red, sky
+      dashed, disc, figure_type, panel_type, ring
+   use asperity_program_plot_palette, only: black, blue, green, pink, red, sky
    implicit none
    private
    public :: record_picture, loops_panel
@@ -30,7 +31,7 @@ contains
       !> Names and units
       type(record_labels), intent(in) :: labels
       type(figure_type) :: picture
-      type(panel_type) :: stiffness, energy, ratios
+      type(panel_type) :: loops, stiffness, energy, ratios
       real(wp), dimension(size(result%cycles)) :: number, amplitude
       integer :: i
 
@@ -61,10 +62,32 @@ contains
          end if
          ratios%empty = 'no damping: no closed cycle'
       end associate
-      picture = figure_type('Loops, skeleton, yield point of equal energy and ultimate point; '// &
-         'stiffness, energy and ratios of the cycles', &
-         [loops_panel(displacement, force, result, labels, ''), stiffness, energy, ratios])
+      loops = loops_panel(displacement, force, result, labels, '')
+      call add_later_cycles(loops, result%amplitudes, 2, 'second', green)
+      call add_later_cycles(loops, result%amplitudes, 3, 'third', pink)
+      picture = figure_type('Loops, skeleton, envelopes of second and third cycles, yield '// &
+         'point of equal energy and ultimate point; stiffness, energy, ratios of the cycles', &
+         [loops, stiffness, energy, ratios])
    end function record_picture
+
+   !> The envelope of second or of third cycles, through the origin.
+   pure subroutine add_later_cycles(panel, amplitudes, which, legend, colour)
+      type(panel_type), intent(inout) :: panel
+      type(hysteresis_amplitude), intent(in) :: amplitudes(:)
+      integer, intent(in) :: which, colour
+      character(len=*), intent(in) :: legend
+      integer, allocatable :: p(:), n(:)
+      integer :: i
+
+      p = pack([(i, i=1, size(amplitudes))], amplitudes%cycles >= which .and. &
+         amplitudes%side == positive_side)
+      n = pack([(i, i=size(amplitudes), 1, -1)], amplitudes(size(amplitudes):1:-1)%cycles >= which &
+         .and. amplitudes(size(amplitudes):1:-1)%side == negative_side)
+      if (size(p) + size(n) == 0) return
+      call panel%add([amplitudes(n)%displacement(which), 0.0_wp, &
+         amplitudes(p)%displacement(which)], [amplitudes(n)%force(which), 0.0_wp, &
+         amplitudes(p)%force(which)], legend, colour, as_line_and_points, stroke=dashed, mark=disc)
+   end subroutine add_later_cycles
 
    !> Loops, skeletons through the origin, yield and ultimate points.
    pure function loops_panel(displacement, force, result, labels, title) result(panel)
