@@ -142,31 +142,36 @@ contains
          table = new_table(columns=16, rows=rows)
          call table%add_texts('side', pack([merge(side_names(1), side_names(2), &
             e%peak_force > 0.0_wp)], rows > 0))
-         call add('estimated_'//labels%f, labels%f_unit, e%estimated_force)
+         call add(table, rows, 'estimated_'//labels%f, labels%f_unit, e%estimated_force)
          call table%add_texts('estimated_by', pack([e%estimated_by], rows > 0))
-         call add('peak_'//labels%x, labels%x_unit, e%peak_displacement)
-         call add('peak_'//labels%f, labels%f_unit, e%peak_force)
-         call add('slip_at_10_percent', labels%x_unit, e%slip_at_10_percent)
-         call add('initial_slip', labels%x_unit, e%initial_slip)
-         call add('modified_initial_slip', labels%x_unit, e%modified_initial_slip)
-         call add('joint_settlement', labels%x_unit, e%joint_settlement)
-         call add('elastic_slip', labels%x_unit, e%elastic_slip)
-         call add('initial_slip_modulus', labels%stiffness_unit(), e%initial_slip_modulus)
-         call add('slip_modulus', labels%stiffness_unit(), e%slip_modulus)
-         call add('slip_at_60_percent', labels%x_unit, e%slip_at_60_percent)
-         call add('modified_slip_at_60_percent', labels%x_unit, e%modified_slip_at_60_percent)
-         call add('slip_at_80_percent', labels%x_unit, e%slip_at_80_percent)
-         call add('modified_slip_at_80_percent', labels%x_unit, e%modified_slip_at_80_percent)
+         call add(table, rows, 'peak_'//labels%x, labels%x_unit, e%peak_displacement)
+         call add(table, rows, 'peak_'//labels%f, labels%f_unit, e%peak_force)
+         call add(table, rows, 'slip_at_10_percent', labels%x_unit, e%slip_at_10_percent)
+         call add(table, rows, 'initial_slip', labels%x_unit, e%initial_slip)
+         call add(table, rows, 'modified_initial_slip', labels%x_unit, e%modified_initial_slip)
+         call add(table, rows, 'joint_settlement', labels%x_unit, e%joint_settlement)
+         call add(table, rows, 'elastic_slip', labels%x_unit, e%elastic_slip)
+         call add(table, rows, 'initial_slip_modulus', labels%stiffness_unit(), &
+            e%initial_slip_modulus)
+         call add(table, rows, 'slip_modulus', labels%stiffness_unit(), e%slip_modulus)
+         call add(table, rows, 'slip_at_60_percent', labels%x_unit, e%slip_at_60_percent)
+         call add(table, rows, 'modified_slip_at_60_percent', labels%x_unit, &
+            e%modified_slip_at_60_percent)
+         call add(table, rows, 'slip_at_80_percent', labels%x_unit, e%slip_at_80_percent)
+         call add(table, rows, 'modified_slip_at_80_percent', labels%x_unit, &
+            e%modified_slip_at_80_percent)
       end associate
-   contains
-      !> Append a column
-      pure subroutine add(name, unit, value)
-         character(len=*), intent(in) :: name, unit
-         real(wp), intent(in) :: value
-
-         call table%add_numbers(name, unit, pack([shown(value)], rows > 0))
-      end subroutine add
    end function en_26891_table
+
+   !> Append a column of one row, or of none.
+   pure subroutine add(table, rows, name, unit, value)
+      type(table_type), intent(inout) :: table
+      integer, intent(in) :: rows
+      character(len=*), intent(in) :: name, unit
+      real(wp), intent(in) :: value
+
+      call table%add_numbers(name, unit, pack([shown(value)], rows > 0))
+   end subroutine add
 
    !> A text, `-` for none.
    pure elemental character(len=24) function known(text)
