@@ -97,6 +97,19 @@ contains
             [c(1)%half_damping(1), c(2)%half_damping(1), c(3)%half_damping(1)], exact, 'damping')
          call assertTrue(all(is_none([c(1)%half_damping(2), c(2)%half_damping(2)])), 'other side')
       end associate
+      ! with a twentieth of the force left it counts; back by more than half, but with a fifth of
+      ! the force, neither this cycle nor the next does
+      loops%force(3) = 0.5_wp
+      call analyse(loops, result)
+      call assertEqual(4.75_wp, result%cycles(1)%half_energy(1), exact, 'a twentieth is left')
+      loops%displacement(3) = 0.9_wp
+      loops%force(3) = 2.0_wp
+      call analyse(loops, result)
+      associate (c => result%cycles)
+         call assertEqual(4, size(c), 'still cycles')
+         call assertEqual([none, none, 14.0_wp], [c(1)%half_energy(1), c(2)%half_energy(1), &
+            c(3)%half_energy(1)], exact, 'a fifth is left')
+      end associate
    end subroutine test_one_sided
 
    !> Both sides the same: their mean is either, in all its numbers.

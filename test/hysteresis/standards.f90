@@ -4,6 +4,7 @@ module test_hysteresis_standards
    use asperity_base_no_value, only: is_none, none
    use asperity_hysteresis_analysis, only: hysteresis_result, hysteresis_settings
    use asperity_hysteresis_characteristic_values, only: characteristic_values, tolerance_factor
+   use asperity_hysteresis_en_12512, only: ductility_class
    use funit, only: assertEqual, assertRelativelyEqual, assertTrue, TestMethod, TestSuite
    use hysteresis_checks, only: analyse
    use hysteresis_models, only: record_type
@@ -24,9 +25,12 @@ contains
       call suite%addTest(TestMethod('EN 12512: yield by the tangent', test_tangent))
       call suite%addTest(TestMethod('EN 12512: yield by two lines', test_two_lines))
       call suite%addTest(TestMethod('EN 12512: two lines that are not clear', test_unclear))
+      call suite%addTest(TestMethod('EN 12512: slopes of two lines', test_slopes))
       call suite%addTest(TestMethod('EN 12512: what ends the skeleton', test_ultimate))
       call suite%addTest(TestMethod('EN 12512: impairment of strength', test_impairment))
+      call suite%addTest(TestMethod('EN 12512: classes of ductility', test_classes))
       call suite%addTest(TestMethod('EN 26891: slips and moduli', test_slips))
+      call suite%addTest(TestMethod('EN 26891: what is no such unloading', test_unloadings))
       call suite%addTest(TestMethod('EN 26891: 15 mm and the estimated force', test_estimated))
       call suite%addTest(TestMethod('EN 14358: tolerance factors', test_factors))
       call suite%addTest(TestMethod('EN 14358: fractiles', test_fractiles))
@@ -150,6 +154,53 @@ contains
       end associate
    end subroutine test_unclear
 
+   !> Two straight lines count if the second has half the slope of the first, not if it has more.
+   subroutine test_slopes()
+      type(record_type) :: loops
+      type(hysteresis_result) :: result
+
+      loops%displacement = [0.0_wp, 1.0_wp, 2.0_wp]
+      loops%force = [0.0_wp, 10.0_wp, 14.9_wp]
+      call analyse(loops, result)
+      call assertEqual(1.0_wp, result%skeleton(1)%en_12512%two_lines_displacement, 1.0e-9_wp, &
+         'less than half')
+      loops%force = [0.0_wp, 10.0_wp, 15.1_wp]
+      call analyse(loops, result)
+      call assertEqual(none, result%skeleton(1)%en_12512%two_lines_displacement, 0.0_wp, 'more')
+   end subroutine test_slopes
+
+   !> Low below 4, medium from 4, high from 6.
+   subroutine test_classes()
+      call assertEqual('low', ductility_class(3.999_wp), 'below 4')
+      call assertEqual('medium', ductility_class(4.0_wp), 'from 4')
+      call assertEqual('medium', ductility_class(5.999_wp), 'below 6')
+      call assertEqual('high', ductility_class(6.0_wp), 'from 6')
+      call assertEqual('', ductility_class(none), 'not known')
+   end subroutine test_classes
+
+   !> Back to 0.14, 0.16, 0.34 or 0.36 of the force, and from 0.14 or 0.16 of the largest one.
+   subroutine test_unloadings()
+      type(record_type) :: loops
+      type(hysteresis_result) :: result
+      real(wp), parameter :: left(4) = [0.14_wp, 0.16_wp, 0.34_wp, 0.36_wp]
+      logical, parameter :: counts(4) = [.false., .true., .true., .false.]
+      integer :: i
+
+      do i = 1, size(left)
+         loops%displacement = [0.0_wp, 0.5_wp, 0.3_wp, 0.5_wp, 2.0_wp]
+         loops%force = [0.0_wp, 4.0_wp, 4.0_wp*left(i), 4.0_wp, 10.0_wp]
+         call analyse(loops, result)
+         call assertEqual(trim(merge('unloading ', 'peak_force', counts(i))), &
+            trim(result%en_26891%estimated_by), 'what is left')
+      end do
+      do i = 1, 2
+         loops%force = [0.0_wp, left(i)*10.0_wp, 2.5_wp*left(i), left(i)*10.0_wp, 10.0_wp]
+         call analyse(loops, result)
+         call assertEqual(trim(merge('unloading ', 'peak_force', counts(i))), &
+            trim(result%en_26891%estimated_by), 'from where')
+      end do
+   end subroutine test_unloadings
+
    !> 0.8 of the peak at 35 mm, 30 mm before it, or the end; in mm, in m, and where it is not known.
    subroutine test_ultimate()
       type(record_type) :: loops
@@ -211,6 +262,16 @@ contains
       associate (e => result%skeleton%en_12512)
          call assertEqual(e(1)%ductility, e(1)%three_cycle_ductility, exact, 'positive')
          call assertEqual(e(2)%ductility/3.0_wp, e(2)%three_cycle_ductility, exact, 'negative')
+      end associate
+      ! three equal cycles of 3 past the ultimate point, 8 of 10 at 1.5, do not count
+      loops%displacement = [0.0_wp, 1.0_wp, -1.0_wp, 1.0_wp, -1.0_wp, 1.0_wp, -1.0_wp, 3.0_wp, &
+         -3.0_wp, 3.0_wp, -3.0_wp, 3.0_wp, -3.0_wp, 0.0_wp]
+      loops%force = [0.0_wp, 10.0_wp, -10.0_wp, 10.0_wp, -10.0_wp, 10.0_wp, -10.0_wp, 2.0_wp, &
+         -2.0_wp, 2.0_wp, -2.0_wp, 2.0_wp, -2.0_wp, 0.0_wp]
+      call analyse(loops, result)
+      associate (e => result%skeleton(1)%en_12512)
+         call assertEqual(1.5_wp, e%ultimate_displacement, exact, 'ultimate point')
+         call assertEqual(e%ductility/1.5_wp, e%three_cycle_ductility, exact, 'only up to there')
       end associate
    end subroutine test_impairment
 
