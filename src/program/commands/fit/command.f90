@@ -10,6 +10,7 @@ module asperity_program_commands_fit_command
    use asperity_program_commands_faces_read_faces, only: read_faces
    use asperity_program_commands_fit_case_out, only: fit_case
    use asperity_program_commands_fit_free_keys, only: fix_keys, read_free, set_bounds, set_starts
+   use asperity_program_commands_fit_hold_out, only: follow_hold_out, record_table
    use asperity_program_commands_fit_keys, only: fit_options
    use asperity_program_commands_fit_kind, only: fit_kind
    use asperity_program_commands_fit_model_case, only: read_model
@@ -95,13 +96,15 @@ contains
       type(fit_settings) :: settings
       type(fit_result) :: result
       class(fit_problem), allocatable, target :: problem
-      real(wp), allocatable :: model(:)
+      type(fit_record), allocatable :: held_out(:)
+      real(wp), allocatable :: model(:), held_out_model(:)
 
       ! one kind a line
       if (self%options%kind == 'press') call new_press_kind(kind)
       call set_model(self%options, kind, free, error)
       if (.not. allocated(error)) &
-         call self%options%input%read(kind%quantities, records, columns, error)
+         call self%options%input%read(self%options%input%files, kind%choices, &
+         kind%quantities, records, columns, error)
       if (allocated(error)) return
       call kind%take_records(records, error)
       if (allocated(error)) then
@@ -128,8 +131,13 @@ contains
          allocate (model(samples_of(records)))
          call kind%evaluate(problem, result%values, model, error)
       end if
-      if (.not. allocated(error)) &
-         call add_results(self, kind, free, records, columns, parameters, result, model, report)
+      if (.not. allocated(error)) call follow_hold_out(kind, self%options%input, &
+         self%options%hold_out, free, result%values, held_out, held_out_model, error)
+      if (allocated(error)) return
+      call add_results(self, kind, free, records, columns, parameters, result, model, report)
+      if (size(records) + size(held_out) > 1) report%more = [report%more, named_table('records', &
+         'Records', record_table(kind%quantities, self%options%input%files, records, model, &
+         self%options%hold_out, held_out, held_out_model))]
    end subroutine run
 
    !> Set what is fixed, and find what is free. `error` names what is neither.

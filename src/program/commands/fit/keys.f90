@@ -5,6 +5,7 @@ module asperity_program_commands_fit_keys
    use asperity_program_commands_fit_record_input, only: record_input
    use asperity_program_input_key, only: kind_file
    use asperity_program_input_key_list, only: key_list
+   use asperity_program_system_strings, only: string_type
    implicit none
    private
    public :: fit_options
@@ -23,6 +24,8 @@ module asperity_program_commands_fit_keys
       character(len=:), allocatable :: model, case
       !> What differences are divided by
       character(len=8) :: residual_scale = 'absolute'
+      !> Records that are not fitted
+      type(string_type), allocatable :: hold_out(:)
       !> Searches, zero for what is usual, and what says so
       integer :: searches = 0
       character(len=:), allocatable :: searches_source
@@ -58,6 +61,9 @@ contains
          'searches from values spread between the bounds, the best counts; as usual for 0')
       call keys%said_by(self%searches_source)
       call self%input%declare(keys)
+      call keys%paths('hold_out', self%hold_out, &
+         'a record that is not fitted, written as the others: how far the model is from it')
+      call keys%reads('record', is_argument=.false.)
       call keys%text('case', self%case, &
          'write a case file with the values found; - is standard output', kind_file)
    end subroutine declare

@@ -20,7 +20,8 @@ module asperity_program_commands_fit_kind
    type, abstract :: fit_kind
       !> Keys of the model, with what is fixed
       type(key_list) :: keys
-      !> What the columns of the record are
+      !> What the columns of a record may be, and what they are
+      type(record_quantities), allocatable :: choices(:)
       type(record_quantities) :: quantities
       !> Searches unless their number is given
       integer :: usual_searches = 5
@@ -63,13 +64,14 @@ module asperity_program_commands_fit_kind
          character(len=:), allocatable :: names
       end function missing
 
-      !> Take the tests. `error` is set when they are of another kind.
+      !> Take the tests, of which some samples may be left out. `error` is set when they are of another
+      !> kind.
       subroutine take_records(self, records, error)
          import :: error_type, fit_kind, fit_record
          !> The kind, declared
          class(fit_kind), intent(inout) :: self
          !> The tests, in the units of the model
-         type(fit_record), intent(in) :: records(:)
+         type(fit_record), intent(inout) :: records(:)
          !> Set when they do not fit
          type(error_type), allocatable, intent(out) :: error
       end subroutine take_records

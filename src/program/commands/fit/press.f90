@@ -49,8 +49,8 @@ contains
       class(fit_kind), allocatable, intent(out) :: kind
 
       allocate (press_kind :: kind)
-      kind%quantities = record_quantities([holds_displacement, holds_pressure], &
-         [character(len=16) :: 'closure', 'pressure'], [character(len=16) :: 'mm', 'MPa'])
+      kind%choices = [record_quantities([holds_displacement, holds_pressure], &
+         [character(len=16) :: 'closure', 'pressure'], [character(len=16) :: 'mm', 'MPa'])]
    end subroutine new_press_kind
 
    !> The faces, and the machine.
@@ -117,7 +117,7 @@ contains
       !> The kind, declared
       class(press_kind), intent(inout) :: self
       !> The tests
-      type(fit_record), intent(in) :: records(:)
+      type(fit_record), intent(inout) :: records(:)
       !> Set when this is no press record
       type(error_type), allocatable, intent(out) :: error
       integer :: peak, place

@@ -6,7 +6,7 @@ module asperity_program_commands_fit_record_input
    use asperity_base_number_text, only: to_text
    use asperity_program_input_key_list, only: key_list
    use asperity_program_record_columns, only: record_column
-   use asperity_program_record_conditions, only: test_text, test_type
+   use asperity_program_record_conditions, only: condition_type, test_text, test_type
    use asperity_program_record_file, only: read_record, record_format
    use asperity_program_record_keys, only: column_keys, format_keys
    use asperity_program_record_units, only: find_unit, unit_type
@@ -28,8 +28,9 @@ module asperity_program_commands_fit_record_input
 
    !> One test.
    type :: fit_record
-      !> What tells it from others, empty for the only one
+      !> What tells it from others, empty for the only one; as columns of its file
       character(len=:), allocatable :: title
+      type(condition_type), allocatable :: conditions(:)
       !> Its samples, in the units of the model
       real(wp), allocatable :: x(:), y(:)
    end type fit_record
@@ -97,12 +98,16 @@ contains
       if (.not. allocated(error)) call self%format%check(error)
    end subroutine check
 
-   !> Read all files.
-   subroutine read_records(self, quantities, records, columns, error)
+   !> Read files.
+   subroutine read_records(self, files, choices, quantities, records, columns, error)
       !> What is asked for; what was found in the last file is said there
       class(record_input), intent(inout) :: self
-      !> What the columns are to the model
-      type(record_quantities), intent(in) :: quantities
+      !> Paths of the files
+      type(string_type), intent(in) :: files(:)
+      !> What the columns may be to the model; the first that a file has is taken
+      type(record_quantities), intent(in) :: choices(:)
+      !> What they are, in all files the same
+      type(record_quantities), intent(out) :: quantities
       !> One a test, file by file
       type(fit_record), allocatable, intent(out) :: records(:)
       !> What was taken of the last file
@@ -112,37 +117,51 @@ contains
       integer :: i
 
       allocate (records(0))
-      do i = 1, size(self%files)
-         call read_file(self, self%files(i)%text, quantities, records, columns, error)
+      do i = 1, size(files)
+         call read_file(self, files, i, choices, quantities, records, columns, error)
          if (allocated(error)) return
       end do
    end subroutine read_records
 
    !> Read both columns of a file and bring them to zero, scale and the units of the model.
-   subroutine read_file(self, path, quantities, records, columns, error)
+   subroutine read_file(self, files, which, choices, quantities, records, columns, error)
       class(record_input), intent(inout) :: self
-      character(len=*), intent(in) :: path
-      type(record_quantities), intent(in) :: quantities
+      type(string_type), intent(in) :: files(:)
+      integer, intent(in) :: which
+      type(record_quantities), intent(in) :: choices(:)
+      type(record_quantities), intent(inout) :: quantities
       type(fit_record), allocatable, intent(inout) :: records(:)
       type(record_column), intent(out) :: columns(2)
       type(error_type), allocatable, intent(out) :: error
       type(test_type), allocatable :: tests(:)
       type(record_format) :: format
       type(fit_record) :: record
+      character(len=:), allocatable :: path
       integer :: i
 
+      path = files(which)%text
       do i = 1, size(axes)
          call self%columns(i)%ask(columns(i))
       end do
       format = self%format%record_format
-      call read_record(path, format, reshape(quantities%holds, [2, 1]), columns, tests, error)
+      call read_record(path, format, reshape([(choices(i)%holds, i=1, size(choices))], &
+         [2, size(choices)]), columns, tests, error)
       if (allocated(error)) return
+      do i = size(choices), 1, -1
+         if (all(choices(i)%holds == columns%holds)) exit
+      end do
+      if (which > 1 .and. any(quantities%holds /= choices(i)%holds)) then
+         call fatal_error(error, path//': has '//columns(1)%name//' and '//columns(2)%name// &
+            ', other files before it have not')
+         return
+      end if
+      quantities = choices(i)
       if (columns(1)%place == columns(2)%place) then
          call fatal_error(error, path//': '//columns(1)%name//' and '// &
             columns(2)%name//' are both column '//to_text(columns(1)%place))
          return
       end if
-      if (path == self%files(size(self%files))%text) then
+      if (which == size(files)) then
          if (self%format%decimal /= format%decimal) &
             self%format%decimal_source = 'the numbers of the file'
          self%format%decimal = format%decimal
@@ -157,7 +176,8 @@ contains
       do i = 1, size(tests)
          associate (first => tests(i)%first, last => tests(i)%last)
             record%title = test_text(tests(i))
-            if (size(self%files) > 1) record%title = trim(path//' '//record%title)
+            if (size(files) > 1) record%title = trim(path//' '//record%title)
+            record%conditions = tests(i)%conditions
             record%x = columns(1)%values(first:last)
             record%y = columns(2)%values(first:last)
             records = [records, record]
