@@ -16,6 +16,7 @@ module asperity_program_commands_fit_command
    use asperity_program_commands_fit_model_case, only: read_model
    use asperity_program_commands_fit_plot, only: fit_picture
    use asperity_program_commands_fit_press, only: new_press_kind
+   use asperity_program_commands_fit_shear, only: new_shear_kind
    use asperity_program_commands_fit_record_input, only: fit_record
    use asperity_program_commands_fit_tables, only: correlation_table, curve_table, &
       direction_table, fixed_table, parameter_table, quality_table
@@ -101,6 +102,7 @@ contains
 
       ! one kind a line
       if (self%options%kind == 'press') call new_press_kind(kind)
+      if (self%options%kind == 'shear') call new_shear_kind(kind)
       call set_model(self%options, kind, free, error)
       if (.not. allocated(error)) &
          call self%options%input%read(self%options%input%files, kind%choices, &
