@@ -63,6 +63,7 @@ asperity_test_suite(petsc asperity_solid)
 set_tests_properties(petsc_tests PROPERTIES SKIP_RETURN_CODE 77)
 if(ASPERITY_BUILD_PROGRAM)
    asperity_test_suite(program_input asperity_commands)
+   asperity_test_suite(program_fit asperity_commands)
    asperity_test_suite(program_solid asperity_commands)
 endif()
 

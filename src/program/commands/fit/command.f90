@@ -11,6 +11,7 @@ module asperity_program_commands_fit_command
    use asperity_program_commands_fit_case_out, only: fit_case
    use asperity_program_commands_fit_free_keys, only: fix_keys, read_free, set_bounds, set_starts
    use asperity_program_commands_fit_hold_out, only: follow_hold_out, record_table
+   use asperity_program_commands_fit_joint, only: new_joint_kind
    use asperity_program_commands_fit_keys, only: fit_options
    use asperity_program_commands_fit_kind, only: fit_kind
    use asperity_program_commands_fit_model_case, only: read_model
@@ -103,6 +104,7 @@ contains
       ! one kind a line
       if (self%options%kind == 'press') call new_press_kind(kind)
       if (self%options%kind == 'shear') call new_shear_kind(kind)
+      if (self%options%kind == 'joint') call new_joint_kind(kind)
       call set_model(self%options, kind, free, error)
       if (.not. allocated(error)) &
          call self%options%input%read(self%options%input%files, kind%choices, &

@@ -42,8 +42,8 @@ contains
       !> The keys
       type(key_list), intent(inout) :: keys
 
-      call keys%choice('kind', self%kind, 'press shear', &
-         'what the record is: of pressing two faces, or of shearing them')
+      call keys%choice('kind', self%kind, 'press shear joint', &
+         'what the record is: of pressing two faces, of shearing them, of a tenon joint')
       call keys%text('free', self%free, &
          'KEY,...: numbers of the model that the record is to give')
       call keys%text('fix', self%fix, &
@@ -78,7 +78,7 @@ contains
       call self%input%check(error)
       if (allocated(error)) return
       if (self%kind == '') then
-         call fatal_error(error, 'nothing says what the record is: --kind press or shear')
+         call fatal_error(error, 'nothing says what the record is: --kind press, shear or joint')
       else if (self%searches < 0 .or. self%searches > most_searches) then
          call fatal_error(error, 'searches = '//to_text(self%searches)// &
             ' is not allowed: it must lie between 0 and '//to_text(most_searches), &
