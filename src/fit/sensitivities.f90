@@ -16,6 +16,8 @@ module asperity_fit_sensitivities
 
    !> The end may be so far from the minimum, in standard errors, or of y
    real(wp), parameter :: most_step = 0.01_wp, least_step = 1.0e-6_wp
+   !> How often a step is halved that leads nowhere
+   integer, parameter :: most_halvings = 8
    !> A parameter is at its bound within this share of the way between its bounds
    real(wp), parameter :: bound_share = 1.0e-3_wp
    !> Directions that residuals feel less than the strongest by this factor are lost in the errors
@@ -136,25 +138,39 @@ contains
                /max(sqrt(covariance(i, i)*covariance(j, j)), tiny(noise))
          end do
       end do
-      call check_step(transposed, noise, result, error)
+      call check_step(problem, parameters, y, transposed, noise, result, error)
    end subroutine describe_minimum
 
-   !> Set `error` when a step of Gauss and Newton along what is settled would still lead away;
-   !> `left` has the columns of U in its rows.
-   subroutine check_step(left, noise, result, error)
-      real(wp), intent(in) :: left(:, :), noise
-      type(fit_result), intent(in) :: result
+   !> Set `error` when a step of Gauss and Newton along what is settled, or a part of it, still leads
+   !> lower: where the model has a kink, such as from stick to slip, the minimum may lie on it, and
+   !> the step from there leads nowhere. `left` has the columns of U in its rows.
+   subroutine check_step(problem, parameters, y, left, noise, result, error)
+      class(fit_problem), intent(in) :: problem
+      type(fit_parameter), intent(in) :: parameters(:)
+      real(wp), intent(in) :: y(:), left(:, :), noise
+      type(fit_result), intent(inout) :: result
       type(error_type), allocatable, intent(out) :: error
-      real(wp) :: along(size(left, 1)), step(size(left, 1))
+      type(error_type), allocatable :: refusal
+      real(wp) :: along(size(y)), step(size(y)), residuals(size(result%residuals))
+      integer :: i
 
       if (any(result%at_bound) .or. noise <= 0.0_wp) return
       ! in standard errors along each direction
       along = merge(matmul(left, result%residuals)/noise, 0.0_wp, result%settled)
-      step = abs(matmul(result%directions, along*result%direction_errors))
-      if (norm2(along) > most_step .and. any(step > least_step)) &
+      step = matmul(result%directions, along*result%direction_errors)
+      if (norm2(along) <= most_step .or. all(abs(step) <= least_step)) return
+      do i = 0, most_halvings
+         call problem%residuals(value_of(parameters, min(max(y - step/2**i, &
+            y_of(parameters, parameters%lower)), y_of(parameters, parameters%upper))), residuals, &
+            refusal)
+         result%evaluations = result%evaluations + 1
+         if (allocated(refusal) .or. .not. all(is_finite(residuals))) cycle
+         if (.not. sum(residuals**2) < result%chi_squared - (most_step*noise)**2) cycle
          call fatal_error(error, 'the search ended '//to_text(norm2(along), 2)// &
-         ' standard errors from the minimum after '//to_text(result%iterations)// &
-         ' iterations: begin nearer, or free fewer parameters', computation_error)
+            ' standard errors from the minimum after '//to_text(result%iterations)// &
+            ' iterations: begin nearer, or free fewer parameters', computation_error)
+         return
+      end do
    end subroutine check_step
 
 end module asperity_fit_sensitivities

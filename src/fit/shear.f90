@@ -1,11 +1,11 @@
 !> Friction from shear tests: a problem for `fit_least_squares`.
 module asperity_fit_shear
-   use asperity_base_error, only: error_type, fatal_error
+   use asperity_base_error, only: computation_error, error_type, fatal_error
    use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
    use asperity_fit_problem, only: fit_problem
-   use asperity_fit_shear_model, only: check_shear_tests, shear_names, shear_shear_compliance, &
-      shear_stress_along, shear_test
+   use asperity_fit_shear_model, only: check_shear_tests, shear_critical_slip, shear_names, &
+      shear_shear_compliance, shear_static_friction_coefficient, shear_stress_along, shear_test
    implicit none
    private
    public :: shear_problem, new_shear_problem
@@ -23,6 +23,9 @@ module asperity_fit_shear
       procedure :: residuals => find_residuals
    end type shear_problem
 
+   !> Normal stresses count as one up to this ratio
+   real(wp), parameter :: most_equal = 1.01_wp
+
 contains
 
    !> A problem of checked tests.
@@ -39,7 +42,6 @@ contains
       real(wp), intent(in) :: scale(:)
       !> Set when the tests cannot be followed
       type(error_type), allocatable, intent(out) :: error
-      integer :: i
 
       call check_shear_tests(tests, error)
       if (allocated(error)) return
@@ -47,15 +49,46 @@ contains
       problem%values = values
       problem%free = free
       problem%scale = scale
-      if (.not. (any(free == shear_shear_compliance) .or. &
-         values(shear_shear_compliance) > 0.0_wp)) return
+      if (any(free == shear_shear_compliance) .or. values(shear_shear_compliance) > 0.0_wp) &
+         call check_areas(tests, error)
+      if (.not. allocated(error)) call check_told_apart(problem, error)
+   end subroutine new_shear_problem
+
+   !> Set `error` unless all tests have the area that a compliance needs.
+   pure subroutine check_areas(tests, error)
+      type(shear_test), intent(in) :: tests(:)
+      type(error_type), allocatable, intent(out) :: error
+      integer :: i
+
       do i = 1, size(tests)
          if (allocated(tests(i)%area)) cycle
          call fatal_error(error, 'shear test '//to_text(i)//' has no area of its faces, which '// &
             'shear_compliance needs', subject='shear_compliance')
          return
       end do
-   end subroutine new_shear_problem
+   end subroutine check_areas
+
+   !> Set `error` when critical slip and compliance do the same: at one normal stress only
+   !> critical_slip + shear_compliance times the largest force acts. Seen here, as the kinks of the
+   !> model hide it from differences.
+   pure subroutine check_told_apart(problem, error)
+      type(shear_problem), intent(in) :: problem
+      type(error_type), allocatable, intent(out) :: error
+      real(wp) :: lowest, highest
+      integer :: i
+
+      if (.not. (any(problem%free == shear_shear_compliance) &
+         .and. any(problem%free == shear_critical_slip))) return
+      if (any(problem%free == shear_static_friction_coefficient) &
+         .or. problem%values(shear_static_friction_coefficient) > 0.0_wp) return
+      associate (tests => problem%tests)
+         lowest = minval([(minval(tests(i)%normal_stress), i=1, size(tests))])
+         highest = maxval([(maxval(tests(i)%normal_stress), i=1, size(tests))])
+      end associate
+      if (highest <= most_equal*lowest) call fatal_error(error, 'critical_slip and '// &
+         'shear_compliance cannot be told apart at one normal stress, '//to_text(lowest)// &
+         ' MPa: fix one, or give tests at others', computation_error)
+   end subroutine check_told_apart
 
    !> Model less record, over the scale.
    recursive subroutine find_residuals(self, values, residuals, error)

@@ -116,9 +116,12 @@ contains
          return
       end if
       call make_parameters(self%options, kind, free, parameters, error)
-      if (.not. allocated(error)) call kind%make_problem(free, &
-         scale_of(self%options%residual_scale, records), problem, error)
       if (allocated(error)) return
+      call kind%make_problem(free, scale_of(self%options%residual_scale, records), problem, error)
+      if (allocated(error)) then
+         error%message = files_text(self%options)//': '//error%message
+         return
+      end if
       if (self%options%searches == 0) then
          self%options%searches = kind%usual_searches
          self%options%searches_source = 'usual for '//trim(self%options%kind)

@@ -7,10 +7,10 @@ module asperity_program_commands_fit_shear
    use asperity_fit_parameter, only: fit_parameter
    use asperity_fit_problem, only: fit_problem
    use asperity_fit_shear, only: new_shear_problem, shear_problem
-   use asperity_fit_shear_model, only: shear_critical_slip, shear_decay_slip, &
-      shear_friction_coefficient, shear_names, shear_pressure_exponent, shear_reference_pressure, &
-      shear_shear_compliance, shear_static_friction_coefficient, shear_stress_along, shear_test, &
-      shear_units
+   use asperity_fit_shear_model, only: check_shear_tests, shear_critical_slip, &
+      shear_decay_slip, shear_friction_coefficient, shear_names, shear_pressure_exponent, &
+      shear_reference_pressure, shear_shear_compliance, shear_static_friction_coefficient, &
+      shear_stress_along, shear_test, shear_units
    use asperity_program_commands_fit_kind, only: fit_kind
    use asperity_program_commands_fit_record_input, only: fit_record, record_quantities
    use asperity_program_commands_fit_shear_tests, only: find_normal_stress, guess
@@ -155,7 +155,8 @@ contains
                allocate (tests(i)%area(n), source=overlap_area(self%diameter, 0.0_wp))
          end associate
       end do
-      call move_alloc(tests, self%tests)
+      call check_shear_tests(tests, error)
+      if (.not. allocated(error)) call move_alloc(tests, self%tests)
    end subroutine take_records
 
    !> Unit, start and bounds of a number: about its value, or about a guess by the record.
