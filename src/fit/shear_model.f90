@@ -53,8 +53,8 @@ module asperity_fit_shear_model
 
 contains
 
-   !> Friction of the numbers of the model. A coefficient at rest below that in motion counts as that
-   !> in motion, so that a search may come by there. `error` is set when a number is refused.
+   !> Friction of the numbers of the model. A coefficient at rest below that in motion counts as the
+   !> latter, so that a search may come by there. `error` is set when a number is refused.
    pure subroutine shear_friction(values, properties, error)
       !> Numbers of the model
       real(wp), intent(in) :: values(:)
@@ -160,8 +160,8 @@ contains
          name = 'shear test '//to_text(i)
          associate (t => tests(i), n => size(tests(i)%displacement))
             if (n < 2 .or. size(t%shear_stress) /= n .or. size(t%normal_stress) /= n) then
-               call fatal_error(error, name//' needs two samples or more, each with displacement,'// &
-                  ' shear stress and normal stress')
+               call fatal_error(error, name//' needs two samples or more, each with '// &
+                  'displacement, shear stress and normal stress')
             else if (.not. (all_finite(t%displacement) .and. all_finite(t%shear_stress) &
                   .and. all_finite(t%normal_stress))) then
                call fatal_error(error, name//' has numbers that are not finite')

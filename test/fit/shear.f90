@@ -288,8 +288,8 @@ contains
       call assert_found(result, truth)
    end subroutine test_friction
 
-   !> Where a sample lies just where the faces begin to slip, and noise is little more than rounding,
-   !> the least sum of squares is on that kink: no slope says so, but no step leads lower.
+   !> Where a sample lies just where the faces begin to slip, and noise is hardly more than
+   !> rounding, the least sum of squares is on that kink: no slope says so, but no step leads lower.
    subroutine test_kink()
       real(wp), parameter :: truth(2) = [0.42_wp, 0.25_wp], rounded = 0.1_wp/2999.6_wp
       real(wp), allocatable :: path(:)

@@ -137,3 +137,9 @@ map_with_holes() {
 has() { grep -Fq -- "$2" "$1"; }
 lacks() { ! grep -Eq -- "$2" "$1"; }
 absent() { [ ! -e "$1" ]; }
+
+# near CASE NAME VALUE TOLERANCE: a case file has a value, but for a share of it
+near() {
+   awk -v name="$2" -v value="$3" -v tolerance="$4" '$1 == name { found = 1; d = $3/value - 1
+      if (d < -tolerance || d > tolerance) { print name " " $3; exit 1 } } END { if (!found) exit 1 }' "$1"
+}

@@ -1,10 +1,5 @@
 # asperity fit --kind shear: records that asperity shear writes, and what is refused
 
-# near CASE NAME VALUE TOLERANCE: a case file has a value, but for a share of it
-near() {
-   awk -v name="$2" -v value="$3" -v tolerance="$4" '$1 == name { found = 1; d = $3/value - 1
-      if (d < -tolerance || d > tolerance) { print name " " $3; exit 1 } } END { if (!found) exit 1 }' "$1"
-}
 fit=(fit --kind shear --fix diameter=61.8)
 
 # Without noise the numbers come back, wherever the search begins; half of a pass is not settled
@@ -51,6 +46,11 @@ grep '^5.0000000000000003E-002' s.csv >>first.csv
 run fit --kind shear first.csv --fix diameter=61.8,normal_stress=0.05 --free friction_coefficient,critical_slip \
    --hold-out s.csv
 check 'fit shear: held out' test "$(grep -c '^ *s.csv normal_stress_nominal.* no ' out)" -eq 3
+
+# A test that begins under load is said
+awk -F, 'NR == 1 || $3 > 0.3 || n { if (NR > 1) n = 1; print $3 "," $10 }' s.csv | sed '1s/.*/displacement,force/' | head -n 90 >late.csv
+run fit --kind shear late.csv --fix diameter=61.8,normal_stress=0.05 --free friction_coefficient,critical_slip
+check 'fit shear: begins under load' grep -q 'Test 1 begins with 100' out
 
 refuses 'fit shear: no normal stress' 2 'first.csv: nothing says the normal stress' \
    "${fit[@]}" first.csv --free friction_coefficient,critical_slip

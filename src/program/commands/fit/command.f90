@@ -18,7 +18,7 @@ module asperity_program_commands_fit_command
    use asperity_program_commands_fit_plot, only: fit_picture
    use asperity_program_commands_fit_press, only: new_press_kind
    use asperity_program_commands_fit_shear, only: new_shear_kind
-   use asperity_program_commands_fit_record_input, only: fit_record
+   use asperity_program_commands_fit_record_input, only: fit_record, record_input
    use asperity_program_commands_fit_tables, only: correlation_table, curve_table, &
       direction_table, fixed_table, parameter_table, quality_table
    use asperity_program_commands_fit_words, only: check_settled, residual_remarks
@@ -100,7 +100,10 @@ contains
       class(fit_problem), allocatable, target :: problem
       type(fit_record), allocatable :: held_out(:)
       real(wp), allocatable :: model(:), held_out_model(:)
+      type(record_input) :: input
 
+      ! as it is given, before columns are found
+      input = self%options%input
       ! one kind a line
       if (self%options%kind == 'press') call new_press_kind(kind)
       if (self%options%kind == 'shear') call new_shear_kind(kind)
@@ -138,8 +141,8 @@ contains
          allocate (model(samples_of(records)))
          call kind%evaluate(problem, result%values, model, error)
       end if
-      if (.not. allocated(error)) call follow_hold_out(kind, self%options%input, &
-         self%options%hold_out, free, result%values, held_out, held_out_model, error)
+      if (.not. allocated(error)) call follow_hold_out(kind, input, self%options%hold_out, &
+         free, result%values, held_out, held_out_model, error)
       if (allocated(error)) return
       call add_results(self, kind, free, records, columns, parameters, result, model, report)
       if (size(records) + size(held_out) > 1) report%more = [report%more, named_table('records', &

@@ -1,5 +1,5 @@
-!> Records that are not fitted: how far the model with the values found is from them, beside those that
-!> are.
+!> Records that are not fitted: how far the model with the values found is from them, beside those
+!> that are.
 module asperity_program_commands_fit_hold_out
    use asperity_base_error, only: error_type, fatal_error
    use asperity_base_kinds, only: wp
@@ -22,7 +22,7 @@ contains
    subroutine follow_hold_out(kind, input, files, free, values, records, model, error)
       !> The kind, with the records that are fitted
       class(fit_kind), intent(in) :: kind
-      !> How records are written
+      !> How records are written, as given
       type(record_input), intent(in) :: input
       !> Paths of those that are not fitted
       type(string_type), intent(in) :: files(:)

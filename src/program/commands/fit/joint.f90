@@ -1,5 +1,5 @@
-!> Records of a tenon joint: any real key of `asperity tenon` may be free. The model is the replay with
-!> the rough law along the recorded displacements.
+!> Records of a tenon joint: any real key of `asperity tenon` may be free. The model is the replay
+!> with the rough law along the recorded displacements.
 module asperity_program_commands_fit_joint
    use asperity_base_error, only: error_type, fatal_error
    use asperity_base_kinds, only: wp
@@ -24,8 +24,8 @@ module asperity_program_commands_fit_joint
 
    !> Bounds over the start, unless the key's range is narrower
    real(wp), parameter :: wide = 10.0_wp
-   !> Keys that need not be given: the law's constant, and how it is computed. Keys of the programme,
-   !> which the record takes the place of
+   !> Keys that need not be given: the law's constant, and how it is computed. Keys of the
+   !> programme, which the record takes the place of
    character(len=*), parameter :: need_not(*) = [character(len=22) :: 'plastic_ratio', &
       'displacement_increment']
    !> Samples that are compared, of each record
@@ -116,8 +116,8 @@ contains
       is_number = key%kind == kind_real .and. key%is_input() .and. all(key%name /= need_not)
    end function is_number
 
-   !> Thin the records, which then have the samples that are compared. `error` is set when one has no
-   !> force.
+   !> Thin the records, which then have the samples that are compared. `error` is set when one has
+   !> no force.
    subroutine take_records(self, records, error)
       !> The kind, declared
       class(joint_kind), intent(inout) :: self
@@ -258,8 +258,8 @@ contains
       do i = 1, size(self%records)
          associate (r => self%records(i))
             if (r%samples > size(r%force)) call add_line(lines, r%name//': '// &
-               to_text(size(r%force))//' of '//to_text(r%samples)//' samples are compared, evenly '// &
-               'along the way and where it turns.')
+               to_text(size(r%force))//' of '//to_text(r%samples)//' samples are compared, '// &
+               'evenly along the way and where it turns.')
          end associate
       end do
    end subroutine remarks

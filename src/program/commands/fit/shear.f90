@@ -3,7 +3,6 @@ module asperity_program_commands_fit_shear
    use asperity_base_error, only: error_type, fatal_error
    use asperity_base_kinds, only: wp
    use asperity_base_no_value, only: is_none, none
-   use asperity_base_number_text, only: to_text
    use asperity_fit_parameter, only: fit_parameter
    use asperity_fit_problem, only: fit_problem
    use asperity_fit_shear, only: new_shear_problem, shear_problem
@@ -13,10 +12,10 @@ module asperity_program_commands_fit_shear
       shear_stress_along, shear_test, shear_units
    use asperity_program_commands_fit_kind, only: fit_kind
    use asperity_program_commands_fit_record_input, only: fit_record, record_quantities
-   use asperity_program_commands_fit_shear_tests, only: find_normal_stress, guess
+   use asperity_program_commands_fit_shear_tests, only: find_normal_stress, guess, remark_loaded
    use asperity_program_input_key_list, only: key_list
    use asperity_program_record_names, only: holds_displacement, holds_force, holds_pressure
-   use asperity_program_system_strings, only: add_line, string_type
+   use asperity_program_system_strings, only: string_type
    use asperity_replay_shear_settings, only: overlap_area
    implicit none
    private
@@ -30,8 +29,6 @@ module asperity_program_commands_fit_shear
       'largest shear stress', 'shear compliance of specimens and machine together']
    !> Bounds of what is guessed, over the guess
    real(wp), parameter :: wide = 100.0_wp
-   !> A record that begins with more than this share of its largest stress was not free of it
-   real(wp), parameter :: loaded_share = 0.05_wp
 
    !> Friction along shear records.
    type, extends(fit_kind) :: shear_kind
@@ -69,7 +66,8 @@ contains
       integer :: i
 
       self%values = 0.0_wp
-      self%values([shear_friction_coefficient, shear_critical_slip, shear_reference_pressure]) = none
+      self%values([shear_friction_coefficient, shear_critical_slip, shear_reference_pressure]) &
+         = none
       self%diameter = none
       self%normal_stress = none
       do i = 1, size(shear_names)
@@ -82,8 +80,8 @@ contains
          'normal stress on the full disc; of a record that has it in a leading column, that')
       if (.not. self%keys%given()) return
       associate (key => self%keys%rows(self%keys%last))
-         if (size(key%values) > 1) call self%keys%refuse('normal_stress: one value is taken, for '// &
-            'all tests that do not say theirs in a leading column', 'normal_stress')
+         if (size(key%values) > 1) call self%keys%refuse('normal_stress: one value is taken, '// &
+            'for all tests that do not say theirs in a leading column', 'normal_stress')
       end associate
    end subroutine declare
 
@@ -267,17 +265,8 @@ contains
       class(shear_kind), intent(in) :: self
       !> One a remark
       type(string_type), allocatable, intent(out) :: lines(:)
-      integer :: i
 
-      allocate (lines(0))
-      do i = 1, size(self%tests)
-         associate (stress => self%tests(i)%shear_stress)
-            if (abs(stress(1)) > loaded_share*maxval(abs(stress))) call add_line(lines, &
-               'Test '//to_text(i)//' begins with '//to_text(100.0_wp*abs(stress(1)) &
-               /maxval(abs(stress)), 2)//' % of its largest shear stress, the model with none: '// &
-               'is its zero off (--force-zero), or its beginning missing?')
-         end associate
-      end do
+      call remark_loaded(self%tests, lines)
    end subroutine remarks
 
    !> The numbers found, with the tests' normal stresses.

@@ -1,8 +1,10 @@
-!> What a fit takes from shear tests before it begins: their normal stress, and guesses of the numbers.
+!> What a fit takes from shear tests before it begins: their normal stress, and guesses of the
+!> numbers.
 module asperity_program_commands_fit_shear_tests
    use asperity_base_error, only: error_type, fatal_error
    use asperity_base_kinds, only: wp
    use asperity_base_no_value, only: is_none
+   use asperity_base_number_text, only: to_text
    use asperity_fit_shear_model, only: shear_critical_slip, shear_decay_slip, &
       shear_friction_coefficient, shear_pressure_exponent, shear_shear_compliance, &
       shear_static_friction_coefficient, shear_test
@@ -10,12 +12,15 @@ module asperity_program_commands_fit_shear_tests
    use asperity_program_record_names, only: find_meaning, holds_pressure
    use asperity_program_record_numbers, only: read_number
    use asperity_program_record_units, only: find_unit, unit_pressure
+   use asperity_program_system_strings, only: add_line, string_type
    implicit none
    private
-   public :: find_normal_stress, guess
+   public :: find_normal_stress, guess, remark_loaded
 
    !> Critical slip and decay over the way from end to end, coefficient at rest over that in motion
    real(wp), parameter :: slip_share = 0.05_wp, decay_share = 0.2_wp, rest_ratio = 1.2_wp
+   !> A test that begins with more than this share of its largest stress was not free of it
+   real(wp), parameter :: loaded_share = 0.05_wp
 
 contains
 
@@ -84,5 +89,24 @@ contains
          guess = stress
       end select
    end function guess
+
+   !> Say which tests begin under load.
+   pure subroutine remark_loaded(tests, lines)
+      !> The tests
+      type(shear_test), intent(in) :: tests(:)
+      !> One a test that does
+      type(string_type), allocatable, intent(out) :: lines(:)
+      integer :: i
+
+      allocate (lines(0))
+      do i = 1, size(tests)
+         associate (stress => tests(i)%shear_stress)
+            if (abs(stress(1)) > loaded_share*maxval(abs(stress))) call add_line(lines, &
+               'Test '//to_text(i)//' begins with '//to_text(100.0_wp*abs(stress(1)) &
+               /maxval(abs(stress)), 2)//' % of its largest shear stress, the model with none: '// &
+               'is its zero off (--force-zero), or its beginning missing?')
+         end associate
+      end do
+   end subroutine remark_loaded
 
 end module asperity_program_commands_fit_shear_tests
