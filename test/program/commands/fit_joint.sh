@@ -70,6 +70,11 @@ refuses 'fit joint: two that do the same' 1 'a.csv: .*(bearing_depth|young_modul
 check 'fit joint: no case of what is not settled' test ! -e none.nml
 run press --csv press.csv
 refuses 'fit joint: a press record' 2 'press.csv: ' fit --kind joint --model small.nml press.csv --free clearance
+run shear --csv shear.csv
+refuses 'fit joint: a shear record' 2 'shear.csv: its tests have normal_stress_nominals' \
+   fit --kind joint --model small.nml shear.csv --free clearance
+refuses 'fit joint: hard contact' 2 'small.csv: .*--where model=rough' \
+   fit --kind joint --model small.nml small.csv --free clearance
 printf 'displacement (mm),force (N)\n0,0\n0,1\n0,2\n' >still.csv
 refuses 'fit joint: it does not move' 2 'still.csv: .*does not move' fit --kind joint --model small.nml still.csv --free clearance
 printf 'displacement (mm),force (N)\n0,0\n5,0\n9,0\n' >free.csv

@@ -8,7 +8,8 @@ module asperity_program_commands_fit_joint
    use asperity_fit_problem, only: fit_problem
    use asperity_program_commands_fit_joint_problem, only: joint_force, joint_problem, &
       new_joint_problem, prepare_joint
-   use asperity_program_commands_fit_joint_record, only: joint_record, thin_record
+   use asperity_program_commands_fit_joint_record, only: check_conditions, joint_record, &
+      thin_record
    use asperity_program_commands_fit_kind, only: fit_kind
    use asperity_program_commands_fit_record_input, only: fit_record, record_quantities
    use asperity_program_commands_tenon_joint_keys, only: declare_replay_case, tenon_case
@@ -136,6 +137,8 @@ contains
       if (allocated(self%records)) deallocate (self%records)
       allocate (self%records(size(records)))
       do i = 1, size(records)
+         call check_conditions(records(i)%conditions, error)
+         if (allocated(error)) return
          associate (r => records(i))
             if (.not. maxval(r%x) > minval(r%x)) then
                call fatal_error(error, r%title//': the joint does not move')

@@ -1,10 +1,13 @@
 !> A record of a joint, thinned to the samples that a fit compares.
 module asperity_program_commands_fit_joint_record
+   use asperity_base_error, only: error_type, fatal_error
    use asperity_base_kinds, only: wp
    use asperity_hysteresis_turning_points, only: find_turning_points
+   use asperity_program_record_names, only: find_meaning, holds_pressure
+   use asperity_program_record_tests, only: condition_type
    implicit none
    private
-   public :: joint_record, thin_record
+   public :: check_conditions, joint_record, thin_record
 
    !> What a joint is led along, and the force that it should give.
    type :: joint_record
@@ -57,5 +60,26 @@ contains
       record%displacement = pack(displacement, kept)
       record%force = pack(force, kept)
    end subroutine thin_record
+
+   !> Set `error` when what tells tests apart says that they are none of a joint, or of hard contact.
+   pure subroutine check_conditions(conditions, error)
+      !> What tells a test from others
+      type(condition_type), intent(in) :: conditions(:)
+      !> Set then
+      type(error_type), allocatable, intent(out) :: error
+      integer :: holds, i, rank
+
+      do i = 1, size(conditions)
+         associate (c => conditions(i))
+            call find_meaning(c%name, holds, rank)
+            if (holds == holds_pressure) call fatal_error(error, 'its tests have '//c%name//'s: '// &
+               'these are shear tests, and no records of a joint (--kind shear)')
+            if (c%name == 'model' .and. c%value == 'hard') call fatal_error(error, &
+               'holds a replay with hard contact, but the model here has the rough law: '// &
+               'take the other by --where model=rough')
+         end associate
+         if (allocated(error)) return
+      end do
+   end subroutine check_conditions
 
 end module asperity_program_commands_fit_joint_record
