@@ -56,6 +56,10 @@ check 'fit joint: two records' is_quiet
 check 'fit joint: two records, clearance' near both.nml clearance 0.4 1e-3
 check 'fit joint: three rows of records' test "$(grep -Ec '^ *[ab].csv +(yes|no) ' out)" -eq 3
 
+awk -F, 'NR > 1 { OFS = ","; $1 += 5 } { print }' a.csv >offset.csv
+run fit --kind joint --model small.nml --searches 1 offset.csv --free side_pressure
+check 'fit joint: a zero that is off is said' grep -q 'The record begins at 5.0 mm' out
+
 refuses 'fit joint: what nobody gave' 2 'nothing says pair, length, height, width, arm, side_pressure, axial_stiffness, wood' \
    fit --kind joint a.csv --free clearance
 refuses 'fit joint: a text is not free' 2 '--free: wood is no real number' "${fit[@]}" small.csv --free wood

@@ -29,6 +29,8 @@ module asperity_program_commands_fit_joint
    !> programme, which the record takes the place of
    character(len=*), parameter :: need_not(*) = [character(len=22) :: 'plastic_ratio', &
       'displacement_increment']
+   !> A record begins at rest within this share of its range, as in `asperity hysteresis`
+   real(wp), parameter :: at_rest = 0.02_wp
    !> Samples that are compared, of each record
    integer, parameter :: most_samples = 400
    character(len=*), parameter :: of_programme(*) = [character(len=22) :: 'amplitudes', 'cycles', &
@@ -146,6 +148,8 @@ contains
                call fatal_error(error, r%title//': the record has no force')
             end if
             if (allocated(error)) return
+            self%records(i)%name = r%title
+            if (r%title == '') self%records(i)%name = 'The record'
             call thin_record(self%records(i), self%to_model(1)*r%x, self%to_model(2)*r%y, &
                most_samples)
             r%x = self%records(i)%displacement/self%to_model(1)
@@ -249,7 +253,7 @@ contains
       end select
    end subroutine evaluate
 
-   !> How far the records are thinned.
+   !> How far the records are thinned, and where they do not begin at rest.
    subroutine remarks(self, lines)
       !> The kind, declared with the values found
       class(joint_kind), intent(in) :: self
@@ -260,6 +264,10 @@ contains
       allocate (lines(0))
       do i = 1, size(self%records)
          associate (r => self%records(i))
+            if (abs(r%displacement(1)) > at_rest*(maxval(r%displacement) &
+               - minval(r%displacement))) call add_line(lines, r%name//' begins at '// &
+               to_text(r%displacement(1), 4)//' mm, to where the joint is led from rest first: '// &
+               'is its zero off (--displacement-zero)?')
             if (r%samples > size(r%force)) call add_line(lines, r%name//': '// &
                to_text(size(r%force))//' of '//to_text(r%samples)//' samples are compared, '// &
                'evenly along the way and where it turns.')

@@ -59,7 +59,7 @@ contains
 
       self%columns%name = axes
       call keys%paths('record_file', self%files, &
-         'the record, as FILE.csv without an option; joint takes several')
+         'the record, as FILE.csv without an option; shear and joint take several')
       call keys%reads('record', is_argument=.true.)
       call self%columns(1)%declare_column(keys, &
          'name or number of the column of closure, slip or displacement; found by name and unit')
