@@ -106,7 +106,7 @@ contains
       type(string_type), intent(in) :: files(:)
       type(fit_record), intent(in) :: records(:)
       real(wp), intent(in) :: model(:)
-      character(len=*), intent(out) :: titles(:)
+      character(len=longest), intent(out) :: titles(:)
       integer, intent(out) :: samples(:)
       !> Root mean square, the same over the record's largest reading, and the largest difference
       real(wp), intent(out) :: mean(:), share(:), largest(:)

@@ -64,8 +64,8 @@ module asperity_program_commands_fit_kind
          character(len=:), allocatable :: names
       end function missing
 
-      !> Take the tests, of which some samples may be left out. `error` is set when they are of another
-      !> kind.
+      !> Take the tests, of which some samples may be left out. `error` is set when they are of
+      !> another kind.
       subroutine take_records(self, records, error)
          import :: error_type, fit_kind, fit_record
          !> The kind, declared

@@ -61,7 +61,8 @@ contains
       record%force = pack(force, kept)
    end subroutine thin_record
 
-   !> Set `error` when what tells tests apart says that they are none of a joint, or of hard contact.
+   !> Set `error` when what tells tests apart says that they are none of a joint, or of hard
+   !> contact.
    pure subroutine check_conditions(conditions, error)
       !> What tells a test from others
       type(condition_type), intent(in) :: conditions(:)
@@ -72,8 +73,8 @@ contains
       do i = 1, size(conditions)
          associate (c => conditions(i))
             call find_meaning(c%name, holds, rank)
-            if (holds == holds_pressure) call fatal_error(error, 'its tests have '//c%name//'s: '// &
-               'these are shear tests, and no records of a joint (--kind shear)')
+            if (holds == holds_pressure) call fatal_error(error, 'its tests have '//c%name// &
+               's: these are shear tests, and no records of a joint (--kind shear)')
             if (c%name == 'model' .and. c%value == 'hard') call fatal_error(error, &
                'holds a replay with hard contact, but the model here has the rough law: '// &
                'take the other by --where model=rough')
