@@ -222,8 +222,8 @@ contains
          lines%curvature = self%curvature
          call plan_curve(curve, lines, joining)
          if (.not. joining) return
-         if (lines%meeting < 0.0_wp .or. curve%last > 0.0_wp) then
-            call fatal_error(error, 'the pinching line does not meet the envelope', &
+         if (lines%meeting < opposite .or. curve%last > 0.0_wp) then
+            call fatal_error(error, 'the pinching line does not meet the envelope ahead', &
                computation_error)
             return
          end if

@@ -119,8 +119,8 @@ contains
          allocate (force(n))
          call material%replay(h%displacement, force, error)
          if (allocated(error)) return
-         energy = cycle_energy(h, h%displacement, force)
-         peak = cycle_peaks(h, force)
+         allocate (energy, source=cycle_energy(h, h%displacement, force))
+         allocate (peak, source=cycle_peaks(h, force))
          residuals(:n) = (force - h%force)/(force_scale*h%largest_force*sqrt(real(n, wp)))
          residuals(n + 1:n + m) = (energy - h%energy) &
             /(energy_scale*max(abs(h%energy), small_energy*maxval(abs(h%energy))) &

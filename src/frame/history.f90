@@ -3,6 +3,7 @@
 module asperity_frame_history
    use asperity_base_error, only: error_type, fatal_error
    use asperity_base_kinds, only: wp
+   use asperity_base_no_value, only: is_none
    use asperity_base_number_text, only: to_text
    use asperity_hysteresis_analysis, only: hysteresis_result
    use asperity_hysteresis_types, only: hysteresis_skeleton
@@ -55,6 +56,16 @@ contains
             'loops takes a cyclic one, with cycles to both sides', subject='opensees')
          return
       end if
+      do i = 1, 2
+         if (size(result%skeleton(i)%force) > 0) then
+            if (abs(result%skeleton(i)%peak_force) > 0.0_wp &
+               .and. .not. is_none(result%skeleton(i)%peak_force)) cycle
+         end if
+         call fatal_error(error, 'the record has no skeleton on the '// &
+            trim(merge('positive', 'negative', i == 1))//' side: is its zero right', &
+            subject='opensees')
+         return
+      end do
       call find_legs(history, displacement, result, samples)
       n = size(history%cycle)
       history%steps = min(usual_steps, most_points/n)
@@ -94,17 +105,16 @@ contains
       real(wp), intent(in) :: ends(0:)
       !> Steps of each leg
       integer, intent(in) :: steps
-      real(wp), allocatable :: displacement(:)
+      real(wp) :: displacement(1 + steps*(size(ends) - 1))
       integer :: i, j
 
-      allocate (displacement(0:steps*ubound(ends, 1)))
-      displacement(0) = ends(0)
+      displacement(1) = ends(0)
       do i = 1, ubound(ends, 1)
-         do j = 1, steps
-            displacement((i - 1)*steps + j) = ends(i - 1) &
+         do j = 1, steps - 1
+            displacement(1 + (i - 1)*steps + j) = ends(i - 1) &
                + (ends(i) - ends(i - 1))*real(j, wp)/real(steps, wp)
          end do
-         displacement(i*steps) = ends(i)
+         displacement(1 + i*steps) = ends(i)
       end do
    end function path_along
 

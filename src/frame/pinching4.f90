@@ -25,9 +25,8 @@ module asperity_frame_pinching4
       procedure :: parameters, apply, replay, commands
    end type pinching4_material
 
-   !> As far as here an envelope begins with the larger stiffness of both sides, in the units of the
-   !> displacement
-   real(wp), parameter :: first_point = 1.0e-4_wp
+   !> So far, as a share of the way to its first point, an envelope has the larger stiffness of both
+   real(wp), parameter :: beginning = 1.0e-4_wp
 
 contains
 
@@ -42,25 +41,30 @@ contains
       integer, intent(in) :: start
       !> The parameters
       type(fit_parameter), allocatable, intent(out) :: list(:)
-      ! the first point, as a share of the second
-      real(wp), parameter :: first(3) = [0.1_wp, 0.4_wp, 0.7_wp]
+      ! the first point, as a share of the second; where reloading begins
+      real(wp), parameter :: first(4) = [0.1_wp, 0.25_wp, 0.4_wp, 0.7_wp]
+      real(wp), parameter :: reload(2, 3) = reshape([0.3_wp, 0.3_wp, 0.7_wp, 0.3_wp, &
+         0.5_wp, 0.6_wp], [2, 3])
       character(len=9) :: mark
       integer :: side, n
 
-      if (start > size(first)) then
+      if (start > size(first)*size(reload, 2)) then
          allocate (list(0))
          return
       end if
       self%history = history
       allocate (list(9))
-      list(1) = fit_parameter('displacement_1', '', first(start), 0.01_wp, 0.99_wp)
+      list(1) = fit_parameter('displacement_1', '', &
+         first(modulo(start - 1, size(first)) + 1), 0.01_wp, 0.99_wp)
       list(2) = fit_parameter('displacement_2', '', 0.5_wp, 0.02_wp, 0.99_wp)
       list(3) = fit_parameter('displacement_3', '', 0.6_wp, 0.02_wp, 0.99_wp)
       do side = 1, 2
          mark = merge('_positive', '_negative', side == 1)
          n = 3*side
-         list(n + 1) = fit_parameter('reload_displacement'//mark, '', 0.5_wp, 0.02_wp, 0.98_wp)
-         list(n + 2) = fit_parameter('reload_force'//mark, '', 0.4_wp, 0.02_wp, 0.98_wp)
+         associate (r => reload(:, (start - 1)/size(first) + 1))
+            list(n + 1) = fit_parameter('reload_displacement'//mark, '', r(1), 0.02_wp, 0.98_wp)
+            list(n + 2) = fit_parameter('reload_force'//mark, '', r(2), 0.02_wp, 0.98_wp)
+         end associate
          list(n + 3) = fit_parameter('unload_force'//mark, '', 0.5_wp, 0.0_wp, 0.98_wp)
       end do
    end subroutine parameters
@@ -157,7 +161,10 @@ contains
       px(3) = self%reload_displacement(other)*px(4)
       ! never stiffer than at first
       px(3) = max(px(4) + (pf(3) - pf(4))/stiffness(other), px(3))
-      if (px(2) < px(3)) then
+      if (displacement < 0.0_wp) then
+         ! turned on the side that it goes to
+         px(2) = px(4)
+      else if (px(2) < px(3)) then
          px(2) = px(3)
          pf(2) = pf(3)
          if (px(3) <= displacement) return
@@ -191,8 +198,8 @@ contains
       integer :: i
 
       associate (d => self%displacement, p => self%force)
-         x = [0.0_wp, first_point, d(:, side)]
-         f = [0.0_wp, first_point*maxval(p(1, :)/d(1, :)), p(:, side)]
+         x = [0.0_wp, beginning*d(1, side), d(:, side)]
+         f = [0.0_wp, x(1)*maxval(p(1, :)/d(1, :)), p(:, side)]
       end associate
       do i = 1, 4
          if (displacement <= x(i)) exit
