@@ -8,7 +8,7 @@ module asperity_program_commands_hysteresis_command
    use asperity_base_no_value, only: is_none, none
    use asperity_base_number_text, only: to_text
    use asperity_hysteresis_analysis, only: check_hysteresis_settings, hysteresis_result, &
-      hysteresis_settings
+      hysteresis_settings, leave_out
    use asperity_hysteresis_characteristic_values, only: fewest_tests
    use asperity_program_commands_command, only: command_type
    use asperity_program_commands_hysteresis_one_test, only: bytes_of_row, report_test
@@ -19,6 +19,7 @@ module asperity_program_commands_hysteresis_command
    use asperity_program_commands_hysteresis_statistics, only: statistics_table
    use asperity_program_commands_hysteresis_tables, only: record_labels
    use asperity_program_commands_hysteresis_tests, only: join_reports, stacked
+   use asperity_program_commands_opensees_output, only: opensees_output
    use asperity_program_input_key, only: kind_picture
    use asperity_program_input_key_list, only: key_list
    use asperity_program_record_conditions, only: name_records, test_text, test_type
@@ -41,6 +42,8 @@ module asperity_program_commands_hysteresis_command
       character(len=:), allocatable :: threshold_source
       !> Path of the page
       character(len=:), allocatable :: page
+      !> Material for a frame program
+      type(opensees_output) :: opensees
    contains
       procedure :: describe, declare, check, run
    end type hysteresis_command
@@ -78,6 +81,7 @@ contains
       call self%declare_outputs(keys, has_picture=.true.)
       call keys%text('report', self%page, &
          'write a page of result, pictures and input, .html (needs gnuplot)', kind_picture)
+      call self%opensees%declare(keys)
       call self%declare_requests(keys)
    end subroutine declare
 
@@ -113,6 +117,7 @@ contains
       if (.not. is_none(self%threshold)) self%analysis%threshold = self%threshold
       call check_hysteresis_settings(self%analysis, error)
       if (.not. allocated(error)) call self%input%check(error)
+      if (.not. allocated(error)) call self%opensees%check(error)
    end subroutine check
 
    !> Read the records and analyse them. `error` is set when that fails.
@@ -135,6 +140,8 @@ contains
          associate (first => records(1))
             call report_test(self%analysis, first%columns(1)%values, first%columns(2)%values, &
                first%labels, .true., report, result, error)
+            if (.not. allocated(error) .and. self%opensees%is_asked()) &
+               call add_material(self, first, result, report, error)
             if (allocated(error)) then
                error%message = first%labels%title//': '//error%message
                return
@@ -142,13 +149,31 @@ contains
          end associate
          call tell_threshold(self, result)
       else
-         call report_tests(self, records, report, error)
+         call self%opensees%refuse(error)
+         if (.not. allocated(error)) call report_tests(self, records, report, error)
          if (allocated(error)) return
       end if
       report%more = [report%more, named_table('columns', '', columns)]
       call self%declare(report%keys)
       if (self%page /= '') report%page = record_page(report)
    end subroutine run
+
+   !> A material for a frame program that follows the loops.
+   subroutine add_material(self, record, result, report, error)
+      type(hysteresis_command), intent(inout) :: self
+      type(record_type), intent(in) :: record
+      type(hysteresis_result), intent(in) :: result
+      type(report_type), intent(inout) :: report
+      type(error_type), allocatable, intent(out) :: error
+      real(wp), allocatable :: x(:), f(:)
+
+      allocate (x, source=record%columns(1)%values)
+      allocate (f, source=record%columns(2)%values)
+      if (self%analysis%outliers == 'drop') call leave_out(result%outliers, x, f)
+      call self%opensees%add_to(report, x, f, result, record%labels, record%labels%title, error)
+      if (.not. allocated(error) .and. report%is_drawn()) &
+         call self%opensees%draw(report%pictures(1)%panels(1))
+   end subroutine add_material
 
    !> Which columns were taken of each record.
    pure function columns_of(paths, records) result(table)

@@ -8,6 +8,8 @@ module asperity_program_commands_solid_command
    use asperity_deck_tenon_deck, only: tenon_deck
    use asperity_program_commands_command, only: command_type
    use asperity_program_commands_joint_loops, only: legends
+   use asperity_program_commands_opensees_joint, only: add_joint_material
+   use asperity_program_commands_opensees_output, only: opensees_output
    use asperity_program_commands_solid_checkpoint, only: checkpoint_file, is_there
    use asperity_program_commands_solid_keys, only: solid_case
    use asperity_program_commands_solid_observer, only: new_observer, run_observer, seconds_of
@@ -38,6 +40,8 @@ module asperity_program_commands_solid_command
       type(solid_case) :: case
       !> Path of the page, folder of files for ParaView, and stem of the paths of checkpoints
       character(len=:), allocatable :: page, vtk, checkpoint
+      !> Material for a frame program
+      type(opensees_output) :: opensees
       !> Whether to go on from checkpoints
       logical :: resumes = .false.
       !> Checkpoints of the models, to be removed when the results are written
@@ -77,6 +81,7 @@ contains
          kind_place)
       call keys%text('checkpoint', self%checkpoint, 'stem of the files from which a run that '// &
          'was interrupted goes on; solid unless given', kind_place)
+      call self%opensees%declare(keys)
       call keys%request('resume', self%resumes, 'go on from the checkpoints of an earlier run')
       call self%declare_requests(keys)
    end subroutine declare
@@ -89,6 +94,7 @@ contains
       type(error_type), allocatable, intent(out) :: error
 
       call self%case%joint%check(error, compiled=.true.)
+      if (.not. allocated(error)) call self%opensees%check(error)
    end subroutine check
 
    !> Run the models. `error` is set when a setting is refused, the engine is missing, or no
@@ -152,6 +158,8 @@ contains
       end do
       beside_paper = is_paper_joint(self%case%joint)
       call fill_report(report, outcomes, self%case%joint%faces%has_memory, beside_paper, error)
+      if (.not. allocated(error)) &
+         call add_joint_material(self%opensees, report, outcomes, error)
       if (allocated(error)) return
       if (line%text /= '') call report%add_remark(line%text)
       if (self%page /= '') report%page = page_of(self, report, beside_paper)

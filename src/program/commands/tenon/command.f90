@@ -11,6 +11,8 @@ module asperity_program_commands_tenon_command
    use asperity_program_commands_joint_loops, only: hard, legends, rough
    use asperity_program_commands_joint_tables, only: comparison_table, cycles_table, &
       skeleton_table
+   use asperity_program_commands_opensees_joint, only: add_joint_material
+   use asperity_program_commands_opensees_output, only: opensees_output
    use asperity_program_commands_plots, only: picture_title
    use asperity_program_commands_tenon_compare_models, only: check_moment, joint_type, &
       run_joint, steps_to_record
@@ -40,6 +42,8 @@ module asperity_program_commands_tenon_command
       type(tenon_case) :: case
       !> Paths of further outputs
       character(len=:), allocatable :: points, page
+      !> Material for a frame program
+      type(opensees_output) :: opensees
       !> What is kept of a sweep while it runs
       type(partial_type) :: partial
    contains
@@ -76,6 +80,7 @@ contains
          'as CSV; - is standard output', kind_file)
       call keys%text('report', self%page, &
          'write a page of case, table and pictures, .html (needs gnuplot)', kind_picture)
+      call self%opensees%declare(keys)
       call self%declare_sweep(keys)
       call self%declare_requests(keys)
    end subroutine declare
@@ -88,6 +93,7 @@ contains
       type(error_type), allocatable, intent(out) :: error
 
       call self%case%check(error, compiled=.true.)
+      if (.not. allocated(error)) call self%opensees%check(error)
       if (.not. allocated(error) .and. self%sweep /= '') call check_sweep(self, error)
    end subroutine check
 
@@ -126,6 +132,7 @@ contains
       if (self%points /= '') option = '--points'
       if (self%page /= '') option = '--report'
       if (self%plot /= '') option = '--plot'
+      if (self%opensees%is_asked()) option = '--opensees'
       if (option /= '') call fatal_error(error, option//': is for one run, not for --sweep')
    end subroutine check_sweep
 
@@ -139,7 +146,7 @@ contains
 
    !> Run both models.
    subroutine report_joint(self, report, error)
-      class(tenon_command), intent(in) :: self
+      class(tenon_command), intent(inout) :: self
       type(report_type), intent(inout) :: report
       type(error_type), allocatable, intent(out) :: error
       type(joint_type) :: joints(2)
@@ -178,6 +185,8 @@ contains
          named_table('faces', 'Faces', face_table(joint_face_rows(joints))), &
          named_table('cycles', 'Cycles', cycles_table(joints), 14), &
          named_table('skeleton', '', skeleton_table(joints))]
+      call add_joint_material(self%opensees, report, joints, error)
+      if (allocated(error)) return
       report%points = points_table(joints)
       report%remarks = joint_remarks(self%case, joints, is_paper_joint(self%case))
       call remark_surface_heights(report, self%case%faces%heights, self%case%properties%normal)
