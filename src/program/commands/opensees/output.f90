@@ -80,8 +80,8 @@ contains
 
       if (.not. self%is_asked() .or. self%path == '-') return
       if (ends_with(self%path, '.py') .or. ends_with(self%path, '.tcl')) return
-      call fatal_error(error, 'opensees = '//self%path//' is neither .py nor .tcl: end its name '// &
-         'with one of them', subject='opensees')
+      call fatal_error(error, self%path//' is neither .py nor .tcl: end its name with one of them', &
+         subject='opensees')
    end subroutine check
 
    !> Whether it is asked for.

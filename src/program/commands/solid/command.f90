@@ -261,10 +261,12 @@ contains
       logical, intent(in) :: beside_paper
       type(string_type), allocatable :: parts(:)
       type(solid_case) :: usual_case
+      type(opensees_output) :: usual_output
       type(key_list) :: usual
       type(tenon_settings) :: joint
 
       call usual_case%declare(usual)
+      call usual_output%declare(usual)
       joint = self%case%joint%joint
       call complete_tenon_settings(joint)
       parts = solid_page(report, joint, usual, beside_paper)

@@ -185,11 +185,11 @@ contains
          named_table('faces', 'Faces', face_table(joint_face_rows(joints))), &
          named_table('cycles', 'Cycles', cycles_table(joints), 14), &
          named_table('skeleton', '', skeleton_table(joints))]
-      call add_joint_material(self%opensees, report, joints, error)
-      if (allocated(error)) return
       report%points = points_table(joints)
       report%remarks = joint_remarks(self%case, joints, is_paper_joint(self%case))
       call remark_surface_heights(report, self%case%faces%heights, self%case%properties%normal)
+      call add_joint_material(self%opensees, report, joints, error)
+      if (allocated(error)) return
       report%has_contact = any(joints%touches)
       report%shows_table = .false.
       associate (n => size(joints(hard)%steps))

@@ -3,6 +3,7 @@
 module asperity_program_commands_tenon_page
    use asperity_base_text_builder, only: growing_text
    use asperity_program_commands_joint_page, only: add_comparison, paper_note
+   use asperity_program_commands_opensees_output, only: opensees_output
    use asperity_program_commands_tenon_joint_keys, only: declare_replay_case, tenon_case
    use asperity_program_commands_tenon_page_texts, only: assumptions, cautions, origins, &
       paper_cautions
@@ -29,6 +30,7 @@ contains
       type(string_type), allocatable :: parts(:)
       type(growing_text) :: b
       type(tenon_case) :: usual_case
+      type(opensees_output) :: usual_output
       type(key_list) :: usual
       logical :: beside_paper
 
@@ -55,6 +57,7 @@ contains
          'displacement and rotation are positive upwards, pull-out u out of the mortise.'// &
          '</figcaption></figure>')
       call declare_replay_case(usual_case, usual)
+      call usual_output%declare(usual)
       call add_case(b, report, usual, origins)
       call b%line('<h2>Assumptions</h2>')
       call add_list(b, assumptions)
