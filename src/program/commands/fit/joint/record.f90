@@ -4,7 +4,7 @@ module asperity_program_commands_fit_joint_record
    use asperity_base_kinds, only: wp
    use asperity_hysteresis_turning_points, only: find_turning_points
    use asperity_program_record_names, only: find_meaning, holds_pressure
-   use asperity_program_record_tests, only: condition_type
+   use asperity_program_record_conditions, only: condition_type
    implicit none
    private
    public :: check_conditions, joint_record, thin_record
