@@ -17,6 +17,8 @@ module asperity_program_commands_fit_words
    real(wp), parameter :: least_deviation = 3.0_wp
    !> Residuals smaller than this, over the scale, are rounding
    real(wp), parameter :: rounding = 1.0e-8_wp
+   !> Standard error up to which intervals were found to hold the truth as often as they say
+   real(wp), parameter :: largest_sure = 0.2_wp
    !> Correlation from which a pair of parameters is named
    real(wp), parameter :: high_correlation = 0.98_wp
 
@@ -137,6 +139,9 @@ contains
          '(Durbin-Watson '//to_text(number, 2)//', 2 for noise): the model misses the shape of '// &
          'the record, or the record drifts. The intervals count noise alone and are too narrow.')
       do i = 1, size(parameters)
+         if (result%standard_errors(i) > largest_sure) call add_line(lines, &
+            trim(parameters(i)%name)//' is known so little that its interval may hold the truth '// &
+            'less often than 95 times in 100 (docs/fit.md).')
          do j = 1, i - 1
             if (abs(result%correlations(i, j)) < high_correlation) cycle
             call add_line(lines, trim(parameters(j)%name)//' and '// &
