@@ -91,7 +91,7 @@ contains
       end do
    end function cycle_energy
 
-   !> Force at the outermost ends of the legs of each cycle, on both sides; none where it has no peak.
+   !> Force at the outermost ends of the legs of each cycle, on both sides; none without a peak.
    pure function cycle_peaks(history, force) result(peak)
       !> The history
       type(frame_history), intent(in) :: history

@@ -17,7 +17,7 @@ module asperity_frame_dowel_curve
       real(wp) :: unloading = 0.0_wp, pinching = 0.0_wp, reloading = 0.0_wp
       !> Force of the pinching line at zero displacement, taken negative
       real(wp) :: intercept = 0.0_wp
-      !> Largest displacement of the other side so far, zero for none, and the envelope's force there
+      !> Largest displacement of the other side so far, and the envelope's force there
       real(wp) :: target_displacement = 0.0_wp, target_force = 0.0_wp
       !> Where the pinching line meets the other side's envelope
       real(wp) :: meeting = 0.0_wp

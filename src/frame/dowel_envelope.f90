@@ -93,7 +93,7 @@ contains
       end associate
    end function bezier_value
 
-   !> Where a cubic Bezier curve that rises, or falls, has a value: Newton's way, held between bounds.
+   !> Where a cubic Bezier curve that rises, or falls, has a value: Newton's way between bounds.
    pure real(wp) function bezier_parameter(p, value) result(t)
       !> Controls
       real(wp), intent(in) :: p(4)

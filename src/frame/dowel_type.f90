@@ -53,7 +53,9 @@ contains
       real(wp), parameter :: forces(2) = [0.03_wp, 0.03_wp], yields(2) = [0.03_wp, 0.1_wp]
       real(wp), parameter :: shares(4, 2) = reshape( &
          [0.35_wp, 0.6_wp, 0.9_wp, 0.6_wp, 0.2_wp, 0.95_wp, 0.97_wp, 0.85_wp], [4, 2])
-      integer :: side, n
+      character(len=14), parameter :: points(4) = [character(len=14) :: 'displacement_2', &
+         'displacement_1', 'force_2', 'force_1']
+      integer :: side, i, n
 
       if (start > size(forces)) then
          allocate (list(0))
@@ -76,10 +78,10 @@ contains
       end associate
       do side = 1, 2
          n = n_loops + n_envelope*(side - 1)
-         list(n + 1) = fit_parameter('displacement_2'//mark(side), '', shares(1, start), 0.01_wp, 0.999_wp)
-         list(n + 2) = fit_parameter('displacement_1'//mark(side), '', shares(2, start), 0.01_wp, 0.9999_wp)
-         list(n + 3) = fit_parameter('force_2'//mark(side), '', shares(3, start), 0.01_wp, 0.9999_wp)
-         list(n + 4) = fit_parameter('force_1'//mark(side), '', shares(4, start), 0.01_wp, 0.9999_wp)
+         do i = 1, 4
+            list(n + i) = fit_parameter(trim(points(i))//mark(side), '', shares(i, start), &
+               0.01_wp, 0.9999_wp)
+         end do
          associate (f => history%strongest_force(side), e => self%envelope(side))
             list(n + 5) = ratio('force_3'//mark(side), f, 0.3_wp*f, 2.0_wp*f)
             if (history%outermost_force(side) < fallen*f) then

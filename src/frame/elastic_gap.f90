@@ -1,5 +1,5 @@
-!> OpenSees' ElasticMultiLinear with a gap: no force within it, then straight lines. It goes back the
-!> way it came and takes no energy.
+!> OpenSees' ElasticMultiLinear with a gap: no force within it, then straight lines. It goes back
+!> the way it came and takes no energy.
 module asperity_frame_elastic_gap
    use asperity_base_error, only: error_type
    use asperity_base_kinds, only: wp
@@ -101,7 +101,6 @@ contains
                *(x - d(k - 1, side))/(d(k, side) - d(k - 1, side)), displacement(i))
          end associate
       end do
-      if (.false.) allocate (error)
    end subroutine replay
 
    !> What OpenSees is told.

@@ -52,8 +52,8 @@ contains
       integer :: i, n
 
       if (result%record_kind /= 'cyclic') then
-         call fatal_error(error, 'the record is '//trim(result%record_kind)//': a material with '// &
-            'loops takes a cyclic one, with cycles to both sides', subject='opensees')
+         call fatal_error(error, 'the record is '//trim(result%record_kind)//': a material '// &
+            'with loops takes a cyclic one, with cycles to both sides', subject='opensees')
          return
       end if
       do i = 1, 2
@@ -118,7 +118,7 @@ contains
       end do
    end function path_along
 
-   !> Force of a skeleton at a displacement, both taken above zero: straight lines from the origin on.
+   !> Force of a skeleton at a displacement, both taken above zero: straight lines from the origin.
    pure real(wp) function skeleton_force(history, side, displacement) result(force)
       !> The history
       type(frame_history), intent(in) :: history

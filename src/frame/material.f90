@@ -11,8 +11,8 @@ module asperity_frame_material
    !> Most parts of a command, and numbers of a part
    integer, parameter :: most_parts = 2, most_numbers = 40
 
-   !> One `uniaxialMaterial` of OpenSees: behind its tag stand parts, each a word, empty for none, and
-   !> numbers.
+   !> One `uniaxialMaterial` of OpenSees: behind its tag stand parts, each a word, empty for none,
+   !> and numbers.
    type :: frame_command
       !> Type of material
       character(len=24) :: name = ''

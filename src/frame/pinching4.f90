@@ -135,7 +135,6 @@ contains
          last = x
          before = force(i)
       end do
-      if (.false.) allocate (error)
    end subroutine replay
 
    !> The four points from a turn on, to the largest displacement of the other side so far.

@@ -109,7 +109,8 @@ def check_record(asperity, folder, name, arguments, material):
     for cycle, fine, error in zip(table['cycle'], table['material_energy'], table['energy_error']):
         if error is not None and chosen['material'][row] != 'elastic_gap':
             check(abs(energy[cycle] - fine) <= 0.0101*abs(fine),
-                  f'{name}: the least steps give {energy[cycle]:.6g} in cycle {cycle}, not {fine:.6g}')
+                  f'{name}: the least steps give {energy[cycle]:.6g} in cycle {cycle},'
+                  f' not {fine:.6g}')
     with contextlib.suppress(ImportError):
         import tkinter  # noqa: F401
         run = subprocess.run([asperity, *arguments, '--opensees-material', material, '--opensees',

@@ -64,7 +64,8 @@ def main():
     rows = ['case,displacement,force']
     for case, (materials, ends, step) in CASES.items():
         displacement = path(ends, step)
-        rows += [f'{case},{x!r},{f!r}' for x, f in zip(displacement, forces(materials, displacement))]
+        force = forces(materials, displacement)
+        rows += [f'{case},{x!r},{f!r}' for x, f in zip(displacement, force)]
     if sys.argv[1:2] != ['--check']:
         print('\n'.join(rows))
         return 0
@@ -73,7 +74,8 @@ def main():
     failed = int(len(kept) != len(rows))
     for old, new in zip(kept[1:], rows[1:]):
         old, new = old.split(','), new.split(',')
-        if old[:2] != new[:2] or abs(float(old[2]) - float(new[2])) > 1e-12*max(1, abs(float(old[2]))):
+        off = abs(float(old[2]) - float(new[2]))
+        if old[:2] != new[:2] or off > 1e-12*max(1.0, abs(float(old[2]))):
             failed += 1
             print('FAIL', old, new)
     print(f'{len(rows) - failed} passed, {failed} failed')

@@ -67,8 +67,9 @@ contains
 
       call keys%text('opensees', self%path, 'write a material of OpenSees that follows the '// &
          'loops, .py (openseespy) or .tcl; - is standard output, in Python', kind_file)
-      call keys%choice('opensees_material', self%material, 'best dowel_type pinching4 elastic_gap', &
-         'material of OpenSees; best is the better one of the two that take energy')
+      call keys%choice('opensees_material', self%material, &
+         'best dowel_type pinching4 elastic_gap', 'material of OpenSees; best is '// &
+         'the better one of the two that take energy')
    end subroutine declare
 
    !> Set `error` unless the file is one in Python or Tcl.
@@ -80,8 +81,8 @@ contains
 
       if (.not. self%is_asked() .or. self%path == '-') return
       if (ends_with(self%path, '.py') .or. ends_with(self%path, '.tcl')) return
-      call fatal_error(error, self%path//' is neither .py nor .tcl: end its name with one of them', &
-         subject='opensees')
+      call fatal_error(error, self%path//' is neither .py nor .tcl: end its name with one of '// &
+         'them', subject='opensees')
    end subroutine check
 
    !> Whether it is asked for.
@@ -255,8 +256,8 @@ contains
       do side = 1, 2
          call table%add_numbers(sides(side)//'record', labels%f_unit, history%peak_force(side, :))
          call table%add_numbers(sides(side)//'material', labels%f_unit, comparison%peak(side, :))
-         call table%add_numbers(sides(side)//'error', '%', percent(comparison%peak_error(side, :)), &
-            1)
+         call table%add_numbers(sides(side)//'error', '%', &
+            percent(comparison%peak_error(side, :)), 1)
       end do
    end function cycles_table
 
