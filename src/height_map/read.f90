@@ -1,10 +1,9 @@
-!> Reads height maps. The format is recognised by what a file contains, not by its name.
+!> Reads height maps and profiles. The format is told by what a file contains, not by its name.
 module asperity_height_map_read
    use, intrinsic :: iso_c_binding, only: c_loc
    use, intrinsic :: iso_fortran_env, only: int64
    use asperity_base_error, only: error_type
    use asperity_base_kinds, only: wp
-   use asperity_base_number_text, only: to_text
    use asperity_height_map_bytes_byte_source, only: byte_source, close_source, open_source, &
       progress_report, read_at, use_bytes
    use asperity_height_map_bytes_lines, only: start_lines
@@ -20,10 +19,10 @@ module asperity_height_map_read
    use asperity_height_map_sur_read, only: read_sur
    use asperity_height_map_text_header, only: text_header
    use asperity_height_map_text_matrix, only: read_matrix
-   use asperity_height_map_text_settle, only: settle_heights
+   use asperity_height_map_text_settle, only: drop_count, settle_heights
    use asperity_height_map_text_start, only: read_text_start
    use asperity_height_map_text_xyz, only: read_xyz
-   use asperity_height_map_type, only: add_note, check_height_map, height_map
+   use asperity_height_map_type, only: add_note, check_heights, height_map
    use asperity_height_map_units, only: map_hints
    use asperity_height_map_x3p_read, only: read_x3p
    implicit none
@@ -33,7 +32,7 @@ module asperity_height_map_read
    integer, parameter :: looked_at = 512
    character(len=*), parameter :: known = &
       'heights are read from SDF, X3P, SUR, PLU, PLUX, GWY and GSF files, and from '// &
-      'text with three columns x, y, z or with a matrix'
+      'text with three columns x, y, z or with a matrix, profiles from two, x and z, or one'
 
 contains
 
@@ -128,7 +127,7 @@ contains
          if (hints%has_missing_value) call add_note(map, '--missing-value is for text, and not '// &
             'used: this format marks missing points itself.')
       end if
-      if (.not. allocated(error)) call check_height_map(map, error)
+      if (.not. allocated(error)) call check_heights(map, error)
       if (allocated(error) .and. allocated(map%heights)) deallocate (map%heights)
    end subroutine read_source
 
@@ -208,9 +207,10 @@ contains
          has_points = all(header%names%places > 0)
       else
          call read_text_start(source, header, error)
-         if (.not. allocated(error)) call check_columns(source, header, has_points, error)
          if (allocated(error)) return
+         call check_columns(source, header, has_points)
          map%format = trim(merge('text of x, y, z ', 'text of a matrix', has_points))
+         if (has_points .and. header%names%places(2) == 0) map%format = 'text of a profile'
       end if
       call settle_heights(source, header, hints, map, factor, error)
       if (allocated(error)) return
@@ -218,6 +218,7 @@ contains
          if (header%has_colours) call add_note(map, 'of six columns the last three are '// &
             'taken for red, green and blue, and not used.')
          call read_xyz(source, header, factor, hints, map, error)
+         if (header%names%places(1) == 0 .and. .not. allocated(error)) call drop_count(map, factor)
       else
          call read_matrix(source, header, factor, hints, map, error)
       end if
@@ -227,12 +228,11 @@ contains
    end subroutine read_text
 
    !> Whether the columns are coordinates and a height: three of them, colours behind, or names say
-   !> so. Profiles are refused.
-   subroutine check_columns(source, header, has_points, error)
+   !> so; of a profile x and z, or z alone.
+   subroutine check_columns(source, header, has_points)
       type(byte_source), intent(in) :: source
       type(text_header), intent(inout) :: header
       logical, intent(out) :: has_points
-      type(error_type), allocatable, intent(out) :: error
       logical :: fits
 
       associate (names => header%names)
@@ -245,20 +245,20 @@ contains
                where (names%places > 0) names%places = names%places + 1
             end if
          end if
-         has_points = all(header%sizes == 0_int64) .and. fits .and. all(names%places > 0)
+         has_points = .false.
+         if (any(header%sizes > 0_int64)) return
+         has_points = fits .and. names%places(3) > 0 .and. names%places(1) > 0
          if (has_points) header%has_colours = .false.
          if (has_points) return
-         if (header%fields == 2_int64 .or. (header%fields == 3_int64 .and. fits .and. &
-            names%places(3) > 0 .and. count(names%places(:2) > 0) == 1)) then
-            call map_error(error, source, 'has '//to_text(header%fields)//' columns, '// &
-               'but not x, y and z: this is a profile, and profiles are not read; surface '// &
-               'takes maps, such as parallel profiles, a line each, with the steps both ways '// &
-               'in --step')
-            return
-         end if
-         has_points = (header%fields == 3_int64 .or. header%has_colours) .and. &
-            all(header%sizes == 0_int64)
-         if (has_points) names%places = [1, 2, 3]
+         has_points = header%fields <= 3_int64 .or. header%has_colours
+         select case (header%fields)
+         case (1)
+            names%places = [0, 0, 1]
+         case (2)
+            names%places = merge([2, 0, 1], [1, 0, 2], names%places(3) == 1)
+         case default
+            if (has_points) names%places = [1, 2, 3]
+         end select
       end associate
    end subroutine check_columns
 

@@ -1,4 +1,5 @@
-!> A height map: heights of one face on a regular grid, some of which may be missing.
+!> A height map: heights of one face on a regular grid, some of which may be missing. One line is a
+!> profile.
 module asperity_height_map_type
    use, intrinsic :: iso_fortran_env, only: int64
    use asperity_base_error, only: error_type, fatal_error
@@ -9,9 +10,10 @@ module asperity_height_map_type
    use asperity_base_number_text, only: to_text
    implicit none
    private
-   public :: add_note, allocate_heights, check_height_map, height_map, missing_points, thinned
+   public :: add_note, allocate_heights, check_height_map, check_heights, height_map, &
+      missing_points, thinned
 
-   !> Fewest points along either side of a map
+   !> Fewest points along either side of a map, and along a profile
    integer, parameter, public :: fewest_points = 5
 
    !> Points of a map from which there may be too little memory for what is small beside it
@@ -37,7 +39,8 @@ module asperity_height_map_type
 
 contains
 
-   !> Allocate the heights of a map of nx x ny points, whose product is a default integer.
+   !> Allocate the heights of a map of nx x ny points, or of a profile of nx x 1, whose product is a
+   !> default integer.
    pure subroutine allocate_heights(name, nx, ny, map, error)
       !> Name of the file
       character(len=*), intent(in) :: name
@@ -45,12 +48,14 @@ contains
       integer(int64), intent(in) :: nx, ny
       !> The map
       type(height_map), intent(inout) :: map
-      !> Set when it is too narrow, or there is not enough memory
+      !> Set when its lines are too short, or there is not enough memory
       type(error_type), allocatable, intent(out) :: error
       integer :: status
 
-      call check_size(name, nx, ny, error)
-      if (allocated(error)) return
+      if (nx < fewest_points) then
+         call refuse_size(name, nx, ny, error)
+         return
+      end if
       allocate (map%heights(nx, ny), stat=status)
       call check_memory(status, name, 8_int64*nx*ny, error)
       ! a line of bytes is read at a time; small maps are not worth the look
@@ -68,17 +73,33 @@ contains
       map%notes = map%notes//map%source//': '//text//note_end
    end subroutine add_note
 
-   !> Set `error` unless a map can be analysed: points enough, positive steps, finite heights, one
-   !> that was measured.
+   !> Set `error` unless a map can be analysed as one: sound heights, and lines enough.
    pure subroutine check_height_map(map, error)
+      !> The map
+      type(height_map), intent(in) :: map
+      !> Set otherwise
+      type(error_type), allocatable, intent(out) :: error
+
+      call check_heights(map, error)
+      if (allocated(error) .or. size(map%heights, 2) >= fewest_points) return
+      call refuse_size(map%source, size(map%heights, 1, int64), size(map%heights, 2, int64), error)
+   end subroutine check_height_map
+
+   !> Set `error` unless heights are sound, of a map or of profiles: points enough along a line,
+   !> positive steps, finite heights, one that was measured.
+   pure subroutine check_heights(map, error)
       !> The map
       type(height_map), intent(in) :: map
       !> Set otherwise
       type(error_type), allocatable, intent(out) :: error
       integer :: i, j
 
-      call check_size(map%source, size(map%heights, 1, int64), size(map%heights, 2, int64), error)
-      if (.not. allocated(error)) call check_step(map, 'x', map%step_x, error)
+      if (size(map%heights, 1) < fewest_points .or. size(map%heights, 2) < 1) then
+         call refuse_size(map%source, size(map%heights, 1, int64), size(map%heights, 2, int64), &
+            error)
+         return
+      end if
+      call check_step(map, 'x', map%step_x, error)
       if (.not. allocated(error)) call check_step(map, 'y', map%step_y, error)
       if (allocated(error)) return
       do j = 1, size(map%heights, 2)
@@ -91,18 +112,24 @@ contains
       end do
       if (missing_points(map) == size(map%heights)) call fatal_error(error, map%source// &
          ': every point is missing')
-   end subroutine check_height_map
+   end subroutine check_heights
 
-   !> Set `error` when there are too few points along a side.
-   pure subroutine check_size(name, nx, ny, error)
+   !> Say that there are too few points along a side.
+   pure subroutine refuse_size(name, nx, ny, error)
       character(len=*), intent(in) :: name
       integer(int64), intent(in) :: nx, ny
       type(error_type), allocatable, intent(out) :: error
 
-      if (min(nx, ny) < fewest_points) call fatal_error(error, name//': '//to_text(nx)//' x '// &
-         to_text(ny)//' points are no map: at least '//to_text(fewest_points)// &
-         ' are needed either way')
-   end subroutine check_size
+      if (ny == 1_int64 .and. nx >= fewest_points) then
+         call fatal_error(error, name//': is a profile of '//to_text(nx)//' points, and no map')
+      else if (ny == 1_int64) then
+         call fatal_error(error, name//': '//to_text(nx)//' points in a line are no profile: '// &
+            'at least '//to_text(fewest_points)//' are needed')
+      else
+         call fatal_error(error, name//': '//to_text(nx)//' x '//to_text(ny)//' points are no '// &
+            'map: at least '//to_text(fewest_points)//' are needed either way')
+      end if
+   end subroutine refuse_size
 
    !> Set `error` unless a step is positive and finite.
    pure subroutine check_step(map, axis, step, error)

@@ -6,8 +6,8 @@ module asperity_surface_analysis
    use asperity_base_memory, only: check_room
    use asperity_base_no_value, only: none
    use asperity_base_number_text, only: to_text
-   use asperity_height_map_type, only: check_height_map, fewest_points, height_map, &
-      missing_points, thinned
+   use asperity_height_map_type, only: check_height_map, check_heights, fewest_points, &
+      height_map, missing_points, thinned
    use asperity_surface_parameters_from_sums, only: parameters_of
    use asperity_surface_parameters_parameters, only: n_parameters
    use asperity_surface_parameters_sum_tiles, only: sum_map, sum_summits
@@ -74,8 +74,8 @@ module asperity_surface_analysis
 
 contains
 
-   !> Level a map, treat its missing points and filter it, in the order of ISO 25178-3: S filter,
-   !> form, L filter. Its heights are above its mean plane after that. `error` is set when a
+   !> Level a map or a profile, treat missing points and filter it, in the order of ISO 25178-3: S
+   !> filter, form, L filter. Its heights are above its mean plane after that. `error` is set when a
    !> setting or the map is refused.
    subroutine prepare_surface(map, settings, error, tell)
       !> The map, changed in place
@@ -88,7 +88,7 @@ contains
       procedure(stage_listener), optional :: tell
       real(wp) :: largest
 
-      call check_height_map(map, error)
+      call check_heights(map, error)
       if (.not. allocated(error)) call check_missing(map, settings%most_missing, error)
       if (allocated(error)) return
       largest = largest_height(map)
@@ -179,7 +179,8 @@ contains
       type(height_map) :: thinned_map
       integer :: k
 
-      call check_tiles(map, settings%tiles, error)
+      call check_height_map(map, error)
+      if (.not. allocated(error)) call check_tiles(map, settings%tiles, error)
       if (allocated(error)) return
       if (present(tell)) call tell('finding summits')
       call find_summits(map, settings%pruning, analysis%summits, error)

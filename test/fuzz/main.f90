@@ -7,7 +7,7 @@ program fuzz_main
    use asperity_base_error, only: error_type
    use asperity_base_kinds, only: wp
    use asperity_height_map_read, only: map_hints, read_height_map_bytes
-   use asperity_height_map_type, only: check_height_map, height_map
+   use asperity_height_map_type, only: check_heights, height_map
    use binary_cases, only: plux_members
    use fuzz_mutate, only: dice, mutate
    use fuzz_seeds, only: add_file, add_written, seed_type
@@ -188,7 +188,7 @@ contains
          if (.not. allocated(map%heights)) then
             is_fault = .true.
          else
-            call check_height_map(map, unsound)
+            call check_heights(map, unsound)
             is_fault = is_fault .or. allocated(unsound) .or. &
                size(map%heights, kind=int64) > most_points*len(file)
          end if

@@ -100,12 +100,15 @@ contains
       call refused(bytes//bytes(100:140), 'file: byte 417: ', 'follow the points', no_hints)
       call refused(bytes//'comment', 'file: ', 'contradicts', map_hints(height_unit='um'))
       call refused(bytes, 'file: ', '--step 0.1 mm contradicts', map_hints(step_x=0.1_wp))
-      ! fewer rows than are there, and than a map needs
+      ! fewer rows than are there
       do i = 1, 2
          call refused(bytes(:44)//rows(i)//bytes(47:), 'file: byte ', 'follow the points', no_hints)
-         call refused(bytes(:44)//rows(i)//bytes(47:81 + 56*(3*i - 2)), 'file: ', &
-            'points are no map: at least 5', no_hints)
       end do
+      ! shorter lines than a map and a profile need
+      call refused(bytes(:42)//achar(4)//bytes(44:81 + 8*24), 'file: ', &
+         '4 x 6 points are no map: at least 5', no_hints)
+      call refused(bytes(:42)//achar(4)//bytes(44:44)//achar(1)//bytes(46:81 + 8*4), 'file: ', &
+         '4 points in a line are no profile: at least 5', no_hints)
       call refused(bytes(:97)//infinity//bytes(106:), 'file: byte 97: ', &
          'must be a finite number', no_hints)
       call refused(bytes(:97)//transfer(1.0e12_wp, '12345678')//bytes(106:), 'file: byte 97: ', &
@@ -225,8 +228,8 @@ contains
       call check(108, transfer([1000000, 1000000, -727379968], repeat('1234', 3)), &
          'file: byte 108: ', '1000000 x 1000000')
       call check(108, transfer([-7, -6, 42], repeat('1234', 3)), 'file: byte 108: ', '-7 x -6')
-      call check(108, transfer([42, 1, 42], repeat('1234', 3)), 'file: ', &
-         '42 x 1 points are no map')
+      call check(108, transfer([1, 42, 42], repeat('1234', 3)), 'file: ', &
+         '1 x 42 points are no map')
       call check(120, repeat(achar(0), 4), 'file: byte 120: ', 'spacing 0.0 in x')
       call check(124, transfer(-1.0_real32, '1234'), 'file: byte 124: ', 'spacing -1.0 in y')
       call check(128, transfer(-1, '1234'), 'file: byte 128: ', 'in z')
@@ -275,9 +278,8 @@ contains
       call check('1 2 1e20 4 5'//nl//row//'1e20 2 3 4 5'//nl//row//row, 'file:1:5: ', 'beyond 1 km')
       call check('1 2 1e20 4 5'//nl//row//'1 2 1e20 4 5'//nl//row//row, 'file:3:5: ', 'beyond 1 km')
       call check(repeat('nan nan nan nan nan'//nl, 5), 'file: ', 'every point is missing')
-      call check(row, 'file: ', '5 x 1 points are no map: at least 5')
       call check(repeat('1 2 3 4'//nl, 50), 'file: ', '4 x 50 points are no map')
-      call check('7', 'file: ', 'has one column of numbers')
+      call check('7', 'file: ', '1 points in a line are no profile')
 
    contains
 
@@ -359,7 +361,7 @@ contains
       call refused(text//'4 4 1e20'//nl, 'file:25:5: ', 'beyond 1 km')
       call refused(text//'2 2 0.75'//nl, 'file: ', &
          'two points at x = 2.0, y = 2.0 with different heights, 0.5 and 0.75 mm')
-      call refused(text(:30), 'file: ', 'in y: all are the same')
+      call refused(text(:30), 'file: ', '4 points in a line are no profile')
    end subroutine test_points
 
    subroutine test_no_grid()
@@ -371,7 +373,7 @@ contains
       call refused(text//'4.3 4 1'//nl, 'file: ', 'on no regular grid in x')
       call refused(text//'4 4.3 1'//nl, 'file: ', 'on no regular grid in y')
       call refused('1 1 5'//nl//'1 2 5'//nl//'1 3 5'//nl, 'file: ', 'in x: all are the same')
-      call refused('1 1 5'//nl//'2 1 5'//nl//'3 1 5'//nl, 'file: ', 'in y: all are the same')
+      call refused('1 1 5'//nl//'2 1 5'//nl//'3 1 5'//nl, 'file: ', 'are no profile')
       ! along a diagonal
       text = ''
       do i = 1, 40

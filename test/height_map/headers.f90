@@ -23,7 +23,6 @@ contains
       call suite%addTest(TestMethod('lines not understood', test_unknown))
       call suite%addTest(TestMethod('comments behind the numbers', test_comments))
       call suite%addTest(TestMethod('quotes', test_quotes))
-      call suite%addTest(TestMethod('profiles', test_profiles))
       call suite%addTest(TestMethod('colours behind points', test_colours))
    end function suite_map_headers
 
@@ -69,9 +68,7 @@ contains
       call check('y [um],x [um],z [nm]', '', ',', no_hints)
       call refused('y [um],x [mm],z [nm]'//nl//'0,0,1'//nl, 'file:1:1: ', 'x is in mm, y in um', &
          no_hints)
-      ! an axis without points, a name without column
-      call refused('x;z;valid'//nl//'0;1;1'//nl//'1;2;1'//nl, 'file: ', 'profiles are not read', &
-         no_hints)
+      ! a name without column
       call refused('x [um],y [um],z [nm]'//nl//'1,2,x'//nl, 'file:2:5: ', 'is no number', no_hints)
 
    contains
@@ -254,7 +251,7 @@ contains
       call assert_map(map, 5, [(1.0_wp, 2.0_wp, 3.0_wp, &
          9.0_wp, 5.0_wp, i=1, 5)], 1.0e-15_wp)
       call refused('1 2 3 4 5'//nl//'1 2 3 4 "'//nl, 'file:2:9: ', 'is no number', with_steps)
-      call refused('x "'//nl//'"'//nl//'1,2,"'//nl, 'file:3:5: ', 'is no number', with_steps)
+      call refused('a "'//nl//'"'//nl//'1,2,"'//nl, 'file:3:5: ', 'is no number', with_steps)
    end subroutine test_quotes
 
    subroutine test_comments()
@@ -304,14 +301,5 @@ contains
       call read_text(repeat('NaN 2 3 4 5 6'//nl, 5), with_steps, map)
       call assertEqual([6, 5], shape(map%heights), 'a matrix with a hole')
    end subroutine test_colours
-
-   subroutine test_profiles()
-      call refused(repeat('1.5 2.5'//nl, 9), 'file: ', 'profiles are not read', no_hints)
-      call refused('x [um],z [um]'//nl//repeat('1.5,2.5'//nl, 9), 'file: ', &
-         'profiles are not read', no_hints)
-      call refused(repeat('1.5'//nl, 9), 'file: ', 'which is a profile, or a map', no_hints)
-      call refused('24 18'//nl//repeat('1 2 3 4 5'//nl, 9), 'file:2:1: ', &
-         'of no format that is known', no_hints)
-   end subroutine test_profiles
 
 end module test_height_map_headers

@@ -60,7 +60,7 @@ contains
       call check('bytes_behind.sur', no_hints, 0.002_wp, 0, 5.1e-7_wp)
       call check('two_objects.sur', no_hints, 0.002_wp, 0, 5.1e-7_wp)
       call refuse('percent.sur', um, 'byte 212: the unit of z is %')
-      call refuse('profile.txt', no_hints, 'profiles are not read')
+      call refuse('profile.txt', no_hints, 'in which unit its heights are')
       ! the lengths are right, and so is what the user says
       call read('width_and_step.txt', map_hints(step_x=0.02_wp, step_y=0.02_wp), truth)
       call assertEqual([32, 16], shape(truth%heights))

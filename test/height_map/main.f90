@@ -12,6 +12,7 @@ program test_height_map
    use test_height_map_layouts, only: suite_map_layouts
    use test_height_map_limits, only: suite_limits
    use test_height_map_numbers, only: suite_map_numbers
+   use test_height_map_profiles, only: suite_map_profiles
    use test_height_map_x3p, only: suite_map_x3p
    implicit none
    type(TestSuite) :: suite
@@ -23,6 +24,7 @@ program test_height_map
    call suite%addTest(suite_map_headers())
    call suite%addTest(suite_map_grids())
    call suite%addTest(suite_map_exports())
+   call suite%addTest(suite_map_profiles())
    call suite%addTest(suite_map_faults())
    call suite%addTest(suite_map_x3p())
    call suite%addTest(suite_map_binary())

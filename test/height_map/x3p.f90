@@ -200,7 +200,8 @@ contains
    end subroutine test_promises
 
    subroutine test_descriptions()
-      call check('SUR<', 'PRF<', 'file: main.xml: FeatureType is ''PRF''', 'no profiles')
+      call check('SUR<', 'PRF<', 'file: main.xml: FeatureType is ''PRF''', 'profiles of one line')
+      call check('SUR<', 'PCL<', 'file: main.xml: FeatureType is ''PCL''', 'no clouds of points')
       call check('<AxisType>I', '<AxisType>A', 'file: main.xml: the axes CX and CY', 'incremental')
       call check('<AxisType>A', '<AxisType>B', 'file: main.xml: AxisType of CZ', 'A or I')
       call check('<DataType>L', '<DataType>X', 'file: main.xml: DataType of CZ', 'I, L, F or D')
@@ -210,8 +211,8 @@ contains
       call check('<SizeX>6', '<SizeX>1000000', 'file: byte 0: ', '1000000 x 5 points')
       call check('<SizeX>6</SizeX><SizeY>5', '<SizeX>1000000</SizeX><SizeY>1000000', &
          'file: byte 0: ', '1000000 x 1000000 points: at most')
-      call check('<SizeX>6</SizeX><SizeY>5', '<SizeX>30</SizeX><SizeY>1', 'file: ', &
-         '30 x 1 points are no map')
+      call check('<SizeX>6</SizeX><SizeY>5', '<SizeX>1</SizeX><SizeY>30', 'file: ', &
+         '1 x 30 points are no map')
       call check('1e-6<', '0<', 'file: main.xml: Increment of CX', 'above 0 and finite')
       call check('2e-6<', '-2e-6<', 'file: main.xml: Increment of CY', 'above 0 and finite')
       call check('2e-6<', '2,5e-6<', 'file: main.xml:', 'decimal point')

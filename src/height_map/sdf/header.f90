@@ -134,7 +134,10 @@ contains
       if (allocated(error)) return
       call set_step(source, 'Xscale', header%x_scale, 'x', hints%step_x, map%step_x, error)
       if (allocated(error)) return
-      call set_step(source, 'Yscale', header%y_scale, 'y', hints%step_y, map%step_y, error)
+      ! a profile has no other line
+      map%step_y = map%step_x
+      if (header%ny > 1_int64) call set_step(source, 'Yscale', header%y_scale, 'y', hints%step_y, &
+         map%step_y, error)
       if (allocated(error)) return
       if (is_allowed_scale(header%z_scale)) factor = header%z_scale*metre
       if (.not. is_allowed_scale(factor)) call map_error(error, source, 'Zscale '// &

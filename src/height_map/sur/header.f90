@@ -137,7 +137,10 @@ contains
       if (allocated(error)) return
       call settle_step(source%name, 'x', header%spacing(1)*unit(1), hints%step_x, map%step_x, error)
       if (allocated(error)) return
-      call settle_step(source%name, 'y', header%spacing(2)*unit(2), hints%step_y, map%step_y, error)
+      ! a profile has no other line
+      map%step_y = map%step_x
+      if (header%ny > 1_int64) call settle_step(source%name, 'y', header%spacing(2)*unit(2), &
+         hints%step_y, map%step_y, error)
       if (allocated(error)) return
       factor = header%spacing(3)*unit(3)
       ! the zero of heights matters little: where the field holds rubbish it is left out
@@ -159,6 +162,7 @@ contains
 
       unit = 0.0_wp
       do i = 1, 3
+         if (i == 2 .and. header%ny == 1_int64) cycle
          hint = hints%lateral_unit
          if (i == 3) hint = hints%height_unit
          if (header%units(i) == '' .and. header%units_said(i) /= '') then

@@ -66,7 +66,20 @@ contains
          names%places = [1, 2, 3]
          names%units = by_place
       end if
+      if (names%fields == 2) call read_profile(by_place, names)
    end subroutine read_column_names
+
+   !> Two columns are a position and a height, whatever their names, in this order if none says it.
+   pure subroutine read_profile(by_place, names)
+      !> Units of the columns
+      character(len=*), intent(in) :: by_place(3)
+      type(column_names), intent(inout) :: names
+
+      if (all(names%places == 0) .and. any(by_place(:2) == '')) return
+      names%places = merge([2, 0, 1], [1, 0, 2], names%places(3) == 1)
+      names%units = ''
+      names%units([1, 3]) = by_place(names%places([1, 3]))
+   end subroutine read_profile
 
    !> The name at `first`, and its unit: in brackets, or after a slash, an underscore or a blank.
    pure subroutine next_name(line, separator, first, last, name, unit)

@@ -13,7 +13,7 @@ module asperity_height_map_text_matrix_steps
    use asperity_height_map_units, only: map_hints, settle_step, settle_unit, unit_of_length
    implicit none
    private
-   public :: check_size, check_units, settle_steps
+   public :: check_size, check_units, column_step, settle_steps
 
    character(len=*), parameter :: columns_rows(2) = [character(len=7) :: 'columns', 'rows']
    character(len=*), parameter :: axes(2) = ['x', 'y']
@@ -218,5 +218,25 @@ contains
       call settle_unit(source%name, what, '--lateral-unit', in_file, hints%lateral_unit, unit, &
          error)
    end subroutine find_unit
+
+   !> Step of a profile of heights alone, mm, as the header says it; 0 where it does not.
+   subroutine column_step(source, header, hints, step, error)
+      !> The file
+      type(byte_source), intent(in) :: source
+      !> Its header
+      type(text_header), intent(in) :: header
+      !> What the user says
+      type(map_hints), intent(in) :: hints
+      !> The step
+      real(wp), intent(out) :: step
+      !> Set when its unit is not known
+      type(error_type), allocatable, intent(out) :: error
+      real(wp) :: unit
+
+      step = 0.0_wp
+      if (.not. header%steps(1) > 0.0_wp) return
+      call find_unit(source, header, hints, header%step_units(1), 'lengths', unit, error)
+      if (.not. allocated(error)) step = header%steps(1)*unit
+   end subroutine column_step
 
 end module asperity_height_map_text_matrix_steps

@@ -7,12 +7,14 @@ module asperity_height_map_text_settle
    use asperity_height_map_bytes_byte_source, only: byte_source
    use asperity_height_map_file_errors, only: map_error
    use asperity_height_map_text_header, only: header_remark, text_header
-   use asperity_height_map_type, only: add_note, height_map
+   use asperity_height_map_type, only: add_note, fewest_points, height_map
    use asperity_height_map_units, only: map_hints, settle_unit, unit_length
    implicit none
    private
-   public :: settle_heights
+   public :: drop_count, settle_heights
 
+   !> Share of a number that rounding may change
+   real(wp), parameter :: same = 1.0e-12_wp
    !> A factor and a unit that differ by less are the same
    real(wp), parameter :: rounding = 1.0e-3_wp
 
@@ -66,5 +68,21 @@ contains
             hints%height_unit, factor, error)
       end if
    end subroutine settle_heights
+
+   !> Take the first height of a profile away if it is the number of those behind it, as some
+   !> instruments write it.
+   pure subroutine drop_count(map, factor)
+      !> The profile
+      type(height_map), intent(inout) :: map
+      !> mm of a number
+      real(wp), intent(in) :: factor
+      integer :: behind
+
+      behind = size(map%heights, 1) - 1
+      if (behind < fewest_points .or. &
+         abs(map%heights(1, 1) - behind*factor) > same*behind*factor) return
+      map%heights = map%heights(2:, :)
+      call add_note(map, 'the first number is that of the heights behind it, and none of them.')
+   end subroutine drop_count
 
 end module asperity_height_map_text_settle

@@ -5,7 +5,7 @@ module asperity_height_map_text_start
    use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
    use asperity_height_map_bytes_byte_source, only: byte_source
-   use asperity_height_map_bytes_lines, only: next_line
+   use asperity_height_map_bytes_lines, only: next_line, start_lines
    use asperity_height_map_file_errors, only: line_error, line_text, map_error
    use asperity_height_map_text_ending, only: line_other, line_type
    use asperity_height_map_text_fields, only: choose_separator, field_error, field_missing, &
@@ -43,7 +43,8 @@ contains
          if (.not. found) then
             call map_error(error, source, &
                'has no line of numbers: heights are read from SDF, X3P, '// &
-               'SUR, and from text with three columns x, y, z or with a matrix')
+               'SUR, and from text with three columns x, y, z or with a matrix; profiles from '// &
+               'two columns, x and z, or one')
             return
          else if (source%line > most_lines) then
             call line_error(error, source, source%first, &
@@ -77,8 +78,11 @@ contains
       type(text_header), intent(inout) :: header
       type(error_type), allocatable, intent(out) :: error
       character(len=:), allocatable :: next
+      integer(int64) :: number, offset
       logical :: found
 
+      number = source%line
+      offset = source%start + source%first - 1
       call next_line(source, found, error)
       if (allocated(error)) return
       if (found) then
@@ -89,8 +93,7 @@ contains
          if (allocated(error)) return
       end if
       if (header%fields == 1_int64) then
-         call map_error(error, source, 'has one column of numbers, which is a profile, or a '// &
-            'map without its lines: surface reads columns x, y, z, and matrices')
+         call return_to(source, offset, number, error)
       else
          call note_unknown(header, line)
       end if
@@ -101,12 +104,16 @@ contains
       type(byte_source), intent(inout), target :: source
       type(text_header), intent(inout) :: header
       type(error_type), allocatable, intent(out) :: error
+      integer(int64) :: number, offset
       integer :: i
       logical :: found
 
+      number = source%line
+      offset = source%start + source%first - 1
       do i = 2, fewest_points
          call next_line(source, found, error)
-         if (allocated(error) .or. .not. found) return
+         if (allocated(error)) return
+         if (.not. found) exit
          if (line_type(source) /= line_other) cycle
          header%fields = 0_int64
          call count_fields(source, header, error)
@@ -116,7 +123,21 @@ contains
             ' fields after one of 2: the header is of no format that is known')
          return
       end do
+      call return_to(source, offset, number, error)
    end subroutine check_pairs
+
+   !> Make a line that was read the current one again.
+   subroutine return_to(source, offset, number, error)
+      type(byte_source), intent(inout), target :: source
+      !> Bytes before it, and its number
+      integer(int64), intent(in) :: offset, number
+      type(error_type), allocatable, intent(out) :: error
+      logical :: found
+
+      call start_lines(source, offset, error)
+      source%line = number - 1_int64
+      if (.not. allocated(error)) call next_line(source, found, error)
+   end subroutine return_to
 
    !> A line that is no comment: numbers, a key with a value, or names of columns; a number among
    !> words that are no key is a line of numbers with a fault.
@@ -191,7 +212,7 @@ contains
          end if
          if (kind <= field_missing) cycle
          if ((header%fields == 1_int64 .and. header%has_corner_word) .or. &
-            (kind == field_text .and. all(header%names%places > 0) .and. &
+            (kind == field_text .and. all(header%names%places([1, 3]) > 0) .and. &
             all(header%names%places /= header%fields))) then
             call skip_field(source%block, at, source%last, header%separator, is_last)
          else

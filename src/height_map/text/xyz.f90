@@ -1,4 +1,5 @@
-!> Reads points x, y, z from text, in any order, and puts them on the grid that they are on.
+!> Reads points x, y, z from text, in any order, and puts them on the grid that they are on; or a
+!> profile, which is a map of one line: points x, z, or heights alone in their order.
 !>
 !> While reading, a point takes 12 bytes: its height and the numbers of its x and y among those
 !> that differ. They are given back while the map fills, so that both together stay below three
@@ -22,6 +23,7 @@ module asperity_height_map_text_xyz
       is_colour, read_field, skip_field
    use asperity_height_map_text_find_grid, only: find_grid
    use asperity_height_map_text_header, only: marks_missing, text_header
+   use asperity_height_map_text_matrix_steps, only: column_step
    use asperity_height_map_text_numbers, only: count_figures
    use asperity_height_map_type, only: add_note, allocate_heights, height_map
    use asperity_height_map_units, only: map_hints, settle_step, settle_unit
@@ -60,6 +62,8 @@ contains
       real(wp) :: unit
 
       unit = header%layout%coordinate
+      ! numbers of points have none
+      if (header%names%places(1) == 0) unit = 1.0_wp
       if (unit < 0.0_wp) call settle_unit(source%name, 'coordinates', '--lateral-unit', &
          header%lateral_unit, hints%lateral_unit, unit, error)
       if (allocated(error)) return
@@ -91,7 +95,15 @@ contains
 
       n = int(header%fields)
       axes_of = 0
-      axes_of(header%names%places) = [1, 2, 3]
+      do i = 1, 3
+         if (header%names%places(i) > 0) axes_of(header%names%places(i)) = i
+      end do
+      values = 0.0_wp
+      ! numbers of lines are not rounded
+      where (header%names%places(:2) == 0)
+         axes%figures = 17
+         axes%decimals = 15
+      end where
       points = 0_int64
       found = .true.
       lines: do while (found)
@@ -141,6 +153,7 @@ contains
                'this line has not the '//to_text(n)//' fields that the first one has')
             return
          end if
+         if (header%names%places(1) == 0) values(1) = real(points, wp)
          do i = 1, 2
             if (abs(values(i)) > largest_coordinate) then
                call line_error(error, source, fields(i), 'coordinates beyond 1e15 are not allowed')
@@ -148,13 +161,13 @@ contains
             end if
             known = axes(i)%count
             call number_of_coordinate(axes(i), values(i), numbers(i))
-            if (axes(i)%count > known) then
+            if (axes(i)%count > known .and. header%names%places(i) > 0) then
                call count_figures(source%block, fields(i), source%last, figures, decimals)
                axes(i)%figures = max(axes(i)%figures, figures)
                axes(i)%decimals = max(axes(i)%decimals, decimals)
             end if
             if (numbers(i) > 0) cycle
-            call line_error(error, source, fields(i), 'more than '//to_text(most_coordinates)// &
+            call line_error(error, source, before, 'more than '//to_text(most_coordinates)// &
                ' different values of '//merge('x', 'y', i == 1)//': the points are on no grid, '// &
                'or the map is too large for text: resample it, or save it as SDF')
             return
@@ -203,9 +216,16 @@ contains
       real(wp) :: steps(2)
 
       allocate (columns(axes(1)%count), rows(axes(2)%count))
+      if (all(axes%count == 1)) then
+         call allocate_heights(source%name, 1_int64, 1_int64, map, error)
+         return
+      end if
       call find_one('x', axes(1), columns, nx, steps(1))
       if (allocated(error)) return
-      call find_one('y', axes(2), rows, ny, steps(2))
+      rows = 1
+      ny = 1_int64
+      steps(2) = header%steps(2)
+      if (axes(2)%count > 1) call find_one('y', axes(2), rows, ny, steps(2))
       if (allocated(error)) return
       if (any(header%sizes > 0_int64 .and. [nx, ny] > header%sizes)) then
          call map_error(error, source, 'the points are on '//to_text(nx)//' x '//to_text(ny)// &
@@ -213,7 +233,8 @@ contains
             to_text(header%sizes(2))//': correct it')
          return
       end if
-      if (any(header%steps > 0.0_wp .and. abs(steps - header%steps) > similar*steps)) then
+      if (header%names%places(1) > 0 .and. any(header%steps > 0.0_wp .and. &
+         abs(steps - header%steps) > similar*steps)) then
          call map_error(error, source, 'by their coordinates the steps of the points are '// &
             to_text(steps(1), 6)//' and '//to_text(steps(2), 6)//', by the header '// &
             to_text(header%steps(1), 6)//' and '//to_text(header%steps(2), 6)//': correct it')
@@ -226,10 +247,17 @@ contains
             to_text(int(most_sparse))//'th place must be taken: resample the map')
          return
       end if
+      if (header%names%places(1) == 0) call column_step(source, header, hints, steps(1), &
+         error)
+      if (allocated(error)) return
       call settle_step(source%name, 'x', steps(1)*unit, hints%step_x, map%step_x, error)
       if (allocated(error)) return
-      call settle_step(source%name, 'y', steps(2)*unit, hints%step_y, map%step_y, error)
-      if (allocated(error)) return
+      if (ny == 1_int64) then
+         map%step_y = map%step_x
+      else
+         call settle_step(source%name, 'y', steps(2)*unit, hints%step_y, map%step_y, error)
+         if (allocated(error)) return
+      end if
       call allocate_heights(source%name, nx, ny, map, error)
       if (allocated(error)) return
       map%heights = none
@@ -252,7 +280,7 @@ contains
          lines = n
          if (allocated(reason)) then
             call map_error(error, source, 'the points are on no regular grid '// &
-               'in '//name//': '//reason//'; resample the map to equal steps, or export its '// &
+               'in '//name//': '//reason//'; resample to equal steps, or export its '// &
                'coordinates with more figures')
          else if (is_rounded) then
             call add_note(map, name//' is rounded to '//to_text(2.0_wp*rounding_of(axis), 3)// &

@@ -24,7 +24,7 @@ module asperity_height_map_x3p_header
 
    !> What main.xml says.
    type :: x3p_header
-      !> SUR for a surface
+      !> SUR for a surface, PRF for a profile
       character(len=:), allocatable :: feature
       !> Of x, y and z: I for incremental or A for absolute; I, L, F or D
       character(len=1) :: axis_type(3) = ' ', data_type(3) = ' '
@@ -208,6 +208,7 @@ contains
       type(error_type), allocatable, intent(out) :: error
       real(wp) :: unit
       integer :: i
+      logical :: is_profile
 
       factor = 1.0_wp
       zero = 0.0_wp
@@ -221,10 +222,13 @@ contains
       case default
          kind = float64
       end select
-      if (header%feature /= 'SUR') then
+      ! a profile has no other line, whatever is said of y
+      is_profile = header%feature == 'PRF' .and. header%sizes(2) == 1_int64
+      if (header%feature /= 'SUR' .and. .not. is_profile) then
          call map_error(error, source, 'main.xml: FeatureType is '''//plain(header%feature)// &
-            ''': only surfaces, SUR, are read, no profiles and no clouds of points')
-      else if (any(header%axis_type(:2) /= 'I')) then
+            ''': only surfaces, SUR, and profiles of one line, PRF, are read, no clouds of points')
+      else if (header%axis_type(1) /= 'I' .or. &
+         .not. (is_profile .or. header%axis_type(2) == 'I')) then
          call map_error(error, source, 'main.xml: the axes CX and CY must be incremental, '// &
             'AxisType I: resample the surface to equal steps')
       else if (scan(header%axis_type(3), 'AI') == 0) then
@@ -233,7 +237,7 @@ contains
          call map_error(error, source, 'main.xml: DataType of CZ must be I, L, F or D')
       else if (header%sizes(3) /= 1_int64) then
          call map_error(error, source, 'main.xml: SizeZ is '//to_text(header%sizes(3))// &
-            ': only surfaces of one layer are read')
+            ': only one layer is read')
       end if
       if (allocated(error)) return
       call settle_unit(source%name, 'lengths', '--lateral-unit', 'm', hints%lateral_unit, unit, &
@@ -242,6 +246,7 @@ contains
       call settle_unit(source%name, 'heights', '--height-unit', 'm', hints%height_unit, unit, error)
       if (allocated(error)) return
       do i = 1, 3
+         if (i == 2 .and. is_profile) cycle
          if (is_allowed_scale(header%increment(i))) then
             if (is_allowed_scale(header%increment(i)*metre)) cycle
          end if
@@ -251,7 +256,9 @@ contains
       end do
       call settle_step(source%name, 'x', header%increment(1)*metre, hints%step_x, map%step_x, error)
       if (allocated(error)) return
-      call settle_step(source%name, 'y', header%increment(2)*metre, hints%step_y, map%step_y, error)
+      map%step_y = map%step_x
+      if (.not. is_profile) call settle_step(source%name, 'y', header%increment(2)*metre, &
+         hints%step_y, map%step_y, error)
       if (allocated(error)) return
       factor = header%increment(3)*metre
       if (.not. is_finite(header%offset(3)) .or. abs(header%offset(3)) > 1.0e3_wp) then

@@ -49,7 +49,7 @@ refuses 'surface files: intensities' 2 '.*percent.sur: byte 212: the unit of z i
 sed 's/"Output image data","Height"/"Output image data","Color"/' "$scans/keyence_vk.csv" >colour.csv
 refuses 'surface files: an image of colours' 2 "colour.csv:11:1: .*an image of 'Color', no heights" \
    surface colour.csv --height-unit um
-refuses 'surface files: a profile, at once' 2 '.*profile.txt: .*profiles are not read' \
+refuses 'surface files: a profile without units' 2 '.*profile.txt: .*in which unit its heights are' \
    surface "$scans/profile.txt"
 sed '/factor/d' "$scans/holography_factor.txt" >rad.txt
 refuses 'surface files: phases without a factor' 2 \
