@@ -16,6 +16,7 @@ module asperity_surface_analysis
    use asperity_surface_prepare_fill_holes, only: fill_missing, missing_share
    use asperity_surface_prepare_gaussian_filter, only: filter_long, filter_short
    use asperity_surface_prepare_level, only: level_plane, remove_form
+   use asperity_surface_prepare_robust_filter, only: filter_long_robust
    use asperity_surface_summits_find, only: find_summits, summit_set
    implicit none
    private
@@ -32,6 +33,8 @@ module asperity_surface_analysis
       integer :: form = 1
       !> Cut-offs of the S and the L filter, mm; zero for none
       real(wp) :: short_cutoff = 0.0_wp, long_cutoff = 0.0_wp
+      !> The L filter is the robust one, not the linear one
+      logical :: is_robust = .false.
    end type preparation_settings
 
    !> How it is analysed.
@@ -114,7 +117,11 @@ contains
       end if
       if (settings%long_cutoff > 0.0_wp) then
          call say('L filter')
-         call filter_long(map, settings%long_cutoff, error)
+         if (settings%is_robust) then
+            call filter_long_robust(map, settings%long_cutoff, error)
+         else
+            call filter_long(map, settings%long_cutoff, error)
+         end if
          if (allocated(error)) return
       end if
       ! else nothing has come since that has a plane of its own

@@ -12,6 +12,7 @@ program test_surface
    use test_surface_random, only: suite_surface_random
    use test_surface_reference, only: suite_surface_reference
    use test_surface_remarks, only: suite_surface_remarks
+   use test_surface_robust_filter, only: suite_surface_robust_filter
    use test_surface_statistics, only: suite_surface_statistics
    use test_surface_sum_tiles, only: suite_surface_sum_map
    use test_surface_summits, only: suite_surface_summits
@@ -29,6 +30,7 @@ program test_surface
    call suite%addTest(suite_surface_level())
    call suite%addTest(suite_surface_holes())
    call suite%addTest(suite_surface_gaussian_filter())
+   call suite%addTest(suite_surface_robust_filter())
    call suite%addTest(suite_surface_summits())
    call suite%addTest(suite_surface_sum_map())
    call suite%addTest(suite_surface_reference())

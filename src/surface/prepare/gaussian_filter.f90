@@ -23,7 +23,7 @@ module asperity_surface_prepare_gaussian_filter
       new_line_filter
    implicit none
    private
-   public :: filter_long, filter_short
+   public :: check_cutoff, filter_long, filter_short
 
    !> Lines filtered at a time, and their points unless one line has more
    integer, parameter :: most_lines = 16, most_points = 2**20
@@ -76,11 +76,15 @@ contains
 
    !> Set `error` unless the map has waves shorter and longer than the cutoff.
    pure subroutine check_cutoff(map, name, cutoff, error)
+      !> The map
       type(height_map), intent(in) :: map
-      !> Of the cutoff
+      !> Name of the cutoff
       character(len=*), intent(in) :: name
+      !> Length, mm
       real(wp), intent(in) :: cutoff
+      !> Set otherwise
       type(error_type), allocatable, intent(out) :: error
+      character(len=:), allocatable :: side, what
       real(wp) :: shortest, longest
       logical :: is_allowed
 
@@ -91,14 +95,22 @@ contains
             ' mm is not allowed: it must be above 0 and finite', subject=name)
          return
       end if
-      shortest = shortest_cutoff*max(map%step_x, map%step_y)
-      longest = min((size(map%heights, 1) - 1)*map%step_x, (size(map%heights, 2) - 1)*map%step_y)
+      what = 'profile'
+      side = what
+      shortest = shortest_cutoff*map%step_x
+      longest = (size(map%heights, 1) - 1)*map%step_x
+      if (size(map%heights, 2) > 1) then
+         what = 'map'
+         side = 'map''s shorter side'
+         shortest = shortest_cutoff*max(map%step_x, map%step_y)
+         longest = min(longest, (size(map%heights, 2) - 1)*map%step_y)
+      end if
       if (cutoff < shortest) then
          call fatal_error(error, name//' = '//to_text(cutoff)//' mm is below two '// &
-            'steps of the map, '//to_text(shortest)//' mm', subject=name)
+            'steps of the '//what//', '//to_text(shortest)//' mm', subject=name)
       else if (cutoff > longest) then
          call fatal_error(error, name//' = '//to_text(cutoff)//' mm is longer '// &
-            'than the map''s shorter side, '//to_text(longest)//' mm', subject=name)
+            'than the '//side//', '//to_text(longest)//' mm', subject=name)
       end if
    end subroutine check_cutoff
 
@@ -124,7 +136,7 @@ contains
 
       if (all(z < none)) then
          call smooth_along_x(z, cutoff_x)
-         call smooth_along_y(z, cutoff_y)
+         if (size(z, 2) > 1) call smooth_along_y(z, cutoff_y)
          return
       end if
       allocate (measured(size(z, 1), size(z, 2)), weights(size(z, 1), size(z, 2)))
@@ -136,7 +148,7 @@ contains
          end do
       end do
       call smooth_along_x(z, cutoff_x, weights)
-      call smooth_along_y(z, cutoff_y, weights)
+      if (size(z, 2) > 1) call smooth_along_y(z, cutoff_y, weights)
       do j = 1, size(z, 2)
          do i = 1, size(z, 1)
             if (measured(i, j) == 0_int8) then

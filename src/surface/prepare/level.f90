@@ -1,4 +1,5 @@
-!> Taking the mean plane or a polynomial form out of a map by least squares.
+!> Taking the mean plane or a polynomial form out of a map by least squares; out of a profile, which
+!> is a map of one line, the mean line or a polynomial of x.
 module asperity_surface_prepare_level
    use asperity_base_error, only: error_type, fatal_error
    use asperity_base_kinds, only: wp
@@ -65,10 +66,16 @@ contains
       real(wp) :: norm
 
       terms = (degree + 1)*(degree + 2)/2
+      if (size(map%heights, 2) == 1) terms = degree + 1
       allocate (a(terms), b(terms), normal(terms, terms), right(terms), scales(terms), &
          px(size(map%heights, 1), 0:degree), py(size(map%heights, 2), 0:degree))
-      a(:) = [((i, i=0, degree - j), j=0, degree)]
-      b(:) = [((j, i=0, degree - j), j=0, degree)]
+      if (size(map%heights, 2) == 1) then
+         a(:) = [(i, i=0, degree)]
+         b(:) = 0
+      else
+         a(:) = [((i, i=0, degree - j), j=0, degree)]
+         b(:) = [((j, i=0, degree - j), j=0, degree)]
+      end if
       call legendre(px)
       call legendre(py)
       do pass = 1, 2
@@ -199,7 +206,7 @@ contains
       integer :: i, n
 
       do i = 1, size(p, 1)
-         x = real(2*i - size(p, 1) - 1, wp)/real(size(p, 1) - 1, wp)
+         x = real(2*i - size(p, 1) - 1, wp)/real(max(size(p, 1) - 1, 1), wp)
          p(i, 0) = 1.0_wp
          if (ubound(p, 2) > 0) p(i, 1) = x
          do n = 1, ubound(p, 2) - 1

@@ -107,6 +107,9 @@ contains
          'S filter, Gaussian (ISO 16610-61): removes shorter waves; none unless given')
       call keys%optional_real('long_cutoff', self%long_cutoff, 'mm', &
          'L filter: removes longer waves; none unless given')
+      call keys%choice('long_filter', self%preparation%is_robust, 'gaussian robust', &
+         'kind of the L filter: linear, or robust (ISO 16610-31, -71), which pores do not bend')
+      call keys%needs(allocated(self%long_cutoff), 'is for --long-cutoff')
       call keys%real('pruning', self%analysis%pruning, '', &
          'hills lower than this share of sz are no peaks (Wolf pruning)')
       call keys%whole('tiles', self%analysis%tiles, &
