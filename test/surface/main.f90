@@ -9,6 +9,7 @@ program test_surface
    use test_surface_heights_remarks, only: suite_surface_heights_remarks
    use test_surface_level, only: suite_surface_level
    use test_surface_pair, only: suite_surface_pair
+   use test_surface_profiles, only: suite_surface_profiles
    use test_surface_random, only: suite_surface_random
    use test_surface_reference, only: suite_surface_reference
    use test_surface_remarks, only: suite_surface_remarks
@@ -31,6 +32,7 @@ program test_surface
    call suite%addTest(suite_surface_holes())
    call suite%addTest(suite_surface_gaussian_filter())
    call suite%addTest(suite_surface_robust_filter())
+   call suite%addTest(suite_surface_profiles())
    call suite%addTest(suite_surface_summits())
    call suite%addTest(suite_surface_sum_map())
    call suite%addTest(suite_surface_reference())

@@ -13,7 +13,7 @@ module asperity_surface_parameters_from_sums
    use asperity_surface_parameters_tile_sums, only: summit_sums_type, surface_sums_type
    implicit none
    private
-   public :: parameters_of
+   public :: parameters_of, values_of_moments, variance_of
 
    !> A variance below this share of the mean square is rounding
    real(wp), parameter :: rounding = 64.0_wp*epsilon(1.0_wp)
@@ -139,6 +139,7 @@ contains
 
    !> Mean square less squared mean, free of what rounding leaves.
    pure real(wp) function variance_of(mean_square, mean)
+      !> Of the same numbers
       real(wp), intent(in) :: mean_square, mean
 
       variance_of = mean_square - mean**2

@@ -11,7 +11,7 @@ module asperity_surface_remarks_on_analysis
    use asperity_surface_remarks_remark, only: add_remark, is_known, quantity, remark_type
    implicit none
    private
-   public :: find_remarks, map_facts, remark_type
+   public :: find_remarks, map_facts, remark_alpha, remark_anisotropy, remark_step, remark_type
 
    !> Difference of the routes that matters, over the larger of the two values
    real(wp), parameter :: routes_share = 0.2_wp
@@ -40,7 +40,8 @@ contains
       call remark_scan(values, facts, remarks)
       call remark_peaks(facts%peaks, remarks)
       call remark_routes(values, uncertainty, remarks)
-      call remark_alpha(values, uncertainty, remarks)
+      call remark_alpha(values, uncertainty, 'Use the paper''s route, or the sum over the '// &
+         'map''s own summits (--verify).', remarks)
       call remark_anisotropy(values, remarks)
       if (route == 'paper') &
          call remark_number(values([p_eta_paper, p_radius_paper, p_sigma_paper]), remarks)
@@ -92,8 +93,13 @@ contains
          'the same moments. Do not mix them; the verdict says which one to take.')
    end subroutine remark_routes
 
-   pure subroutine remark_alpha(values, uncertainty, remarks)
+   !> A bandwidth parameter that no isotropic Gaussian surface has.
+   pure subroutine remark_alpha(values, uncertainty, remedy, remarks)
+      !> Values and half widths of their intervals in the order of the table
       real(wp), intent(in) :: values(:), uncertainty(:)
+      !> What to do, in a sentence
+      character(len=*), intent(in) :: remedy
+      !> Where to add it
       type(remark_type), allocatable, intent(inout) :: remarks(:)
       character(len=:), allocatable :: text
 
@@ -108,13 +114,15 @@ contains
             'density, radius and sigma do not describe its summits.'
          if (.not. is_known(values(p_sigma_nayak))) text = text// &
             ' His sigma does not even exist below '//to_text(summit_constant, 4)//'.'
-         call add_remark(remarks, 'alpha', text//' Use the paper''s route, or the sum over the '// &
-            'map''s own summits (--verify).')
+         call add_remark(remarks, 'alpha', text//' '//remedy)
       end associate
    end subroutine remark_alpha
 
+   !> A lay, of which the isotropic equivalent tells little.
    pure subroutine remark_anisotropy(values, remarks)
+      !> In the order of the table
       real(wp), intent(in) :: values(:)
+      !> Where to add it
       type(remark_type), allocatable, intent(inout) :: remarks(:)
 
       associate (across => values(p_m2_across), along => values(p_m2_along))
@@ -150,8 +158,11 @@ contains
       call add_remark(remarks, 'roughness_number', text)
    end subroutine remark_number
 
+   !> Values that hang on the step.
    pure subroutine remark_step(values, uncertainty, coarse, remarks)
+      !> Values, half widths of their intervals, and values at twice the step
       real(wp), intent(in) :: values(:), uncertainty(:), coarse(:)
+      !> Where to add it
       type(remark_type), allocatable, intent(inout) :: remarks(:)
       integer, parameter :: shown(7) = [p_spd, p_spc, p_alpha, p_eta_nayak, p_radius_nayak, &
          p_sigma_paper, p_sigma_nayak]

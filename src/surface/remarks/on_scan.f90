@@ -9,7 +9,7 @@ module asperity_surface_remarks_on_scan
    use asperity_surface_remarks_remark, only: add_remark, is_known, remark_type
    implicit none
    private
-   public :: remark_scan
+   public :: enough_steps, enough_waves, remark_scan, remark_slope
 
    !> Points across and length over width of a map that may be no map
    integer, parameter :: narrow = 12, long = 50
@@ -71,7 +71,9 @@ contains
 
    !> Slopes of no scanned surface are a slip of units.
    pure subroutine remark_slope(sdq, remarks)
+      !> Root mean square gradient
       real(wp), intent(in) :: sdq
+      !> Where to add it
       type(remark_type), allocatable, intent(inout) :: remarks(:)
 
       if (.not. is_known(sdq)) return

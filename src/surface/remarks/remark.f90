@@ -12,7 +12,7 @@ module asperity_surface_remarks_remark
    type, public :: remark_type
       !> What it is about, for programs: `shape`, `slope`, `outlier`, `filled`, `no_peaks`,
       !> `few_peaks`, `routes`, `alpha`, `heights`, `anisotropic`, `roughness_number`,
-      !> `few_waves`, `resolution` or `step`
+      !> `few_waves`, `resolution`, `step`, `isotropy`, `single` or `stylus`
       character(len=16) :: code = ''
       !> Plain sentences
       character(len=:), allocatable :: text

@@ -12,6 +12,7 @@ module asperity_program_commands_surface_command
    use asperity_program_commands_surface_maps, only: check_map_options, get_map, prepare_map
    use asperity_program_commands_surface_pair, only: analyse_pair
    use asperity_program_commands_surface_plot, only: surface_picture
+   use asperity_program_commands_surface_profiles, only: analyse_files, settle_kind
    use asperity_program_commands_surface_remarks, only: add_heights_remark, add_remarks, &
       map_notes
    use asperity_program_commands_surface_tables, only: law_parameters_table, map_table, &
@@ -47,12 +48,15 @@ contains
 
       self%name = 'surface'
       self%summary = 'parameters of the law from a scanned height map'
-      self%usage = 'FILE [FILE --pair] [options]'//newline//'--generate [options]'
+      self%usage = 'FILE [FILE --pair] [options]'//newline//'PROFILE... [options]'//newline// &
+         '--generate [options]'
       self%purpose = 'From a scanned surface to the parameters of the law: roughness of a '// &
          'height map (ISO 25178-2), spectral moments, summits, asperity density, radius and '// &
-         'sigma (Eqs 28-30), how sure they are, and whether the law holds on the map. Reads '// &
-         'SDF, X3P, SUR, PLU, PLUX, GWY, GSF, xyz, asc, csv.'
-      self%headings = [character(len=52) :: 'Properties that a map does not give', 'The map']
+         'sigma (Eqs 28-30), how sure they are, and whether the law holds on the map. Or from '// &
+         'profiles of it, by Nayak''s route. Reads SDF, X3P, SUR, PLU, PLUX, GWY, GSF, xyz, '// &
+         'asc, csv.'
+      self%headings = [character(len=52) :: 'Properties that a map does not give', &
+         'The map, or profiles']
       self%takes_case = .false.
    end subroutine describe
 
@@ -98,12 +102,18 @@ contains
       has_map = .true.
       filled = 0.0_wp
       associate (options => self%options)
-         call get_map(options, options%map_file, map, error)
-         if (.not. allocated(error)) then
+         call get_first(options, map, error)
+         if (.not. allocated(error)) call settle_kind(options, map, error)
+         if (allocated(error)) then
+            continue
+         else if (options%of_profiles) then
+            has_map = .false.
+            call analyse_files(options, map, analysis, more, report%remarks, error)
+         else
             if (options%preparation%fills) filled = missing_share(map)
             call prepare_map(options, map, error)
          end if
-         if (.not. allocated(error)) then
+         if (.not. (allocated(error) .or. options%of_profiles)) then
             call fit_tiles(options, map)
             if (options%pair) then
                call analyse_pair(options, map, analysis, has_map, more, report%remarks, error)
@@ -111,8 +121,8 @@ contains
                allocate (more(0), report%remarks(0))
                call analyse_surface(map, options%analysis, analysis, error, show_stage)
             end if
+            if (.not. (allocated(error) .or. has_map)) call refuse_without_map(self, error)
          end if
-         if (.not. allocated(error) .and. .not. has_map) call refuse_without_map(self, error)
       end associate
       call clear_steps()
       if (allocated(error)) return
@@ -121,7 +131,7 @@ contains
       call map_notes(map, notes)
       report%remarks = [notes, report%remarks]
       report%summary = law_parameters_table(analysis)
-      report%table = parameter_table(analysis)
+      report%table = parameter_table(analysis, only_known=self%options%of_profiles)
       call report%table%check_finite(error)
       if (allocated(error)) return
       report%shows_table = .false.
@@ -135,6 +145,19 @@ contains
       call add_law(self, report, map, analysis, error)
       call self%declare(report%keys)
    end subroutine run
+
+   !> The first file, or the map that is made.
+   subroutine get_first(options, map, error)
+      type(surface_options), intent(inout) :: options
+      type(height_map), intent(out) :: map
+      type(error_type), allocatable, intent(out) :: error
+
+      if (options%generate) then
+         call get_map(options, '', map, error)
+      else
+         call get_map(options, options%files(1)%text, map, error)
+      end if
+   end subroutine get_first
 
    !> The law with the parameters of the map, and what is made of it: curve, case, picture, map.
    subroutine add_law(self, report, map, analysis, error)
@@ -190,9 +213,13 @@ contains
          report%verdict = surface_verdict(options, analysis)
          if (.not. report%is_drawn()) return
          report%picture_title = title(map)
-         report%pictures = [surface_picture(map, values, &
-            pack(analysis%summits%height, analysis%summits%is_peak .or. route == 'nayak'), &
-            report%more(3)%table)]
+         if (options%of_profiles) then
+            report%pictures = [surface_picture(map, values, [real(wp) ::], report%more(3)%table)]
+         else
+            report%pictures = [surface_picture(map, values, &
+               pack(analysis%summits%height, analysis%summits%is_peak .or. route == 'nayak'), &
+               report%more(3)%table)]
+         end if
       end associate
    end subroutine add_law
 

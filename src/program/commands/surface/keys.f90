@@ -9,6 +9,7 @@ module asperity_program_commands_surface_keys
    use asperity_program_input_key, only: kind_file
    use asperity_program_input_key_list, only: key_list
    use asperity_program_input_ranges, only: linear_range
+   use asperity_program_system_strings, only: string_type
    use asperity_surface_analysis, only: analysis_settings, preparation_settings
    use asperity_surface_generate_settings, only: surface_settings
    implicit none
@@ -27,7 +28,14 @@ module asperity_program_commands_surface_keys
    type :: surface_options
       !> The maps of two faces that touch
       logical :: pair = .false.
-      character(len=:), allocatable :: map_file, second_map
+      !> Lines of maps are profiles
+      logical :: profiles = .false.
+      !> The map, two of a pair, or profiles; and profiles at right angles to those
+      type(string_type), allocatable :: files(:), perpendicular(:)
+      !> What is analysed are profiles, known once the first file is read
+      logical :: of_profiles = .false.
+      !> Radius of the stylus
+      real(wp), allocatable :: stylus_radius
       character(len=4) :: mirror = 'x'
       !> What a file does not tell
       type(map_hints) :: hints
@@ -78,11 +86,17 @@ contains
       call keys%text('material', self%material, &
          'pair of the paper for modulus, hardness, yield factor and friction')
       keys%of_faces = .false.
-      call keys%text('map_file', self%map_file, 'the height map, as FILE without an option')
+      call keys%paths('files', self%files, &
+         'the height map, that of each face, or profiles, as FILE without an option')
       call keys%reads('map', is_argument=.true.)
-      call keys%text('second_map', self%second_map, &
-         'the map of the other face, as a second FILE without an option')
-      call keys%reads('second map', is_argument=.true.)
+      call keys%switch('profiles', self%profiles, &
+         'take each line of a map for a profile along x, not for part of a map')
+      call keys%unused(.not. self%profiles)
+      call keys%paths('perpendicular', self%perpendicular, &
+         'profiles at right angles to the others: all FILES up to the next option')
+      call keys%reads('profile', is_argument=.false.)
+      call keys%optional_real('stylus_radius', self%stylus_radius, 'mm', &
+         'radius of the stylus that took profiles, to be compared with that of summits')
       call keys%choice('mirror', self%mirror, 'x y none', &
          'how the second map is turned over to face the first: its x or its y reversed')
       call keys%needs(self%pair, 'is for --pair')
@@ -112,8 +126,9 @@ contains
       call keys%needs(allocated(self%long_cutoff), 'is for --long-cutoff')
       call keys%real('pruning', self%analysis%pruning, '', &
          'hills lower than this share of sz are no peaks (Wolf pruning)')
+      call keys%unused(self%of_profiles)
       call keys%whole('tiles', self%analysis%tiles, &
-         'the map is split into tiles x tiles for the uncertainties')
+         'the map is split into tiles x tiles for the uncertainties, profiles into so many groups')
       call keys%said_by(self%tiles_source)
       self%tiles_given = keys%given()
       call keys%choice('route', self%route, 'nayak paper', &

@@ -109,6 +109,23 @@ contains
          text = error%message(:index(error%message, reason//': ') + len(reason) - 1)
    end function refusal
 
+   !> Where the parameters come from: maps, or profiles.
+   pure function origin(options) result(text)
+      type(surface_options), intent(in) :: options
+      character(len=:), allocatable :: text
+
+      text = 'Map: random surface of seed '//to_text(options%made%seed)
+      if (size(options%files) > 0) text = 'Map: '//quoted(options%files(1)%text)
+      if (options%of_profiles) text = 'Profiles'//text(4:)
+      if (size(options%files) == 2) text = text//' and '//quoted(options%files(2)%text)
+      if (size(options%files) > 2) text = text//' and '//to_text(size(options%files) - 1)// &
+         ' files more'
+      if (size(options%perpendicular) > 0) text = text//'; at right angles '// &
+         quoted(options%perpendicular(1)%text)
+      if (size(options%perpendicular) > 1) text = text//' and '// &
+         to_text(size(options%perpendicular) - 1)//' more'
+   end function origin
+
    !> The case file, for every command that takes properties.
    pure function surface_case(options, values, uncertainty) result(text)
       !> The options after `set_law`
@@ -135,11 +152,7 @@ contains
       associate (three => route_places(options%route))
          heading(1)%text = 'Written by asperity surface, version '//version// &
             ', for asperity curve, press, shear, tenon and table'
-         heading(2)%text = 'Map: '//quoted(options%map_file)
-         if (options%generate) heading(2)%text = 'Map: random surface of seed '// &
-            to_text(options%made%seed)
-         if (options%second_map /= '') heading(2)%text = heading(2)%text//' and '// &
-            quoted(options%second_map)
+         heading(2)%text = origin(options)
          heading(3)%text = 'eta, radius, sigma by '// &
             trim(meanings(findloc(routes == options%route, .true., 1)))//', 95 % intervals:'
          heading(4)%text = ' '

@@ -13,7 +13,7 @@ module asperity_program_commands_surface_maps
    use asperity_surface_generate_settings, only: most_points
    implicit none
    private
-   public :: check_map_options, get_map, prepare_map
+   public :: check_map_options, get_map, prepare_map, settle_preparation
 
    !> Step of a made map, mm, unless given
    real(wp), parameter :: made_step = 0.01_wp
@@ -31,18 +31,21 @@ contains
       type(pair_preset) :: preset
 
       if (options%generate) then
-         if (options%map_file /= '') then
-            call fatal_error(error, options%map_file//': --generate makes a map and reads none')
+         if (size(options%files) > 0) then
+            call fatal_error(error, options%files(1)%text//': --generate makes a map and reads '// &
+               'none')
          else if (options%pair) then
             call fatal_error(error, '--pair: needs the maps of two faces, --generate makes one')
          end if
-      else if (options%map_file == '') then
+      else if (size(options%files) == 0) then
          call fatal_error(error, 'no map is given: asperity surface FILE')
-      else if (options%pair .and. options%second_map == '') then
+      else if (options%pair .and. (options%profiles .or. size(options%perpendicular) > 0)) then
+         call fatal_error(error, '--pair: adds the maps of two faces, and no profiles')
+      else if (options%pair .and. size(options%files) < 2) then
          call fatal_error(error, '--pair: needs the maps of two faces: asperity surface FILE '// &
             'FILE --pair')
-      else if (options%second_map /= '' .and. .not. options%pair) then
-         call fatal_error(error, options%second_map//': a second map is only taken with --pair')
+      else if (options%pair .and. size(options%files) > 2) then
+         call fatal_error(error, options%files(3)%text//': --pair takes the maps of two faces')
       end if
       if (allocated(error) .or. options%material == '') return
       call find_pair(options%material, preset, error)
@@ -76,8 +79,8 @@ contains
          hints%step_y = step(2)
       end if
       call show_stage('reading')
-      if (options%second_map /= '') then
-         ! of two files one may tell what the other needs to be told
+      if (size(options%files) + size(options%perpendicular) > 1) then
+         ! of several files one may tell what another needs to be told
          call read_height_map(path, map_hints(has_missing_value=hints%has_missing_value, &
             missing_value=hints%missing_value), map, error, show_share)
          if (.not. allocated(error)) return
@@ -147,6 +150,18 @@ contains
       !> Set on failure
       type(error_type), allocatable, intent(out) :: error
 
+      call settle_preparation(options, error)
+      if (.not. allocated(error)) &
+         call prepare_surface(map, options%preparation, error, show_stage)
+   end subroutine prepare_map
+
+   !> What is done with a map or a profile before it is analysed. `error` names the option.
+   pure subroutine settle_preparation(options, error)
+      !> The options, whose preparation is completed
+      type(surface_options), intent(inout) :: options
+      !> Set where one is not allowed
+      type(error_type), allocatable, intent(out) :: error
+
       call check_cutoff(error, 'short_cutoff', options%short_cutoff)
       if (.not. allocated(error)) call check_cutoff(error, 'long_cutoff', options%long_cutoff)
       if (allocated(error)) return
@@ -164,9 +179,8 @@ contains
             call fatal_error(error, 'most_missing = '//to_text(how%most_missing)// &
                ' is not allowed: it must be a share from 0 to below 1', subject='most_missing')
          end if
-         if (.not. allocated(error)) call prepare_surface(map, how, error, show_stage)
       end associate
-   end subroutine prepare_map
+   end subroutine settle_preparation
 
    !> Refuse a cut-off that is given and not above zero.
    pure subroutine check_cutoff(error, name, value)

@@ -56,7 +56,7 @@ contains
       real(wp) :: added(n_parameters), correlation
 
       aligned = .false.
-      call get_map(options, options%second_map, second, error)
+      call get_map(options, options%files(2)%text, second, error)
       if (.not. allocated(error)) call prepare_map(options, second, error)
       if (allocated(second%notes)) then
          if (allocated(map%notes)) second%notes = map%notes//second%notes

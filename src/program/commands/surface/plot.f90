@@ -15,6 +15,10 @@ module asperity_program_commands_surface_plot
 
    !> Points of the map that are drawn along its longer side, bins of heights
    integer, parameter :: most_pixels = 256, most_bins = 40
+   !> Points of a profile that are drawn
+   integer, parameter :: most_drawn = 2000
+   !> Where the map or the profile is drawn
+   real(wp), parameter :: scan_place(4) = [0.0_wp, 0.46_wp, 0.5_wp, 0.54_wp]
    !> Heights that are drawn, in standard deviations
    real(wp), parameter :: reach = 4.0_wp
 
@@ -46,9 +50,28 @@ contains
       type(table_type), intent(in) :: law
       type(figure_type) :: picture
 
-      picture = figure_type('', [map_panel(map, values(p_sq)), &
-         heights_panel(map, summits, values(p_sq)), law_panel(law)])
+      type(panel_type) :: scan
+
+      if (size(map%heights, 2) == 1) then
+         scan = profile_panel(map)
+      else
+         scan = map_panel(map, values(p_sq))
+      end if
+      picture = figure_type('', [scan, heights_panel(map, summits, values(p_sq)), law_panel(law)])
    end function surface_picture
+
+   !> Heights against x, thinned.
+   pure function profile_panel(map) result(panel)
+      type(height_map), intent(in) :: map
+      type(panel_type) :: panel
+      integer :: every, i
+
+      every = (size(map%heights, 1) + most_drawn - 1)/most_drawn
+      panel = panel_type('x (mm)', 'height (mm)')
+      panel%place = scan_place
+      call panel%add([(real(i, wp)*map%step_x, i=0, size(map%heights, 1) - 1, every)], &
+         map%heights(::every, 1), '', blue)
+   end function profile_panel
 
    !> Heights by colours, thinned.
    pure function map_panel(map, sq) result(panel)
@@ -69,7 +92,7 @@ contains
          end do
       end do
       panel = panel_type('x (mm)', 'y (mm)')
-      panel%place = [0.0_wp, 0.46_wp, 0.5_wp, 0.54_wp]
+      panel%place = scan_place
       panel%colours%label = 'height (mm)'
       panel%colours%low = -reach*sq
       panel%colours%high = reach*sq

@@ -41,19 +41,25 @@ contains
 
    !> One row a parameter: value, half width of its 95 % interval, and the values at multiples of
    !> the step.
-   pure function parameter_table(analysis) result(table)
+   pure function parameter_table(analysis, only_known) result(table)
       !> What was found
       type(surface_analysis_type), intent(in) :: analysis
+      !> Leave parameters without value out, which profiles do not give
+      logical, intent(in) :: only_known
       type(table_type) :: table
+      integer, allocatable :: rows(:)
+      integer :: i
 
-      table = new_table(columns=7, rows=n_parameters, leading=2)
-      call table%add_texts('parameter', parameters%name)
-      call table%add_texts('unit', parameters%unit)
-      call table%add_numbers('value', '-', analysis%values(:, 1), figures=value_figures)
-      call table%add_numbers('uncertainty', '-', analysis%uncertainty, figures=uncertainty_figures)
-      call table%add_numbers('step_2', '-', analysis%values(:, 2), figures=value_figures)
-      call table%add_numbers('step_4', '-', analysis%values(:, 3), figures=value_figures)
-      call table%add_texts('meaning', parameters%meaning)
+      rows = pack([(i, i=1, n_parameters)], .not. (only_known .and. is_none(analysis%values(:, 1))))
+      table = new_table(columns=7, rows=size(rows), leading=2)
+      call table%add_texts('parameter', parameters(rows)%name)
+      call table%add_texts('unit', parameters(rows)%unit)
+      call table%add_numbers('value', '-', analysis%values(rows, 1), figures=value_figures)
+      call table%add_numbers('uncertainty', '-', analysis%uncertainty(rows), &
+         figures=uncertainty_figures)
+      call table%add_numbers('step_2', '-', analysis%values(rows, 2), figures=value_figures)
+      call table%add_numbers('step_4', '-', analysis%values(rows, 3), figures=value_figures)
+      call table%add_texts('meaning', parameters(rows)%meaning)
    end function parameter_table
 
    !> What the law takes, one row a route, and where the map lies.

@@ -39,7 +39,8 @@ contains
       type(normal_properties) :: properties
       type(error_type), allocatable :: error
 
-      verdict%text = choice(analysis%values(:, 1), options%route)//'.'
+      verdict%text = choice(analysis%values(:, 1), options%route, &
+         trim(merge('these profiles', 'this map      ', options%of_profiles)))//'.'
       sums%text = ''
       if (has_law(analysis%values(:, 1), options%route)) then
          law = law_faces(options, analysis%values(:, 1), options%route)
@@ -59,9 +60,9 @@ contains
 
    !> Which route to take, and why. That of Nayak, unless no Gaussian surface has the map's moments:
    !> the paper's rests on the peaks that pruning leaves, few and sharp ones.
-   pure function choice(values, route) result(text)
+   pure function choice(values, route, scan) result(text)
       real(wp), intent(in) :: values(:)
-      character(len=*), intent(in) :: route
+      character(len=*), intent(in) :: route, scan
       character(len=:), allocatable :: text
       logical :: nayak_exists, paper_exists
 
@@ -69,9 +70,9 @@ contains
       paper_exists = is_law(values, 'paper', roughness_number_min)
       if (route == 'nayak' .and. nayak_exists) then
          text = 'route nayak, '//number(values, route)//': all summits of a Gaussian surface '// &
-            'with the moments of this map'
+            'with the moments of '//scan
       else if (route == 'nayak') then
-         text = 'route nayak does not describe this map'
+         text = 'route nayak does not describe '//scan
          if (has_law(values, route)) text = text//', '//number(values, route)
          if (paper_exists) text = text//'; take --route paper, '//number(values, 'paper')
       else if (nayak_exists .and. .not. is_law(values, 'paper', roughness_number_min_sq)) then
@@ -82,9 +83,9 @@ contains
             'Gaussian surface has less than '//to_text(roughness_number_min_sq, 3)
       else if (has_law(values, route)) then
          text = 'route paper, '//number(values, route)
-         if (.not. nayak_exists) text = text//': no Gaussian surface has the moments of this map'
+         if (.not. nayak_exists) text = text//': no Gaussian surface has the moments of '//scan
       else
-         text = 'no route describes this map'
+         text = 'no route describes '//scan
       end if
    end function choice
 
