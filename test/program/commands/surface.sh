@@ -159,7 +159,7 @@ refuses 'surface: no picture of maps that do not fit' 2 '--verify: needs maps of
    surface s.sdf small.sdf --pair --verify
 refuses 'surface: two maps without --pair' 2 't.sdf: a second map is only taken with --pair' \
    surface s.sdf t.sdf
-refuses 'surface: three maps' 2 "'x.sdf': there is already the second map" \
+refuses 'surface: three maps' 2 "x.sdf: --pair takes the maps of two faces" \
    surface s.sdf t.sdf x.sdf --pair
 
 # One lay across the other: aligned or not, the same equivalent surface

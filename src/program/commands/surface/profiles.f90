@@ -5,7 +5,7 @@ module asperity_program_commands_surface_profiles
    use asperity_base_kinds, only: wp
    use asperity_base_no_value, only: none
    use asperity_base_number_text, only: to_text
-   use asperity_height_map_type, only: fewest_points, height_map
+   use asperity_height_map_type, only: check_height_map, fewest_points, height_map
    use asperity_program_commands_surface_keys, only: surface_options
    use asperity_program_commands_surface_maps, only: get_map, settle_preparation
    use asperity_program_report_report, only: named_table
@@ -25,6 +25,8 @@ module asperity_program_commands_surface_profiles
    integer, parameter :: longest_name = 64
    !> Profiles up to which the terminal shows them
    integer, parameter :: most_shown = 40
+   !> Root of the groups of profiles at most
+   integer, parameter :: most_tiles = 100
 
 contains
 
@@ -52,6 +54,10 @@ contains
                'do not show')
          else if (options%map /= '') then
             call fatal_error(error, '--map: writes a map, and these are profiles')
+         else if (options%analysis%tiles < 1 .or. options%analysis%tiles > most_tiles) then
+            call fatal_error(error, 'tiles = '//to_text(options%analysis%tiles)//' is not '// &
+               'allowed: it must be from 1 to '//to_text(most_tiles)//' for profiles', &
+               subject='tiles')
          end if
          if (.not. allocated(options%stylus_radius) .or. allocated(error)) return
          if (.not. options%stylus_radius > 0.0_wp) call fatal_error(error, 'stylus_radius = '// &
@@ -62,6 +68,8 @@ contains
       else if (size(options%files) > 1 .and. .not. options%pair) then
          call fatal_error(error, options%files(2)%text//': a second map is only taken with '// &
             '--pair; --profiles takes the lines of maps for profiles')
+      else if (options%pair) then
+         call check_height_map(map, error)
       else if (lines < fewest_points) then
          call fatal_error(error, map%source//': '//to_text(size(map%heights, 1))//' x '// &
             to_text(lines)//' points are no map: at least '//to_text(fewest_points)// &
