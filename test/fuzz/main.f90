@@ -66,6 +66,9 @@ program fuzz_main
    call add_file(seeds, 'scans/gwyddion_5_figures.xyz')
    call add_file(seeds, 'gwyddion/it.xyz')
    call run('text of x, y, z', .false.)
+   call add_file(seeds, 'scans/profile.txt')
+   call add_written(seeds, 'column')
+   call run('text of a profile', .false.)
    call add_written(seeds, 'csv')
    call add_written(seeds, 'esri')
    call add_written(seeds, 'gwyddion')
@@ -162,7 +165,7 @@ contains
                hints%height_unit = 'um'
             if (index(file, '# ') + index(file, '_um') == 0) hints%lateral_unit = 'mm'
          end if
-         if (index(file, '1.25;') == 1) then
+         if (index(file, '1.25;') == 1 .or. index(file, '7'//achar(10)) == 1) then
             hints%step_x = 0.001_wp
             hints%step_y = 0.002_wp
          end if

@@ -40,7 +40,8 @@ contains
    end subroutine add_file
 
    !> Append a map as we write it, or as others do: `esri`, `gwyddion`, `semicolons`, `names`,
-   !> `axes`, `factor`, `quoted`, `plu`, `gwy`, `gsf`, `keyence`, `wyko`, `spip`, `surfer`.
+   !> `axes`, `factor`, `quoted`, `column`, `plu`, `gwy`, `gsf`, `keyence`, `wyko`, `spip`,
+   !> `surfer`.
    subroutine add_written(seeds, form)
       !> The seeds
       type(seed_type), allocatable, intent(inout) :: seeds(:)
@@ -90,6 +91,9 @@ contains
             seed%bytes = seed%bytes//achar(48 + 2*j - 2)//',8.1,9.7,7.2,8.9,'//achar(48 + j)// &
                '.3,9.4'//line_end
          end do
+      case ('column')
+         seed%bytes = '7'//line_end//repeat('-1.25'//line_end//'3.5e-1'//line_end, 3)//'nan'// &
+            line_end
       case ('factor')
          seed%bytes = 'h=6 w=5'//line_end//'pixel size=2.5e-006 m'//line_end//'data unit=rad'// &
             line_end//'height conversion factor (-> m)=6.3e-008'//line_end//'Objective: 50x'// &
