@@ -103,7 +103,7 @@ contains
          '100000 x 100000')
       call check(500, transfer([6, 6], repeat(' ', 8)), 'file: byte 500: ', &
          '6 x 6 points, the file has room for 32')
-      call check(500, transfer([1, 6], repeat(' ', 8)), 'file: 6 x 1 points', 'are no map')
+      call check(500, transfer([6, 1], repeat(' ', 8)), 'file: 1 x 6 points', 'are no map')
       ! the 9th height
       call check(540, transfer(int(z'7F800000', int32), '1234'), 'file: byte 540: ', &
          'point 3 of line 2: height')
