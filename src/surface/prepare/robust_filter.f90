@@ -8,7 +8,7 @@ module asperity_surface_prepare_robust_filter
    use, intrinsic :: iso_fortran_env, only: int64
    use asperity_base_error, only: computation_error, error_type, fatal_error
    use asperity_base_kinds, only: wp
-   use asperity_base_memory, only: check_memory, check_room
+   use asperity_base_memory, only: check_room
    use asperity_base_no_value, only: none
    use asperity_base_number_text, only: to_text
    use asperity_height_map_type, only: height_map
@@ -27,8 +27,8 @@ module asperity_surface_prepare_robust_filter
    integer, parameter :: most_iterations = 200
    !> c over the largest height below which more than half of the points are on the line
    real(wp), parameter :: rounding = 1.0e-12_wp
-   !> Arrays of the map's size that are there at once, and those of the sums
-   integer(int64), parameter :: copies = 4_int64, copies_of_sums = 9_int64
+   !> Arrays of the map's size that are there at once: heights, weights, lines, sums and residuals
+   integer(int64), parameter :: copies = 14_int64
 
 contains
 
@@ -42,15 +42,14 @@ contains
       type(error_type), allocatable, intent(out) :: error
       real(wp), allocatable :: before(:, :), line(:, :), z(:, :), weights(:, :)
       real(wp) :: change, distance
-      integer :: iteration, status
+      integer :: iteration
 
       call check_cutoff(map, 'long_cutoff', cutoff, error)
       if (allocated(error)) return
-      allocate (before, line, z, weights, mold=map%heights, stat=status)
-      call check_memory(status, map%source, copies*8_int64*size(map%heights, kind=int64), error)
-      call check_room(map%source, copies_of_sums*8_int64*size(map%heights, kind=int64), error)
+      call check_room(map%source, copies*8_int64*size(map%heights, kind=int64), error)
       if (allocated(error)) return
       z = map%heights
+      allocate (before, line, weights, mold=z)
       weights = 1.0_wp
       where (z >= none)
          z = 0.0_wp
@@ -75,7 +74,7 @@ contains
          if (iteration > first_ones + 1 .and. change <= settled*distance) exit
          where (map%heights < none .and. abs(z - line) < distance)
             weights = (1.0_wp - ((z - line)/distance)**2)**2
-         elsewhere
+         else where
             weights = 0.0_wp
          end where
          before = line

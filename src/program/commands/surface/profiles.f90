@@ -13,7 +13,8 @@ module asperity_program_commands_surface_profiles
    use asperity_program_system_progress, only: show_stage
    use asperity_program_system_strings, only: string_type
    use asperity_surface_analysis, only: surface_analysis_type
-   use asperity_surface_profiles_analysis, only: add_profiles, analyse_profiles, groups_of, profile_set
+   use asperity_surface_profiles_analysis, only: add_profiles, analyse_profiles, groups_of, &
+      profile_set
    use asperity_surface_profiles_moments, only: profile_moments
    use asperity_surface_remarks_on_profiles, only: find_profile_remarks, profile_facts
    use asperity_surface_remarks_remark, only: remark_type
