@@ -13,13 +13,16 @@ module asperity_height_map_text_matrix_steps
    use asperity_height_map_units, only: map_hints, settle_step, settle_unit, unit_of_length
    implicit none
    private
-   public :: check_size, check_units, column_step, settle_steps
+   public :: check_size, check_units, settle_point_steps, settle_steps
 
    character(len=*), parameter :: columns_rows(2) = [character(len=7) :: 'columns', 'rows']
    character(len=*), parameter :: axes(2) = ['x', 'y']
    !> Share of a step that is told if the rounding of a length can change it by as much
    real(wp), parameter :: noticed = 1.0e-3_wp
    character(len=*), parameter :: extents(2) = [character(len=6) :: 'Width', 'Height']
+
+   !> Steps that differ by less are the same, as coordinates are rounded
+   real(wp), parameter :: similar = 1.0e-2_wp
 
 contains
 
@@ -219,24 +222,44 @@ contains
          error)
    end subroutine find_unit
 
-   !> Step of a profile of heights alone, mm, as the header says it; 0 where it does not.
-   subroutine column_step(source, header, hints, step, error)
+   !> Set the steps of points, or that of a profile; heights alone have the step of the header.
+   subroutine settle_point_steps(source, header, hints, steps, unit, has_lines, map, error)
       !> The file
       type(byte_source), intent(in) :: source
-      !> Its header
+      !> Its header, and which columns are x, y and z
       type(text_header), intent(in) :: header
       !> What the user says
       type(map_hints), intent(in) :: hints
-      !> The step
-      real(wp), intent(out) :: step
-      !> Set when its unit is not known
+      !> Steps by the coordinates
+      real(wp), intent(in) :: steps(2)
+      !> mm of a coordinate
+      real(wp), intent(in) :: unit
+      !> Whether there is more than one line
+      logical, intent(in) :: has_lines
+      !> Its steps are set
+      type(height_map), intent(inout) :: map
+      !> Set when they are not known, or contradict
       type(error_type), allocatable, intent(out) :: error
-      real(wp) :: unit
+      real(wp) :: step_x, length
 
-      step = 0.0_wp
-      if (.not. header%steps(1) > 0.0_wp) return
-      call find_unit(source, header, hints, header%step_units(1), 'lengths', unit, error)
-      if (.not. allocated(error)) step = header%steps(1)*unit
-   end subroutine column_step
+      step_x = steps(1)*unit
+      if (header%names%places(1) == 0) then
+         step_x = 0.0_wp
+         if (header%steps(1) > 0.0_wp) then
+            call find_unit(source, header, hints, header%step_units(1), 'lengths', length, error)
+            if (allocated(error)) return
+            step_x = header%steps(1)*length
+         end if
+      else if (any(header%steps > 0.0_wp .and. abs(steps - header%steps) > similar*steps)) then
+         call map_error(error, source, 'by their coordinates the steps of the points are '// &
+            to_text(steps(1), 6)//' and '//to_text(steps(2), 6)//', by the header '// &
+            to_text(header%steps(1), 6)//' and '//to_text(header%steps(2), 6)//': correct it')
+         return
+      end if
+      call settle_step(source%name, 'x', step_x, hints%step_x, map%step_x, error)
+      map%step_y = map%step_x
+      if (has_lines .and. .not. allocated(error)) call settle_step(source%name, 'y', &
+         steps(2)*unit, hints%step_y, map%step_y, error)
+   end subroutine settle_point_steps
 
 end module asperity_height_map_text_matrix_steps

@@ -23,10 +23,10 @@ module asperity_height_map_text_xyz
       is_colour, read_field, skip_field
    use asperity_height_map_text_find_grid, only: find_grid
    use asperity_height_map_text_header, only: marks_missing, text_header
-   use asperity_height_map_text_matrix_steps, only: column_step
+   use asperity_height_map_text_matrix_steps, only: settle_point_steps
    use asperity_height_map_text_numbers, only: count_figures
    use asperity_height_map_type, only: add_note, allocate_heights, height_map
-   use asperity_height_map_units, only: map_hints, settle_step, settle_unit
+   use asperity_height_map_units, only: map_hints, settle_unit
    implicit none
    private
    public :: read_xyz
@@ -35,8 +35,6 @@ module asperity_height_map_text_xyz
    integer(int64), parameter :: most_sparse = 4_int64
    !> Bytes of both axes at most; a smaller file has smaller ones
    integer(int64), parameter :: room_for_axes = 8_int64*2_int64**20
-   !> Steps that differ by less are the same, as coordinates are rounded
-   real(wp), parameter :: similar = 1.0e-2_wp
    !> Largest coordinate of either sign, in the units of the file
    real(wp), parameter :: largest_coordinate = 1.0e15_wp
 
@@ -233,13 +231,6 @@ contains
             to_text(header%sizes(2))//': correct it')
          return
       end if
-      if (header%names%places(1) > 0 .and. any(header%steps > 0.0_wp .and. &
-         abs(steps - header%steps) > similar*steps)) then
-         call map_error(error, source, 'by their coordinates the steps of the points are '// &
-            to_text(steps(1), 6)//' and '//to_text(steps(2), 6)//', by the header '// &
-            to_text(header%steps(1), 6)//' and '//to_text(header%steps(2), 6)//': correct it')
-         return
-      end if
       if (nx*ny > most_sparse*points) then
          call map_error(error, source, &
             'the points are on no grid: '//to_text(points)//' points '// &
@@ -247,17 +238,8 @@ contains
             to_text(int(most_sparse))//'th place must be taken: resample the map')
          return
       end if
-      if (header%names%places(1) == 0) call column_step(source, header, hints, steps(1), &
-         error)
+      call settle_point_steps(source, header, hints, steps, unit, ny > 1_int64, map, error)
       if (allocated(error)) return
-      call settle_step(source%name, 'x', steps(1)*unit, hints%step_x, map%step_x, error)
-      if (allocated(error)) return
-      if (ny == 1_int64) then
-         map%step_y = map%step_x
-      else
-         call settle_step(source%name, 'y', steps(2)*unit, hints%step_y, map%step_y, error)
-         if (allocated(error)) return
-      end if
       call allocate_heights(source%name, nx, ny, map, error)
       if (allocated(error)) return
       map%heights = none
