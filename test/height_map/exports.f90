@@ -163,6 +163,11 @@ contains
       call check(keyence(japanese, ',', '"', mu//'m')//lines(',', '.', crlf))
       call check(char(239)//char(187)//char(191)//keyence(english, ',', '', 'um')// &
          lines(',', '.', nl))
+      ! without the name of the image; a separator within quotes
+      text = keyence(english, ',', '"', 'um')
+      call check(text(:place_of(text, 10))//lines(',', '.', crlf))
+      call check(text(:index(text, 'Calib') - 1)//', '//text(index(text, 'Calib'):)// &
+         lines(',', '.', crlf))
       ! each number between quotes
       text = lines(',', '.', '"'//nl)
       do i = len(text) - 1, 1, -1
@@ -232,6 +237,8 @@ contains
       k = index(head, '"6"')
       call refused(head(:k)//'x'//head(k + 2:)//text, 'file:5:1: ', 'must be a whole number', &
          no_hints)
+      call refused(head(:k + 1)//' px'//head(k + 2:)//text, 'file:5:1: ', &
+         'must be a whole number', no_hints)
       k = index(head, '"nm"')
       call refused(head(:k)//'px'//head(k + 3:)//text, 'file:3:1: ', 'the distance of points', &
          no_hints)
@@ -311,6 +318,8 @@ contains
       text = zygo('2.0e-6', '#'//nl)
       call refused(text(:place_of(text, 11))//text(index(text, '#'):), 'file:12:1: ', &
          'there are 11 lines before the points', no_hints)
+      call refused(text(:place_of(text, 12))//text(index(text, '#'):), 'file:13:1: ', &
+         'there are 12 lines before the points', no_hints)
       call refused(text//'1 2 3'//nl, 'file:46:1: ', 'numbers follow a comment', no_hints)
       call refused(text(:len(text) - 2)//'20 20 1.5'//nl//'#', 'file: the points are on 11 x 5', &
          'the header promises 6 x 5', no_hints)
@@ -425,6 +434,8 @@ contains
       call assertFalse(allocated(map%notes), 'nothing to say')
       call check(file('0.002', 'Intensity'//tab//'3'//tab//'120'//crlf//points))
       call assertTrue(has_text(map%notes, 'behind the heights'), map%notes)
+      call check(text(:index(text, 'RAW_DATA') - 1)//'Image'//tab//'3'//tab//'120'//crlf// &
+         points//text(index(text, 'RAW_DATA'):))
       call refused(file('2', ''), 'file: by their coordinates the steps', 'correct it', no_hints)
       call refused(text(:len(text) - 18), 'file:', 'behind 29 of the 5 x 6 points', no_hints)
       call refused(text(:index(text, '0.000') - 1)//'1'//tab//'2'//crlf, 'file:8:1: ', &
@@ -483,8 +494,15 @@ contains
       call read_text(head//'# voidpixels = 2'//nl//begin//text//nl//'0 0 1 0 0 0 0 0 0 0'//nl// &
          repeat('0 ', 10)//nl//repeat('0 ', 9)//'1'//nl, no_hints, map)
       call assert_map(map, 6, heights, exact)
+      call read_text(head//'# voidpixels = 2'//nl//begin//text//repeat('0 ', 30)//nl//'# x'// &
+         nl//'more'//nl, no_hints, map)
+      call assertTrue(has_text(map%notes, 'what stands behind the heights'), map%notes)
+      call refused(head//'# voidpixels = 2'//nl//begin//lines(tab, '.', tab)//repeat('0 ', 30)// &
+         nl, 'file:9:121: ', 'end here, and so must the line', no_hints)
       call refused(head//'# voidpixels = 2'//nl//begin//text//repeat('0 ', 29)//nl, 'file:', &
          'within the matrix of void pixels', no_hints)
+      call refused(head//'# voidpixels = 2'//nl//begin//text//repeat('0 ', 31)//nl, &
+         'file:14:61: ', 'more void pixels than points', no_hints)
       call refused(head//'# voidpixels = 2'//nl//begin//text//'0 2'//nl, 'file:14:3: ', &
          'a void pixel is 1', no_hints)
       call refused(head//'# voidpixels = 2'//nl//begin//text//'0 x'//nl, 'file:14:3: ', &
@@ -498,6 +516,8 @@ contains
       call refused(mark//'# points = 6'//nl//'# length = 5'//nl//begin//text, 'file:5:1: ', &
          'this is a profile', no_hints)
       call refused(mark//'# x-pixels = 0'//nl//begin//text, 'file:2:1: ', 'whole number', no_hints)
+      call refused(mark//'# x-pixels = 6 um'//nl//begin//text, 'file:2:1: ', 'whole number', &
+         no_hints)
       call refused(mark//sizes, 'file:3:', 'before its heights', no_hints)
 
    contains

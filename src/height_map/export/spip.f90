@@ -159,6 +159,8 @@ contains
             end if
          end do
       end do
+      if (.not. is_last) call line_error(error, source, at, &
+         'there are more void pixels than points')
    end subroutine read_voids
 
    !> Whether the current line has no field.

@@ -57,20 +57,19 @@ contains
       type(byte_source), intent(inout), target :: source
       !> Its header
       type(text_header), intent(in) :: header
-      !> The map; missing points are taken out, or a note is added
+      !> The map; missing points are taken out, and a note tells of what is left
       type(height_map), intent(inout) :: map
       !> Set when it is faulty
       type(error_type), allocatable, intent(out) :: error
       logical :: found
 
       if (header%layout%has_voids) call read_voids(source, header, map, error)
-      if (header%layout%has_voids .or. allocated(error)) return
-      do
+      do while (.not. allocated(error))
          call next_line(source, found, error)
          if (allocated(error) .or. .not. found) return
          if (line_type(source) == line_other) exit
       end do
-      call add_note(map, 'what stands behind the heights is not read.')
+      if (.not. allocated(error)) call add_note(map, 'what stands behind the heights is not read.')
    end subroutine read_export_end
 
 end module asperity_height_map_export_start

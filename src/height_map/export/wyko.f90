@@ -11,10 +11,9 @@ module asperity_height_map_export_wyko
    use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
    use asperity_height_map_bytes_byte_source, only: byte_source
-   use asperity_height_map_bytes_lines, only: next_line
    use asperity_height_map_export_header_lines, only: next_header_line, numbers_in, read_size, &
       start_numbers, start_points, take_field
-   use asperity_height_map_file_errors, only: line_error
+   use asperity_height_map_file_errors, only: line_error, plain_excerpt
    use asperity_height_map_text_header, only: text_header
    use asperity_height_map_text_header_fields, only: number_in
    use asperity_height_map_type, only: add_note, height_map
@@ -29,8 +28,8 @@ module asperity_height_map_export_wyko
    character(len=*), parameter :: blocks(*) = [character(len=11) :: 'RAW_DATA', 'RAW DATA', 'Raw', &
       'OPD', 'SAMPLE_DATA']
    real(wp), parameter :: nm = 1.0e-6_wp  ! mm
-   !> Points either way whose product is a number
-   integer(int64), parameter :: largest = 2_int64**31
+   !> Characters of a file that a message shows
+   integer, parameter :: shown = 40
 
 contains
 
@@ -74,8 +73,10 @@ contains
          end if
          if (value == array) then
             if (any(blocks == key)) exit
-            call skip_block()
-            if (allocated(error)) return
+            ! a block that is none of heights, unless it is a line within one
+            call number_in(key, number, is_number, rest)
+            if (.not. is_number .and. key /= 'Bad') call add_note(map, 'the block '// &
+               plain_excerpt(key, shown)//' is not read.')
             cycle
          end if
          call take_field(line, tab, unused)
@@ -91,8 +92,9 @@ contains
          case ('Mult')
             if (.not. is_number) number = 0.0_wp
             if (abs(number - 1.0_wp) > 0.0_wp) call line_error(error, source, source%first, &
-               'Mult is '//value//': whether heights are over it or times it, readers of this '// &
-               'format do not agree; export the heights in nm without it, or as OPD')
+               'Mult is '//plain_excerpt(value, shown)//': whether heights are over it or '// &
+               'times it, readers of this format do not agree; export the heights in nm '// &
+               'without it, or as OPD, which Gwyddion saves as .gwy')
          case default
             continue
          end select
@@ -141,20 +143,6 @@ contains
                'Wavelength stands before them: export the heights in nm')
          end if
       end subroutine settle_heights
-
-      !> Go to the last line of a block that is none of heights.
-      subroutine skip_block()
-         integer(int64) :: i, lines
-         logical :: found
-
-         lines = header%sizes(1)
-         if (has_points .and. all(header%sizes < largest)) lines = product(header%sizes)
-         call add_note(map, 'the block '//key//' is not read.')
-         do i = 1_int64, lines
-            call next_line(source, found, error)
-            if (allocated(error) .or. .not. found) return
-         end do
-      end subroutine skip_block
 
    end subroutine read_wyko_start
 
