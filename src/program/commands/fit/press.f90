@@ -4,18 +4,19 @@ module asperity_program_commands_fit_press
    use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
    use asperity_fit_parameter, only: fit_parameter
-   use asperity_fit_press, only: press_pressures, press_problem, press_separation
+   use asperity_fit_press, only: n_press_numbers, press_pressures, press_problem, &
+      press_separation
    use asperity_fit_problem, only: fit_problem
    use asperity_law_normal_law, only: evaluate_normal_law, normal_response
    use asperity_law_normal_properties, only: normal_properties, unloading_elastic, &
       unloading_reversible
    use asperity_law_validity, only: valid, validity_remark
-   use asperity_program_commands_faces_properties, only: critical_slip, eta, face_properties, &
+   use asperity_program_commands_faces_properties, only: critical_slip, eta, &
       friction_coefficient, n_properties, sigma, yield_factor
    use asperity_program_commands_faces_type, only: faces_type
    use asperity_program_commands_fit_kind, only: fit_kind
    use asperity_program_commands_fit_press_numbers, only: compliance_name, least_yield_factor, &
-      press_names, press_number, press_parameter, separation_name
+      press_name, press_names, press_number, press_parameter, separation_name
    use asperity_program_commands_fit_record_input, only: fit_record, record_quantities
    use asperity_program_commands_surface_law, only: refusal
    use asperity_program_input_key, only: given_as_option
@@ -80,36 +81,37 @@ contains
       type(string_type), intent(in) :: free(:)
       !> Separated by blanks
       character(len=:), allocatable :: names
-      integer :: i
+      integer :: i, j
 
       names = ''
-      do i = eta, sigma
-         call add_missing(trim(face_properties(i)%name), is_given(self, i))
+      do i = eta, press_separation
+         if (is_given(self, i) .or. any([(free(j)%text == press_name(i), j=1, size(free))])) cycle
+         names = trim(adjustl(names//' '//press_name(i)))
       end do
-      call add_missing(separation_name, self%keys%given(self%keys%find(separation_name)))
-
-   contains
-
-      pure subroutine add_missing(name, given)
-         character(len=*), intent(in) :: name
-         logical, intent(in) :: given
-         integer :: j
-
-         if (given .or. any([(free(j)%text == name, j=1, size(free))])) return
-         names = trim(adjustl(names//' '//name))
-      end subroutine add_missing
    end function missing
 
-   !> Whether the user gives a property, by itself or by what stands for several.
+   !> Whether the user gives a number, by itself or by what stands for several; a separation that
+   !> follows sigma is not given.
    pure logical function is_given(self, which)
       type(press_kind), intent(in) :: self
       integer, intent(in) :: which
+      integer :: place
 
-      associate (key => self%keys%rows(self%faces%keys(which)))
-         is_given = self%keys%given(self%faces%keys(which))
-         if (key%leader > 0) is_given = is_given .or. self%keys%given(key%leader)
+      place = self%keys%find(press_name(which))
+      is_given = self%keys%given(place)
+      associate (key => self%keys%rows(place))
+         if (which <= sigma .and. key%leader > 0) &
+            is_given = is_given .or. self%keys%given(key%leader)
       end associate
    end function is_given
+
+   !> All numbers of the model.
+   pure function numbers_of(self) result(numbers)
+      type(press_kind), intent(in) :: self
+      real(wp) :: numbers(n_press_numbers)
+
+      numbers = [self%faces%values(eta:sigma), self%faces%initial_separation, self%compliance]
+   end function numbers_of
 
    !> Take the test, of which there is one. Where it returns, summits unload elastically unless
    !> something else is said.
@@ -173,15 +175,11 @@ contains
       if (which == 0) then
          call fatal_error(error, '--free: '//name//' cannot be free: a press record may settle '// &
             press_names())
-      else if (which <= sigma) then
-         parameter = press_parameter(which, self%record, self%faces%values(which), &
-            is_given(self, which))
-      else if (which == press_separation) then
-         parameter = press_parameter(which, self%record, self%faces%initial_separation, &
-            self%keys%given(self%keys%find(separation_name)))
-      else
-         parameter = press_parameter(which, self%record, self%compliance, self%compliance > 0.0_wp)
+         return
       end if
+      associate (numbers => numbers_of(self))
+         parameter = press_parameter(which, self%record, numbers(which), is_given(self, which))
+      end associate
       if (which == yield_factor .and. self%faces%has_memory) then
          ! less is refused with elastic unloading
          parameter%lower = least_yield_factor(self%faces%heights%plastic_ratio)
@@ -208,8 +206,7 @@ contains
       press%closure = self%record%x
       press%pressure = self%record%y
       press%scale = scale
-      press%numbers = [self%faces%values(eta:sigma), self%faces%initial_separation, &
-         self%compliance]
+      press%numbers = numbers_of(self)
       allocate (press%free(size(free)))
       do i = 1, size(free)
          press%free(i) = press_number(free(i)%text)

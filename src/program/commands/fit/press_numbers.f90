@@ -7,7 +7,7 @@ module asperity_program_commands_fit_press_numbers
    use asperity_program_commands_fit_record_input, only: fit_record
    implicit none
    private
-   public :: least_yield_factor, press_names, press_number, press_parameter
+   public :: least_yield_factor, press_name, press_names, press_number, press_parameter
 
    character(len=*), parameter, public :: separation_name = 'initial_separation', &
       compliance_name = 'machine_compliance'
@@ -34,16 +34,32 @@ contains
       if (name == compliance_name) press_number = press_compliance
    end function press_number
 
+   !> Name of a number's key.
+   pure function press_name(which) result(name)
+      !> Its place
+      integer, intent(in) :: which
+      character(len=:), allocatable :: name
+
+      select case (which)
+      case (press_separation)
+         name = separation_name
+      case (press_compliance)
+         name = compliance_name
+      case default
+         name = trim(face_properties(which)%name)
+      end select
+   end function press_name
+
    !> All names for a message.
    pure function press_names() result(text)
       character(len=:), allocatable :: text
       integer :: i
 
       text = ''
-      do i = eta, sigma
-         text = text//trim(face_properties(i)%name)//', '
+      do i = 1, press_compliance - 1
+         text = text//press_name(i)//', '
       end do
-      text = text//separation_name//' and '//compliance_name
+      text = text//'and '//press_name(press_compliance)
    end function press_names
 
    !> Unit, start and bounds of a number.
@@ -58,22 +74,20 @@ contains
       real(wp) :: range
 
       range = maxval(record%x) - minval(record%x)
+      p%name = press_name(which)
       select case (which)
       case (press_separation)
-         p%name = separation_name
          p%unit = 'mm'
          p%scale = range
          p%lower = maxval(record%x) + separation_bounds(1)*range
          p%upper = maxval(record%x) + separation_bounds(2)*range
          p%start = maxval(record%x) + range
       case (press_compliance)
-         p%name = compliance_name
          p%unit = 'mm/MPa'
          p%scale = range/maxval(record%y)
          p%upper = p%scale
          p%start = first_compliance*p%upper
       case default
-         p%name = face_properties(which)%name
          p%unit = face_properties(which)%unit
          p%by_ratio = .true.
          p%lower = usual_bounds(1, which)
