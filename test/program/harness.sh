@@ -124,7 +124,7 @@ of_json() {
       | tr -d ' "'
 }
 # near A B TOLERANCE: within a share of the larger
-near() { awk -v a="$1" -v b="$2" -v t="$3" 'BEGIN { d = a - b; m = a*a > b*b ? a : b
+has_nearly() { awk -v a="$1" -v b="$2" -v t="$3" 'BEGIN { d = a - b; m = a*a > b*b ? a : b
    print a, b; exit !(a != "" && b != "" && d*d <= t*t*m*m) }'; }
 
 # map_with_holes: a map of 50 by 40 points, of which 40 were not measured
@@ -138,8 +138,8 @@ has() { grep -Fq -- "$2" "$1"; }
 lacks() { ! grep -Eq -- "$2" "$1"; }
 absent() { [ ! -e "$1" ]; }
 
-# near CASE NAME VALUE TOLERANCE: a case file has a value, but for a share of it
-near() {
+# has_nearly CASE NAME VALUE TOLERANCE: a case file has a value, but for a share of it
+has_nearly() {
    awk -v name="$2" -v value="$3" -v tolerance="$4" '$1 == name { found = 1; d = $3/value - 1
       if (d < -tolerance || d > tolerance) { print name " " $3; exit 1 } } END { if (!found) exit 1 }' "$1"
 }

@@ -25,8 +25,8 @@ fit=(fit --kind joint --model small.nml --where model=rough --searches 1)
 run "${fit[@]}" small.csv --free clearance,side_pressure --start clearance=2,side_pressure=0.04 --case found.nml \
    --csv curve.csv --json fit.json
 check 'fit joint' is_quiet
-check 'fit joint: clearance' near found.nml clearance 0.4 1e-4
-check 'fit joint: side pressure' near found.nml side_pressure 0.3 1e-4
+check 'fit joint: clearance' has_nearly found.nml clearance 0.4 1e-4
+check 'fit joint: side pressure' has_nearly found.nml side_pressure 0.3 1e-4
 check 'fit joint: clearance above follows' grep -q '^  ! clearance_above: as clearance' found.nml
 check 'fit joint: model beside record' csv curve.csv '
    if (abs(c["force"] - c["model_force"]) > 1) fail(c["force"])'
@@ -37,8 +37,8 @@ check 'fit joint: as the record' test "$(rows found.csv)" -eq "$(rows small.csv)
 # Rotation and moment are the same record; so are cm and kN
 run fit --kind joint --model small.nml --where model=rough --searches 1 small.csv --free clearance,side_pressure \
    --displacement-column rotation --force-column moment --case moment.nml
-check 'fit joint: rotation and moment' near moment.nml clearance 0.4 1e-4
-check 'fit joint: rotation and moment, side pressure' near moment.nml side_pressure 0.3 1e-4
+check 'fit joint: rotation and moment' has_nearly moment.nml clearance 0.4 1e-4
+check 'fit joint: rotation and moment, side pressure' has_nearly moment.nml side_pressure 0.3 1e-4
 
 # Threads share the replays, and give the same bits
 for threads in 1 2; do
@@ -53,7 +53,7 @@ awk -F, 'NR == 1 { print "displacement (mm),force (kN)" } $1 == "rough" { print 
 run fit --kind joint --model small.nml --searches 1 a.csv b.csv --free clearance,side_pressure --hold-out b.csv \
    --case both.nml
 check 'fit joint: two records' is_quiet
-check 'fit joint: two records, clearance' near both.nml clearance 0.4 1e-3
+check 'fit joint: two records, clearance' has_nearly both.nml clearance 0.4 1e-3
 check 'fit joint: three rows of records' test "$(grep -Ec '^ *[ab].csv +(yes|no) ' out)" -eq 3
 
 awk -F, 'NR > 1 { OFS = ","; $1 += 5 } { print }' a.csv >offset.csv

@@ -7,8 +7,8 @@ run shear --friction-coefficient 0.42 --critical-slip 0.25 --displacement 1,-1 -
 run "${fit[@]}" s.csv --free friction_coefficient,critical_slip --start critical_slip=5,friction_coefficient=10 \
    --csv curve.csv --json fit.json --case found.nml
 check 'fit shear' is_quiet
-check 'fit shear: mu' near found.nml friction_coefficient 0.42 1e-6
-check 'fit shear: gcrit' near found.nml critical_slip 0.25 1e-6
+check 'fit shear: mu' has_nearly found.nml friction_coefficient 0.42 1e-6
+check 'fit shear: gcrit' has_nearly found.nml critical_slip 0.25 1e-6
 check 'fit shear: three normal stresses' grep -q '^  normal_stress = 0.05, 0.1, 0.2 ' found.nml
 check 'fit shear: model beside record' csv curve.csv '
    if (abs(c["shear_force"] - c["model_shear_force"]) > 1e-3) fail(c["shear_force"])'
@@ -21,24 +21,26 @@ check 'fit shear: one fix' is_refused 2 '--fix: is given twice'
 # Stresses need no size, and units are those of the column
 awk -F, 'NR == 1 { print "normal_stress (kPa),displacement (um),shear_stress (kPa)"; next }
    { printf "%g,%.17g,%.17g\n", 1000*$1, 1000*$3, 1000*$11 }' s.csv >kpa.csv
-run fit --kind shear kpa.csv --free friction_coefficient,critical_slip --case found.nml
-check 'fit shear: kPa and um' near found.nml friction_coefficient 0.42 1e-6
-check 'fit shear: kPa and um, gcrit' near found.nml critical_slip 0.25 1e-6
+refuses 'fit shear: which of two stresses' 2 'kpa.csv: columns 1 and 3 may both be pressure: choose with --force-column' \
+   fit --kind shear kpa.csv --free friction_coefficient,critical_slip
+run fit --kind shear kpa.csv --force-column shear_stress --free friction_coefficient,critical_slip --case kpa.nml
+check 'fit shear: kPa and um' has_nearly kpa.nml friction_coefficient 0.42 1e-6
+check 'fit shear: kPa and um, gcrit' has_nearly kpa.nml critical_slip 0.25 1e-6
 
 # Machine, rest and motion
 run shear --friction-coefficient 0.42 --critical-slip 0.25 --shear-compliance 1e-3 --displacement 1.5,-1.5 \
    --normal-stress 0.05,0.2 --csv machine.csv
-run "${fit[@]}" machine.csv --free friction_coefficient,critical_slip,shear_compliance --case found.nml
+run "${fit[@]}" machine.csv --free friction_coefficient,critical_slip,shear_compliance --case machine.nml
 check 'fit shear: with a machine' is_quiet
-check 'fit shear: with a machine, gcrit' near found.nml critical_slip 0.25 1e-4
-check 'fit shear: machine' near found.nml shear_compliance 1e-3 1e-4
+check 'fit shear: with a machine, gcrit' has_nearly machine.nml critical_slip 0.25 1e-4
+check 'fit shear: machine' has_nearly machine.nml shear_compliance 1e-3 1e-4
 run shear "$root/examples/friction/pine_transverse.nml" --csv pine.csv
 run fit --kind shear pine.csv --fix diameter=61.8,normal_stress=0.2 \
-   --free friction_coefficient,static_friction_coefficient,critical_slip,decay_slip --case found.nml
+   --free friction_coefficient,static_friction_coefficient,critical_slip,decay_slip --case pine.nml
 check 'fit shear: rest and motion' is_quiet
-check 'fit shear: in motion' near found.nml friction_coefficient 0.17 1e-4
-check 'fit shear: at rest' near found.nml static_friction_coefficient 0.24 1e-4
-check 'fit shear: decay' near found.nml decay_slip 0.5 1e-4
+check 'fit shear: in motion' has_nearly pine.nml friction_coefficient 0.17 1e-4
+check 'fit shear: at rest' has_nearly pine.nml static_friction_coefficient 0.24 1e-4
+check 'fit shear: decay' has_nearly pine.nml decay_slip 0.5 1e-4
 
 # Held out: what is not fitted is followed with the values found
 head -n 1 s.csv >first.csv
@@ -54,9 +56,9 @@ check 'fit shear: begins under load' grep -q 'Test 1 begins with 100' out
 
 # A load cell that drifts by a twentieth: residuals go on, which is said; mu is off by less
 awk -F, 'NR == 1 { print } NR > 1 { OFS = ","; $10 += 6*NR/600; print }' s.csv >drift.csv
-run "${fit[@]}" drift.csv --free friction_coefficient,critical_slip --case found.nml
+run "${fit[@]}" drift.csv --free friction_coefficient,critical_slip --case drift.nml
 check 'fit shear: drift is said' grep -q 'Durbin-Watson' out
-check 'fit shear: drift' near found.nml friction_coefficient 0.42 0.05
+check 'fit shear: drift' has_nearly drift.nml friction_coefficient 0.42 0.05
 
 refuses 'fit shear: no normal stress' 2 'first.csv: nothing says the normal stress' \
    "${fit[@]}" first.csv --free friction_coefficient,critical_slip
