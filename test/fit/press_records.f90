@@ -1,6 +1,5 @@
 !> Press records of the paper's first pair, computed, and parameters that begin far off.
 module press_records
-   use asperity_base_constants, only: pi
    use asperity_base_error, only: error_type
    use asperity_base_kinds, only: wp
    use asperity_fit_parameter, only: fit_parameter
@@ -53,8 +52,7 @@ contains
       integer :: i
 
       do i = 1, size(exact)
-         problem%pressure(i) = exact(i) + noise*maxval(exact)*sqrt(-2.0_wp*log(stream%uniform( &
-            1.0e-300_wp, 1.0_wp)))*cos(2.0_wp*pi*stream%uniform(0.0_wp, 1.0_wp))
+         problem%pressure(i) = exact(i) + noise*maxval(exact)*stream%gaussian()
       end do
    end subroutine add_noise
 

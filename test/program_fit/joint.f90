@@ -2,7 +2,6 @@
 module test_program_fit_joint
    use, intrinsic :: iso_fortran_env, only: int64
    use asperity, only: error_type, wp
-   use asperity_base_constants, only: pi
    use asperity_fit_least_squares, only: fit_least_squares
    use asperity_fit_parameter, only: fit_parameter
    use asperity_fit_types, only: fit_result, fit_settings
@@ -107,9 +106,7 @@ contains
       if (allocated(error)) return
       largest = maxval(abs(force))
       do i = 1, n
-         force(i) = force(i) + largest*(drift*i/n + noise &
-            *sqrt(-2.0_wp*log(stream%uniform(0.0_wp, 1.0_wp))) &
-            *cos(2.0_wp*pi*stream%uniform(0.0_wp, 1.0_wp)))
+         force(i) = force(i) + largest*(drift*i/n + noise*stream%gaussian())
       end do
       call thin_record(made, path, force, 100)
    end subroutine make_record

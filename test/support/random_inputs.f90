@@ -20,6 +20,7 @@ module random_inputs
    contains
       procedure :: uniform
       procedure :: log_uniform
+      procedure :: gaussian
    end type random_stream
 
 contains
@@ -45,6 +46,15 @@ contains
 
       x = lower*exp(this%uniform(0.0_wp, log(upper/lower)))
    end function log_uniform
+
+   !> A number of a Gaussian distribution with a standard deviation of one (Box and Muller).
+   function gaussian(this) result(x)
+      class(random_stream), intent(inout) :: this
+      real(wp) :: x, radius
+
+      radius = sqrt(-2.0_wp*log(this%uniform(1.0e-300_wp, 1.0_wp)))
+      x = radius*cos(2.0_wp*pi*this%uniform(0.0_wp, 1.0_wp))
+   end function gaussian
 
    !> Random properties with w1/sigma between the limits and eta R sigma between 0.03 and 4.
    subroutine random_properties(stream, properties, w1_min, w1_max, yield_factor_min, unloading)
