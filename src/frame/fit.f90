@@ -31,7 +31,7 @@ module asperity_frame_fit
    real(wp), parameter :: force_scale = 0.1_wp, energy_scale = 0.05_wp, peak_scale = 0.03_wp
    !> Steps of differences, one search after the other: the force has kinks, which large ones pass
    !> over
-   real(wp), parameter :: steps(3) = [1.0e-1_wp, 1.0e-2_wp, 1.0e-3_wp]
+   real(wp), parameter :: steps(3) = [2.0e-2_wp, 2.0e-3_wp, 2.0e-4_wp]
 
 contains
 
@@ -70,6 +70,7 @@ contains
             ! what counts is how good the values are, which is told beside them, not whether they
             ! could be a little better
             if (.not. allocated(result%values)) exit
+            if (.not. result%start_chi_squared < huge(1.0_wp)) exit
             if (.not. is_finite(result%chi_squared)) exit
             parameters%start = inside(parameters, result%values)
             if (result%chi_squared >= chi_squared) cycle
@@ -90,10 +91,10 @@ contains
       type(fit_parameter), intent(in) :: parameter
       real(wp), intent(in) :: value
 
-      associate (margin => 1.0e-3_wp*(parameter%upper - parameter%lower))
+      associate (margin => 1.0e-6_wp*(parameter%upper - parameter%lower))
          inside = min(max(value, parameter%lower + margin), parameter%upper - margin)
-         if (parameter%by_ratio) inside = min(max(value, parameter%lower*1.01_wp), &
-            parameter%upper/1.01_wp)
+         if (parameter%by_ratio) inside = min(max(value, parameter%lower*(1.0_wp + 1.0e-6_wp)), &
+            parameter%upper/(1.0_wp + 1.0e-6_wp))
       end associate
    end function inside
 
