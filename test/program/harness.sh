@@ -124,7 +124,7 @@ of_json() {
       | tr -d ' "'
 }
 # near A B TOLERANCE: within a share of the larger
-has_nearly() { awk -v a="$1" -v b="$2" -v t="$3" 'BEGIN { d = a - b; m = a*a > b*b ? a : b
+near() { awk -v a="$1" -v b="$2" -v t="$3" 'BEGIN { d = a - b; m = a*a > b*b ? a : b
    print a, b; exit !(a != "" && b != "" && d*d <= t*t*m*m) }'; }
 
 # map_with_holes: a map of 50 by 40 points, of which 40 were not measured
