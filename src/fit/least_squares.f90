@@ -115,8 +115,8 @@ contains
       end if
    end subroutine find_starts
 
-   !> Search from each start, and keep the lowest end. A search that ends no lower than it began ends
-   !> where it began.
+   !> Search from each start, and keep the lowest end. A search that ends no lower than it began
+   !> ends where it began.
    subroutine search_from(search, starts, y, result)
       type(search_type), intent(inout) :: search
       real(wp), intent(in) :: starts(:, :)

@@ -13,9 +13,9 @@ contains
       character(len=:), allocatable :: text
 
       text = 'asperity '//version//newline// &
-         'linked with FFTW and GSL, under the GNU GPL, which binds whoever passes the program on,'// &
-         newline//'and with libzip, libxml2 and zlib; UINTER and the C interface have none of them' &
-         //newline
+         'linked with FFTW and GSL, under the GNU GPL, which binds whoever passes the program'// &
+         newline//'on, and with libzip, libxml2 and zlib; UINTER and the C interface have none'// &
+         newline
    end function version_text
 
    !> What to cite: the paper of the law, and the program.

@@ -74,7 +74,8 @@ contains
          largest = max(largest, maxval(result%standard_errors))
       end do
       share = real(held, wp)/n
-      print '(a, i0, a, i0, a, *(f6.2))', 'seed ', seed, ', ', n, ' records, % held:', 100.0_wp*share
+      print '(a, i0, a, i0, a, *(f6.2))', 'seed ', seed, ', ', n, ' records, % held:', &
+         100.0_wp*share
       print '(a, f6.3)', '   largest standard error', largest
       call assertEqual(0, failed, 'fits that failed')
       call assert_coverage(share, n)

@@ -1,5 +1,5 @@
-!> Fits with known answers: values, standard errors, intervals and correlations of a straight line by
-!> their formulas; far starts; several minima; what a record cannot tell.
+!> Fits with known answers: values, standard errors, intervals and correlations of a straight line
+!> by their formulas; far starts; several minima; what a record cannot tell.
 module test_fit_least_squares
    use asperity_base_error, only: error_type, fatal_error
    use asperity_base_kinds, only: wp

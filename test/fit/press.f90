@@ -1,4 +1,4 @@
-!> The model of a press record against the law and the contact point, and what such a record settles.
+!> The model of a press record against the law and the contact point; what such a record settles.
 module test_fit_press
    use asperity_base_error, only: error_type
    use asperity_base_kinds, only: wp

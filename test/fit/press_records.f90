@@ -56,8 +56,8 @@ contains
       end do
    end subroutine add_noise
 
-   !> Parameters that begin at a factor times the truth; lengths that have a zero begin off by a part
-   !> of the range.
+   !> Parameters that begin at a factor times the truth; lengths that have a zero begin off by a
+   !> part of the range.
    function press_parameters(problem, factor) result(parameters)
       type(press_problem), intent(in) :: problem
       real(wp), intent(in) :: factor

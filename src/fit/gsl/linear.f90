@@ -8,7 +8,8 @@ module asperity_fit_gsl_linear
    public :: decompose, view_of_matrix, view_of_vector
 
    interface
-      integer(c_int) function c_sv_decomp_jacobi(a, v, s) bind(c, name='gsl_linalg_SV_decomp_jacobi')
+      integer(c_int) function c_sv_decomp_jacobi(a, v, s) &
+         bind(c, name='gsl_linalg_SV_decomp_jacobi')
          import :: c_int, gsl_matrix, gsl_vector
          type(gsl_matrix), intent(inout) :: a, v
          type(gsl_vector), intent(inout) :: s

@@ -142,8 +142,8 @@ contains
             call fatal_error(error, 'pressures go down to '//to_text(minval(y), 3)//' MPa, but'// &
                ' faces do not pull: this is no press record, or its zero is off (--force-zero)')
          else if (y(peak) < 0.5_wp*maxval(y)) then
-            call fatal_error(error, 'the largest pressure is not near the largest closure: this '// &
-               'is no press record, or closing is counted downwards (--displacement-factor -1)')
+            call fatal_error(error, 'the largest pressure is not near the largest closure: '// &
+               'this is no press record, or closing is counted downwards (--displacement-factor -1)')
          end if
          if (allocated(error)) return
          place = self%keys%find('unloading')

@@ -140,8 +140,8 @@ contains
          'the record, or the record drifts. The intervals count noise alone and are too narrow.')
       do i = 1, size(parameters)
          if (result%standard_errors(i) > largest_sure) call add_line(lines, &
-            trim(parameters(i)%name)//' is known so little that its interval may hold the truth '// &
-            'less often than 95 times in 100 (docs/fit.md).')
+            trim(parameters(i)%name)//' is known so little that its interval may hold the '// &
+            'truth less often than 95 times in 100 (docs/fit.md).')
          do j = 1, i - 1
             if (abs(result%correlations(i, j)) < high_correlation) cycle
             call add_line(lines, trim(parameters(j)%name)//' and '// &
