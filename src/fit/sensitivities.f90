@@ -141,7 +141,7 @@ contains
       call check_step(problem, parameters, y, transposed, noise, result, error)
    end subroutine describe_minimum
 
-   !> Set `error` when a step of Gauss and Newton along what is settled, or a part of it, still leads
+   !> Set `error` when a step of Gauss and Newton along what is settled, or a part of it, leads
    !> lower: where the model has a kink, such as from stick to slip, the minimum may lie on it, and
    !> the step from there leads nowhere. `left` has the columns of U in its rows.
    subroutine check_step(problem, parameters, y, left, noise, result, error)

@@ -143,7 +143,8 @@ contains
                ' faces do not pull: this is no press record, or its zero is off (--force-zero)')
          else if (y(peak) < 0.5_wp*maxval(y)) then
             call fatal_error(error, 'the largest pressure is not near the largest closure: '// &
-               'this is no press record, or closing is counted downwards (--displacement-factor -1)')
+               'this is no press record, or closing is counted downwards '// &
+               '(--displacement-factor -1)')
          end if
          if (allocated(error)) return
          place = self%keys%find('unloading')
@@ -202,7 +203,6 @@ contains
       type(press_problem) :: press
       integer :: i
 
-      if (allocated(error)) return
       press%closure = self%record%x
       press%pressure = self%record%y
       press%scale = scale
