@@ -97,20 +97,22 @@ contains
             place = self%keys%find(source(:index(source//' ', ' ') - 1))
          end associate
          if (place == 0) place = i
-         call add(self%keys%rows(place))
+         call add_missing(self%keys%rows(place), free, names)
       end do
       names = trim(adjustl(names))
-   contains
-
-      pure subroutine add(key)
-         type(key_type), intent(in) :: key
-         integer :: j
-
-         if (key%given /= given_nowhere) return
-         if (any([(free(j)%text == key%name, j=1, size(free))])) return
-         if (index(names//' ', ' '//trim(key%name)//' ') == 0) names = names//' '//trim(key%name)
-      end subroutine add
    end function missing
+
+   !> Add the name of a key that nobody gave, once.
+   pure subroutine add_missing(key, free, names)
+      type(key_type), intent(in) :: key
+      type(string_type), intent(in) :: free(:)
+      character(len=:), allocatable, intent(inout) :: names
+      integer :: i
+
+      if (key%given /= given_nowhere) return
+      if (any([(free(i)%text == key%name, i=1, size(free))])) return
+      if (index(names//' ', ' '//trim(key%name)//' ') == 0) names = names//' '//trim(key%name)
+   end subroutine add_missing
 
    !> Whether a key is a number of the model that acts.
    pure logical function is_number(key)

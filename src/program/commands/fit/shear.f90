@@ -93,31 +93,23 @@ contains
       type(string_type), intent(in) :: free(:)
       !> Separated by blanks
       character(len=:), allocatable :: names
+      logical :: has(size(shear_names)), needed(size(shear_names))
+      integer :: i, j
 
+      do i = 1, size(has)
+         has(i) = any([(free(j)%text == shear_names(i), j=1, size(free))])
+         if (.not. has(i) .and. .not. is_none(self%values(i))) has(i) = abs(self%values(i)) > 0.0_wp
+      end do
+      needed = .false.
+      needed([shear_friction_coefficient, shear_critical_slip]) = .true.
+      needed(shear_decay_slip) = has(shear_static_friction_coefficient)
+      needed(shear_static_friction_coefficient) = has(shear_decay_slip)
+      needed(shear_reference_pressure) = has(shear_pressure_exponent)
       names = ''
-      call need(shear_friction_coefficient, .true.)
-      call need(shear_critical_slip, .true.)
-      call need(shear_decay_slip, has(shear_static_friction_coefficient))
-      call need(shear_static_friction_coefficient, has(shear_decay_slip))
-      call need(shear_reference_pressure, has(shear_pressure_exponent))
+      do i = 1, size(has)
+         if (needed(i) .and. .not. has(i)) names = names//' '//trim(shear_names(i))
+      end do
       names = trim(adjustl(names))
-   contains
-
-      pure logical function has(which)
-         integer, intent(in) :: which
-         integer :: i
-
-         has = any([(free(i)%text == shear_names(which), i=1, size(free))])
-         if (.not. has .and. .not. is_none(self%values(which))) &
-            has = abs(self%values(which)) > 0.0_wp
-      end function has
-
-      pure subroutine need(which, is_so)
-         integer, intent(in) :: which
-         logical, intent(in) :: is_so
-
-         if (is_so .and. .not. has(which)) names = names//' '//trim(shear_names(which))
-      end subroutine need
    end function missing
 
    !> Shear stress and normal stress of each test. `error` is set when one has no normal stress, or
