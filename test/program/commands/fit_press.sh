@@ -4,7 +4,7 @@
 record=$root/examples/fit/press.csv
 fit() { run fit "$@" --kind press; }
 summary() { sed -n '/^"summary"/,/^}/p' f.json | sed -n "s/^\"$1\": \[\(.*\)\].*/\1/p"; }
-near() { awk -v a="$(summary "$1")" -v b="$2" -v part="$3" 'BEGIN {
+values_near() { awk -v a="$(summary "$1")" -v b="$2" -v part="$3" 'BEGIN {
    n = split(a, A, ", "); m = split(b, B, " "); if (n != m) exit 1
    for (i = 1; i <= n; i++) { d = A[i]/B[i] - 1; if (d > part || d < -part) exit 1 } }'; }
 holds() { awk -v l="$(summary low_95)" -v h="$(summary high_95)" -v t="$1" 'BEGIN {
@@ -31,7 +31,7 @@ run shear f.nml
 check 'fit: so does shear' test "$status" -eq 0
 run fit "$record" --kind press --free eta,initial_separation --model f.nml --fix machine_compliance=0.004 --json f.json
 check 'fit: a case file fixes what is not free' sh -c 'grep -Eq "sigma +0.0593 +mm +f.nml:" out'
-check 'fit: and says where the search begins' near start "$(sed -n 's/^  eta = \([^ ]*\).*/\1/p' f.nml) \
+check 'fit: and says where the search begins' values_near start "$(sed -n 's/^  eta = \([^ ]*\).*/\1/p' f.nml) \
    $(sed -n 's/^  initial_separation = \([^ ]*\).*/\1/p' f.nml)" 1e-12
 
 # What press writes is found again, from starts far off, in other units and columns
@@ -39,17 +39,17 @@ run press --peak 3 --increments 40 --csv p.csv
 head -n 41 p.csv >load.csv
 six=modulus=297,radius=0.1477,hardness=24.53,yield_factor=0.4
 fit load.csv --free eta,sigma,initial_separation --fix $six --json f.json --start eta=20000,sigma=0.6
-check 'fit: numbers of press, from starts ten and a hundred times off' near value '206 0.0593 0.2372' 1e-6
+check 'fit: numbers of press, from starts ten and a hundred times off' values_near value '206 0.0593 0.2372' 1e-6
 fit load.csv --free eta,hardness,sigma,initial_separation --fix modulus=297,radius=0.1477,yield_factor=0.4 --json f.json
-check 'fit: four numbers of a record without noise' near value '206 24.53 0.0593 0.2372' 1e-5
+check 'fit: four numbers of a record without noise' values_near value '206 24.53 0.0593 0.2372' 1e-5
 awk -F, 'NR == 1 { print "Weg (um);Druck (kPa)" } NR > 1 { printf "%.17g;%.17g\n", -1000*$2 - 5, 1000*$4 }' load.csv >other.csv
 fit other.csv --free eta,sigma,initial_separation --fix $six --json f.json --displacement-zero -5 --displacement-factor -1
-check 'fit: the same in um and kPa, downwards, off zero' near value '206 0.0593 0.2372' 1e-6
+check 'fit: the same in um and kPa, downwards, off zero' values_near value '206 0.0593 0.2372' 1e-6
 awk -F, 'NR == 1 { print "closure (mm),force (kN)" } NR > 1 { printf "%.17g,%.17g\n", $2, 1.2*$4 }' load.csv >force.csv
 fit force.csv --free eta,sigma,initial_separation --fix $six --json f.json --force-column 2 --force-factor 0.83333333333333333 --force-unit MPa
-check 'fit: forces over an area' near value '206 0.0593 0.2372' 1e-6
+check 'fit: forces over an area' values_near value '206 0.0593 0.2372' 1e-6
 fit load.csv --free eta,sigma,initial_separation --fix $six --json f.json --residual-scale relative
-check 'fit: noise in proportion' near value '206 0.0593 0.2372' 1e-6
+check 'fit: noise in proportion' values_near value '206 0.0593 0.2372' 1e-6
 
 # What the residuals tell
 awk -F, 'NR == 1 { print } NR > 1 { printf "%.6f,%.6f\n", $1, $2 + 0.003*(NR - 2) }' "$record" >drift.csv
