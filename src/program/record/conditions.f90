@@ -31,6 +31,8 @@ module asperity_program_record_conditions
       type(condition_type), allocatable :: conditions(:)
    end type test_type
 
+   !> The condition that is a record's file
+   character(len=*), parameter :: record_name = 'record'
    !> Numbers this near to each other, relative to them, are the same value
    real(wp), parameter :: same = 1.0e-9_wp
    !> Decimal sign of values, which takes a point as well
@@ -81,7 +83,7 @@ contains
 
       if (size(paths) == 1) return
       allocate (known(1))
-      known(1)%name = 'record'
+      known(1)%name = record_name
       known(1)%unit = ''
       known(1)%value = ''
       do i = 1, size(tests)
@@ -98,9 +100,29 @@ contains
             place = place_of(own, known(j)%name)
             if (place > 0) tests(i)%conditions(j) = own(place)
          end do
-         tests(i)%conditions(1)%value = paths(numbers(i))%text
+         associate (path => paths(numbers(i))%text)
+            tests(i)%conditions(1)%value = path(shared_folder(paths) + 1:)
+         end associate
       end do
    end subroutine name_records
+
+   !> Length of the folder's name that all paths begin with, its slash included.
+   pure integer function shared_folder(paths)
+      type(string_type), intent(in) :: paths(:)
+      integer :: i
+
+      shared_folder = index(paths(1)%text, '/', back=.true.)
+      i = 2
+      do while (i <= size(paths) .and. shared_folder > 0)
+         associate (folder => paths(1)%text(:shared_folder))
+            if (index(paths(i)%text, folder) == 1) then
+               i = i + 1
+            else
+               shared_folder = index(folder(:shared_folder - 1), '/', back=.true.)
+            end if
+         end associate
+      end do
+   end function shared_folder
 
    !> Place of a condition, zero for none.
    pure integer function place_of(conditions, name)
@@ -160,7 +182,9 @@ contains
          associate (c => test%conditions(i))
             if (c%value == '') cycle
             if (words /= '') words = words//', '
-            words = words//c%name//' = '//shown(c%value)
+            ! the name of a file says itself what it is
+            if (c%name /= record_name) words = words//c%name//' = '
+            words = words//shown(c%value)
             if (c%unit /= '') words = words//' '//c%unit
          end associate
       end do

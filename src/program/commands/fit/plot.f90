@@ -10,7 +10,7 @@ module asperity_program_commands_fit_plot
 
 contains
 
-   !> Two panels a test.
+   !> Two panels a test: record and model of all tests, then what is left.
    function fit_picture(quantities, records, model) result(picture)
       !> What the columns of the record are
       type(record_quantities), intent(in) :: quantities
@@ -19,16 +19,16 @@ contains
       !> The model at the samples of all tests
       real(wp), intent(in) :: model(:)
       type(figure_type) :: picture
-      type(panel_type) :: curve, rest
       integer :: first, i
 
       picture%caption = ''
-      allocate (picture%panels(0))
+      allocate (picture%panels(2*size(records)))
       first = 1
       do i = 1, size(records)
          associate (x => records(i)%x, y => records(i)%y, names => quantities%names, &
                units => quantities%units)
-            associate (fitted => model(first:first + size(x) - 1))
+            associate (fitted => model(first:first + size(x) - 1), curve => picture%panels(i), &
+                  rest => picture%panels(size(records) + i))
                curve = panel_type(trim(names(1))//' ('//trim(units(1))//')', &
                   trim(names(2))//' ('//trim(units(2))//')', records(i)%title)
                call curve%add(x, y, 'record', sky, as_points)
@@ -40,7 +40,6 @@ contains
             end associate
             first = first + size(x)
          end associate
-         picture%panels = [picture%panels, curve, rest]
       end do
    end function fit_picture
 

@@ -17,7 +17,7 @@ module asperity_program_commands_opensees_output
    use asperity_program_input_key, only: kind_file
    use asperity_program_input_key_list, only: key_list
    use asperity_program_plot_figure, only: panel_type
-   use asperity_program_plot_palette, only: green
+   use asperity_program_plot_palette, only: blue
    use asperity_program_report_report, only: deck_type, named_table, report_type
    use asperity_program_report_table, only: column_counts, new_table, table_type
    implicit none
@@ -276,7 +276,7 @@ contains
       !> Panel of the loops
       type(panel_type), intent(inout) :: panel
 
-      call panel%add(self%chosen%displacement, self%chosen%force, trim(self%chosen_name), green)
+      call panel%add(self%chosen%displacement, self%chosen%force, trim(self%chosen_name), blue)
    end subroutine draw
 
 end module asperity_program_commands_opensees_output
