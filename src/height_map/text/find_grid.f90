@@ -63,7 +63,7 @@ contains
          ! whole numbers, and few decimals, are mostly not rounded at all
          off = 0.0_wp
          if (rounding <= coarsest*(smallest + 2.0_wp*rounding)) off = rounding
-         ! gaps of one step, the smallest of them too, are off by twice that; those of two are larger
+         ! gaps of one step, the smallest too, are off by twice that; those of two are larger
          step = sum(gaps, gaps <= smallest + 4.0_wp*off)/count(gaps <= smallest + 4.0_wp*off)
          steps = sum(anint(gaps/step))
       end associate
