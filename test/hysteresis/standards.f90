@@ -186,8 +186,9 @@ contains
       logical, parameter :: counts(4) = [.false., .true., .true., .false.]
       integer :: i
 
+      allocate (loops%displacement, source=[0.0_wp, 0.5_wp, 0.3_wp, 0.5_wp, 2.0_wp])
+      allocate (loops%force(size(loops%displacement)))
       do i = 1, size(left)
-         loops%displacement = [0.0_wp, 0.5_wp, 0.3_wp, 0.5_wp, 2.0_wp]
          loops%force = [0.0_wp, 4.0_wp, 4.0_wp*left(i), 4.0_wp, 10.0_wp]
          call analyse(loops, result)
          call assertEqual(trim(merge('unloading ', 'peak_force', counts(i))), &
