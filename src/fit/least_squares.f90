@@ -9,7 +9,7 @@ module asperity_fit_least_squares
    use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
    use asperity_fit_parameter, only: check_parameters, fit_parameter, value_of, y_of
-   use asperity_fit_problem, only: fit_problem, sum_of_squares
+   use asperity_fit_problem, only: fit_problem, rounding, sum_of_squares
    use asperity_fit_search, only: search_type
    use asperity_fit_sensitivities, only: describe_minimum
    use asperity_fit_spread_sets, only: spread_set
@@ -20,8 +20,6 @@ module asperity_fit_least_squares
 
    !> Searches whose sums of squares differ by less than this share came to the same minimum
    real(wp), parameter :: same_minimum = 1.0e-6_wp
-   !> Residuals that are rounding
-   real(wp), parameter :: rounding = 1.0e-9_wp
 
 contains
 

@@ -9,6 +9,8 @@ module asperity_fit_problem
 
    !> Residuals of this size or larger, or no numbers, are as good as refused
    real(wp), parameter, public :: refused_residual = 1.0e30_wp
+   !> Residuals of this size are rounding
+   real(wp), parameter, public :: rounding = 1.0e-9_wp
 
    !> A model, and a record that it should give. Its procedures may be called by several threads.
    type, abstract :: fit_problem

@@ -8,7 +8,7 @@ module asperity_fit_sensitivities
    use asperity_base_student, only: student_factor
    use asperity_fit_gsl_linear, only: decompose
    use asperity_fit_parameter, only: ends_of, fit_parameter, share_of, value_of, y_of
-   use asperity_fit_problem, only: fit_problem, refused_residual
+   use asperity_fit_problem, only: fit_problem, refused_residual, rounding
    use asperity_fit_types, only: fit_result, fit_settings
    implicit none
    private
@@ -154,7 +154,8 @@ contains
       real(wp) :: along(size(y)), step(size(y)), residuals(size(result%residuals))
       integer :: i
 
-      if (any(result%at_bound) .or. noise <= 0.0_wp) return
+      ! a model that is met to rounding has no better place
+      if (any(result%at_bound) .or. noise <= rounding) return
       ! in standard errors along each direction
       along = merge(matmul(left, result%residuals)/noise, 0.0_wp, result%settled)
       step = matmul(result%directions, along*result%direction_errors)
