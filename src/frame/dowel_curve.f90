@@ -1,10 +1,10 @@
 !> Half a cycle of OpenSees' DowelType, from a turn to the envelope of the other side, seen so that
 !> displacement falls. Its documentation gives the three lines and their stiffness; how Bezier
-!> curves join them, and what happens where a line is not reached, was found by experiments with
-!> openseespy 3.7.1.2, which this follows to round-off.
+!> curves join them, and what happens where a line is not reached, is that of version 3.7.1.2, which
+!> this follows to round-off.
 module asperity_frame_dowel_curve
    use asperity_base_kinds, only: wp
-   use asperity_frame_dowel_envelope, only: bezier_parameter, bezier_value
+   use asperity_frame_dowel_envelope, only: bezier_parameter, bezier_value, dowel_envelope
    implicit none
    private
    public :: curve_force, dowel_curve, dowel_lines, plan_curve
@@ -17,16 +17,17 @@ module asperity_frame_dowel_curve
       real(wp) :: unloading = 0.0_wp, pinching = 0.0_wp, reloading = 0.0_wp
       !> Force of the pinching line at zero displacement, taken negative
       real(wp) :: intercept = 0.0_wp
-      !> Largest displacement of the other side so far, and the envelope's force there
-      real(wp) :: target_displacement = 0.0_wp, target_force = 0.0_wp
-      !> Where the pinching line meets the other side's envelope
-      real(wp) :: meeting = 0.0_wp
-      !> The largest displacement of the side that is left is past the yield displacement
+      !> Largest displacement of the other side so far, and the envelope there
+      real(wp) :: target_displacement = 0.0_wp
+      type(dowel_envelope) :: ahead
+      !> Whether it begins past the yield displacement
       logical :: is_past_yield = .false.
       !> Curvature, 0 to 2
       real(wp) :: curvature = 0.0_wp
    end type dowel_lines
 
+   !> Controls may lie behind the next by this share of the way, which is rounding
+   real(wp), parameter :: order = 1.0e-12_wp
    !> Most pieces of a curve
    integer, parameter :: most = 6
 
@@ -42,54 +43,88 @@ module asperity_frame_dowel_curve
 
 contains
 
-   !> Draw half a cycle; `joining` asks for the envelope's force where the curve joins it.
-   pure subroutine plan_curve(curve, lines, joining)
-      !> The curve; where `joining` is true its last piece wants its end's force, f(4, n)
+   !> Draw half a cycle.
+   pure subroutine plan_curve(curve, lines, meets)
+      !> The curve
       type(dowel_curve), intent(out) :: curve
       !> What it is drawn from
       type(dowel_lines), intent(in) :: lines
-      !> Whether the last piece ends on the envelope away from its target
-      logical, intent(out) :: joining
-      real(wp) :: start(2), unloaded(2), reloaded(2), middle(2), target(2), corner(2), x
+      !> Whether the pinching line meets the envelope ahead, if it has to, and all lines fall
+      logical, intent(out) :: meets
+      real(wp) :: start(2), unloaded(2), reloaded(2), middle(2), target(2), pinched(2), meeting
+      real(wp) :: reloading, rounding(2)
+      logical :: is_rounded
 
-      joining = .false.
+      meets = .true.
+      is_rounded = .false.
       start = [lines%displacement, lines%force]
-      target = -[lines%target_displacement, lines%target_force]
-      ! where the pinching line meets the other two
-      x = (lines%unloading*start(1) - start(2) - lines%intercept) &
-         /(lines%unloading - lines%pinching)
-      unloaded = [x, lines%pinching*x - lines%intercept]
-      x = (target(2) + lines%reloading*lines%target_displacement + lines%intercept) &
-         /(lines%pinching - lines%reloading)
-      reloaded = [x, lines%pinching*x - lines%intercept]
-      if (lines%target_displacement > 0.0_wp .and. reloaded(1) > unloaded(1)) then
-         ! reloading before pinching
-         x = (start(2) - lines%unloading*start(1) - target(2) + lines%reloading*target(1)) &
-            /(lines%reloading - lines%unloading)
-         corner = [x, start(2) + lines%unloading*(x - start(1))]
-         call add_corner(curve, start, corner, target, lines%curvature)
-         curve%last = target(1)
-      else if (lines%target_displacement > 0.0_wp &
-         .and. target(2) < lines%pinching*target(1) - lines%intercept) then
-         middle = 0.5_wp*(unloaded + reloaded)
-         call add_corner(curve, start, unloaded, middle, lines%curvature)
-         call add_corner(curve, middle, reloaded, target, lines%curvature)
-         curve%last = target(1)
-      else
-         ! onto an envelope that was not loaded so far
-         corner = [0.0_wp, -lines%intercept]
-         middle = 0.5_wp*(unloaded + corner)
-         call add_corner(curve, start, unloaded, middle, lines%curvature)
-         curve%last = -lines%meeting
-         if (lines%is_past_yield) curve%last = curve%last + reloaded(1) + lines%target_displacement
-         if (lines%is_past_yield) then
-            call add_piece(curve, middle, corner, corner, [curve%last, 0.0_wp])
-         else
-            call add_piece(curve, middle, middle, middle, [curve%last, 0.0_wp])
-         end if
-         joining = .true.
+      pinched = [0.0_wp, -lines%intercept]
+      reloading = lines%reloading
+      target = on_envelope(-lines%target_displacement)
+      unloaded = crossing(start, lines%unloading, pinched, lines%pinching)
+      reloaded = crossing(target, reloading, pinched, lines%pinching)
+      if (target(2) >= pinched(2) + lines%pinching*target(1)) then
+         ! the pinching line goes on to an envelope that was not loaded so far
+         meeting = lines%ahead%meeting(lines%intercept, lines%pinching)
+         meets = meeting >= lines%target_displacement
+         if (.not. meets) return
+         is_rounded = lines%is_past_yield
+         target = on_envelope(-meeting + merge(reloaded(1) - target(1), 0.0_wp, is_rounded))
+         reloading = lines%pinching
+         if (is_rounded) reloading = lines%ahead%slope_at(-target(1))
+         reloaded = pinched
+         meets = target(1) <= 0.0_wp
+         if (.not. meets) return
       end if
+      middle = 0.5_wp*(unloaded + reloaded)
+      if (unloaded(1) < reloaded(1) .and. unloaded(1) <= start(1)) then
+         ! pinching would lead back: from unloading to reloading
+         reloaded = crossing(start, lines%unloading, target, reloading)
+         unloaded = start
+         middle = start
+      else if (unloaded(1) > start(1)) then
+         ! it begins beyond the pinching line: to reloading, along a line of pinching or at once
+         unloaded = start
+         middle = start
+         if (reloaded(1) > start(1)) reloaded = start
+         if (reloaded(1) < start(1) .and. reloaded(2) > start(2)) then
+            reloaded = crossing(start, lines%pinching, target, reloading)
+            if (reloaded(1) < target(1)) reloaded = start
+         end if
+      end if
+      call add_corner(curve, start, unloaded, middle, lines%curvature)
+      if (is_rounded) then
+         ! it leaves along the envelope's tangent, but for one that begins below the corner
+         rounding = [0.0_wp, min(target(2) - reloading*target(1), reloaded(2))]
+         call add_piece(curve, middle, reloaded, rounding, target)
+      else
+         call add_corner(curve, middle, reloaded, target, lines%curvature)
+      end if
+      curve%last = target(1)
+      ! where displacement turns on the way, no rule is known
+      associate (x => curve%x(:, :curve%n))
+         meets = all(x(2:, :) <= x(:3, :) + order*(start(1) - target(1)))
+      end associate
+
+   contains
+
+      !> A point of the envelope ahead.
+      pure function on_envelope(displacement) result(point)
+         real(wp), intent(in) :: displacement
+         real(wp) :: point(2)
+
+         point = [displacement, -lines%ahead%force_at(-displacement)]
+      end function on_envelope
    end subroutine plan_curve
+
+   !> Where two lines meet, each given by a point and its slope.
+   pure function crossing(first, slope, second, other) result(point)
+      real(wp), intent(in) :: first(2), slope, second(2), other
+      real(wp) :: point(2)
+
+      point(1) = ((second(2) - other*second(1)) - (first(2) - slope*first(1)))/(slope - other)
+      point(2) = second(2) + other*(point(1) - second(1))
+   end function crossing
 
    !> From one point to another round a corner: straight, curved, straight; or curved all the way.
    pure subroutine add_corner(curve, from, corner, to, curvature)

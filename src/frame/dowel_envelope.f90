@@ -15,8 +15,8 @@ module asperity_frame_dowel_envelope
    contains
       !> Force at a displacement of this side
       procedure :: force_at
-      !> Stiffness at the origin
-      procedure :: stiffness
+      !> Stiffness at the origin, and at a displacement of this side
+      procedure :: stiffness, slope_at
       !> First displacement where it meets a line
       procedure :: meeting
    end type dowel_envelope
@@ -51,6 +51,22 @@ contains
          end if
       end associate
    end function force_at
+
+   !> Stiffness at a displacement of this side.
+   elemental real(wp) function slope_at(self, displacement)
+      !> The envelope
+      class(dowel_envelope), intent(in) :: self
+      !> Displacement, zero or above
+      real(wp), intent(in) :: displacement
+      real(wp) :: t
+
+      associate (d => self%displacement, f => self%force)
+         slope_at = -self%falling
+         if (displacement > d(3)) return
+         t = bezier_parameter([0.0_wp, d], displacement)
+         slope_at = bezier_slope([0.0_wp, f], t)/bezier_slope([0.0_wp, d], t)
+      end associate
+   end function slope_at
 
    !> First displacement where the envelope comes up to the line force + slope*displacement; below
    !> zero when it never does.
@@ -93,6 +109,19 @@ contains
       end associate
    end function bezier_value
 
+   !> Its derivative by t.
+   pure real(wp) function bezier_slope(p, t)
+      !> Controls
+      real(wp), intent(in) :: p(4)
+      !> 0 to 1
+      real(wp), intent(in) :: t
+
+      associate (s => 1.0_wp - t)
+         bezier_slope = 3.0_wp*(s**2*(p(2) - p(1)) + 2.0_wp*s*t*(p(3) - p(2)) &
+            + t**2*(p(4) - p(3)))
+      end associate
+   end function bezier_slope
+
    !> Where a cubic Bezier curve that rises, or falls, has a value: Newton's way between bounds.
    pure real(wp) function bezier_parameter(p, value) result(t)
       !> Controls
@@ -115,9 +144,7 @@ contains
          else
             low = t
          end if
-         associate (s => 1.0_wp - t)
-            slope = 3.0_wp*(s**2*(p(2) - p(1)) + 2.0_wp*s*t*(p(3) - p(2)) + t**2*(p(4) - p(3)))
-         end associate
+         slope = bezier_slope(p, t)
          if (abs(slope) > 1.0e-6_wp*abs(rise)) t = t - off/slope
          if (.not. (t > low .and. t < high)) t = 0.5_wp*(low + high)
       end do

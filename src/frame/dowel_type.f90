@@ -150,11 +150,12 @@ contains
       !> Set when the pinching line does not meet the envelope
       type(error_type), allocatable, intent(out) :: error
       type(dowel_curve) :: curve
-      real(wp) :: reached(2), slider, dowel, x, last
+      real(wp) :: reached(2), force_there(2), slider, dowel, x, last
       integer :: i, way, way_before, side
       logical :: is_curved
 
       reached = 0.0_wp
+      force_there = 0.0_wp
       slider = 0.0_wp
       dowel = 0.0_wp
       last = 0.0_wp
@@ -167,7 +168,7 @@ contains
             if (way_before == -way) then
                ! the side that is left
                side = merge(1, 2, way < 0)
-               call turn(self, side, last, dowel, reached, curve, error)
+               call turn(self, side, last, dowel, reached, force_there(side), curve, error)
                if (allocated(error)) return
                is_curved = .true.
             end if
@@ -179,8 +180,9 @@ contains
          else
             dowel = sign(self%envelope(merge(1, 2, x > 0.0_wp))%force_at(abs(x)), x)
          end if
-         reached(1) = max(reached(1), x)
-         reached(2) = max(reached(2), -x)
+         ! not that of the envelope where a curve has not come to it
+         where ([x, -x] >= reached) force_there = [dowel, -dowel]
+         reached = max(reached, [x, -x])
          slider = min(max(slider + self%slider_stiffness*(x - last), -self%slider_force), &
             self%slider_force)
          force(i) = dowel + slider
@@ -189,15 +191,17 @@ contains
    end subroutine replay
 
    !> The curve from a turn on.
-   pure subroutine turn(self, side, displacement, force, reached, curve, error)
+   pure subroutine turn(self, side, displacement, force, reached, largest_force, curve, error)
       class(dowel_type_material), intent(in) :: self
       !> Side that is left: 1 where displacement falls
       integer, intent(in) :: side
       real(wp), intent(in) :: displacement, force, reached(2)
+      !> Force at the largest displacement of the side that is left, positive outwards
+      real(wp), intent(in) :: largest_force
       type(dowel_curve), intent(out) :: curve
       type(error_type), allocatable, intent(inout) :: error
       type(dowel_lines) :: lines
-      logical :: joining
+      logical :: meets
 
       associate (here => self%envelope(side), there => self%envelope(3 - side), &
             largest => reached(side), opposite => reached(3 - side), y => self%yield_displacement)
@@ -206,30 +210,23 @@ contains
          lines%unloading = self%unloading_ratio*here%stiffness()*shrunk(self%softening(2), largest)
          lines%pinching = self%pinching_stiffness*shrunk(self%softening(1), maxval(reached))
          lines%reloading = there%stiffness()*shrunk(self%softening(3), opposite)
-         lines%is_past_yield = largest > y
-         if (lines%is_past_yield) then
-            lines%intercept = self%pinching_force + self%pinching_growth &
-               *max(0.0_wp, here%force_at(largest) - here%force_at(y))
-         else
-            lines%intercept = self%pinching_force*largest/y
-         end if
+         lines%is_past_yield = lines%displacement > y
+         lines%intercept = self%pinching_force*min(1.0_wp, largest/y)
+         associate (yield => here%force_at(y))
+            if (largest > y .and. abs(largest_force) > yield) lines%intercept = lines%intercept &
+               + self%pinching_growth*(largest_force - yield)
+         end associate
          lines%target_displacement = opposite
-         lines%target_force = there%force_at(opposite)
-         lines%meeting = there%meeting(lines%intercept, lines%pinching)
+         lines%ahead = there
          if (.not. lines%pinching < min(lines%unloading, lines%reloading)) then
             call fatal_error(error, 'pinching is stiffer than reloading or unloading', &
                computation_error)
             return
          end if
          lines%curvature = self%curvature
-         call plan_curve(curve, lines, joining)
-         if (.not. joining) return
-         if (lines%meeting < opposite .or. curve%last > 0.0_wp) then
-            call fatal_error(error, 'the pinching line does not meet the envelope ahead', &
-               computation_error)
-            return
-         end if
-         curve%f(4, curve%n) = -there%force_at(-curve%last)
+         call plan_curve(curve, lines, meets)
+         if (.not. meets) call fatal_error(error, &
+            'the pinching line does not meet the envelope ahead', computation_error)
       end associate
 
    contains

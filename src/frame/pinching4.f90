@@ -1,12 +1,12 @@
-!> OpenSees' Pinching4 without damage. Its documentation gives the four points of an envelope and of
-!> a half cycle; which limits move them was found by experiments with openseespy 3.7.1.2, which this
-!> follows to round-off.
+!> OpenSees' Pinching4 without damage, as openseespy 3.7.1.2 has it, to round-off: its
+!> documentation gives the four points of an envelope and of a half cycle.
 module asperity_frame_pinching4
    use asperity_base_error, only: error_type
    use asperity_base_kinds, only: wp
    use asperity_fit_parameter, only: fit_parameter
    use asperity_frame_history, only: frame_history, skeleton_force
    use asperity_frame_material, only: frame_command, frame_material
+   use asperity_frame_pinching4_path, only: force_along, shape_path
    implicit none
    private
    public :: pinching4_material
@@ -25,8 +25,12 @@ module asperity_frame_pinching4
       procedure :: parameters, apply, replay, commands
    end type pinching4_material
 
-   !> So far, as a share of the way to its first point, an envelope has the larger stiffness of both
+   !> So far, as a share of the way to the further one of both first points, envelopes have the
+   !> larger stiffness of both
    real(wp), parameter :: beginning = 1.0e-4_wp
+   !> Past its last point an envelope that has fallen rises to so much of its force there, so many
+   !> times as far out
+   real(wp), parameter :: far_force = 1.1_wp, far = 1.0e6_wp
 
 contains
 
@@ -126,7 +130,7 @@ contains
          end if
          ! as the points lie, displacement falls
          if (is_curved .and. -way_before*x > px(4)) then
-            force(i) = -way_before*along(px, pf, -way_before*x)
+            force(i) = -way_before*force_along(px, pf, -way_before*x)
          else
             side = merge(1, 2, x > 0.0_wp)
             force(i) = sign(envelope_force(self, side, abs(x)), x)
@@ -137,70 +141,43 @@ contains
       end do
    end subroutine replay
 
-   !> The four points from a turn on, to the largest displacement of the other side so far.
+   !> The four points from a turn on, to the largest displacement of the other side so far; seen so
+   !> that displacement falls.
    pure subroutine turn(self, side, displacement, force, reached, px, pf)
       class(pinching4_material), intent(in) :: self
       !> Side that is left: 1 where displacement falls
       integer, intent(in) :: side
       real(wp), intent(in) :: displacement, force, reached(2)
       real(wp), intent(out) :: px(4), pf(4)
-      real(wp) :: stiffness(2), strength
+      real(wp) :: stiffness(2)
       integer :: other
 
       other = 3 - side
       stiffness = self%force(1, :)/self%displacement(1, :)
-      strength = self%force(merge(4, 3, reached(other) > self%displacement(3, other)), other)
-      px(1) = displacement
-      pf(1) = force
-      px(4) = -reached(other)
-      pf(4) = -envelope_force(self, other, reached(other))
-      pf(2) = -self%unload_force(other)*strength
-      px(2) = displacement - (force - pf(2))/stiffness(side)
-      pf(3) = self%reload_force(other)*pf(4)
+      px([1, 4]) = [displacement, -reached(other)]
+      pf([1, 4]) = [force, -envelope_force(self, other, reached(other))]
+      pf(2) = -self%unload_force(other) &
+         *self%force(merge(4, 3, reached(other) > self%displacement(3, other)), other)
       px(3) = self%reload_displacement(other)*px(4)
-      ! never stiffer than at first
-      px(3) = max(px(4) + (pf(3) - pf(4))/stiffness(other), px(3))
-      if (displacement < 0.0_wp) then
-         ! turned on the side that it goes to
-         px(2) = px(4)
-      else if (px(2) < px(3)) then
-         px(2) = px(3)
-         pf(2) = pf(3)
-         if (px(3) <= displacement) return
-      else if (pf(2) - pf(3) <= maxval(stiffness)*(px(2) - px(3))) then
-         return
-      end if
-      ! straight to the end
-      px(2:3) = px(4)
-      pf(2:3) = pf(4)
+      pf(3) = self%reload_force(other)*pf(4)
+      call shape_path(px, pf, stiffness(side), stiffness(other), ends_negative=side == 1)
    end subroutine turn
-
-   !> Force between points whose displacement falls.
-   pure real(wp) function along(px, pf, x)
-      real(wp), intent(in) :: px(4), pf(4), x
-      integer :: i
-
-      along = pf(1)
-      do i = 2, 4
-         if (x < px(i) .or. .not. px(i) < px(i - 1)) cycle
-         along = pf(i) + (pf(i - 1) - pf(i))*(x - px(i))/(px(i - 1) - px(i))
-         exit
-      end do
-   end function along
 
    !> Force of an envelope, which goes on beyond its last point.
    pure real(wp) function envelope_force(self, side, displacement) result(force)
       class(pinching4_material), intent(in) :: self
       integer, intent(in) :: side
       real(wp), intent(in) :: displacement
-      real(wp) :: x(0:5), f(0:5)
+      real(wp) :: x(0:6), f(0:6)
       integer :: i
 
       associate (d => self%displacement, p => self%force)
-         x = [0.0_wp, beginning*d(1, side), d(:, side)]
-         f = [0.0_wp, x(1)*maxval(p(1, :)/d(1, :)), p(:, side)]
+         x = [0.0_wp, beginning*maxval(d(1, :)), d(:, side), far*d(4, side)]
+         f = [0.0_wp, x(1)*maxval(p(1, :)/d(1, :)), p(:, side), far_force*p(4, side)]
+         if (p(4, side) > p(3, side)) f(6) = p(4, side) &
+            + (p(4, side) - p(3, side))*(x(6) - x(5))/(x(5) - x(4))
       end associate
-      do i = 1, 4
+      do i = 1, 5
          if (displacement <= x(i)) exit
       end do
       force = f(i - 1) + (f(i) - f(i - 1))*(displacement - x(i - 1))/(x(i) - x(i - 1))

@@ -28,10 +28,13 @@ contains
       suite = TestSuite('frame rules')
       call suite%addTest(TestMethod('Pinching4', test_pinching))
       call suite%addTest(TestMethod('Pinching4 in small units', test_stiff))
+      call suite%addTest(TestMethod('Pinching4, first points apart, falling', test_uneven))
+      call suite%addTest(TestMethod('Pinching4, points that pass each other', test_early))
       call suite%addTest(TestMethod('DowelType, growing loops', test_dowel))
       call suite%addTest(TestMethod('DowelType, a side hardly loaded', test_dowel_small))
       call suite%addTest(TestMethod('DowelType past its cap, and slider', test_dowel_slider))
       call suite%addTest(TestMethod('DowelType, loops inside', test_dowel_inner))
+      call suite%addTest(TestMethod('DowelType, parts of cycles', test_dowel_turns))
       call suite%addTest(TestMethod('elastic gap', test_gap))
       call suite%addTest(TestMethod('what OpenSees is told', test_commands))
       call suite%addTest(TestMethod('no pinching line', test_refused))
@@ -66,6 +69,28 @@ contains
       material%unload_force = [0.4_wp, 0.3_wp]
       call compare('stiff', material)
    end subroutine test_stiff
+
+   subroutine test_uneven()
+      type(pinching4_material) :: material
+
+      material = pinching()
+      material%displacement(1, 1) = 2.0_wp
+      material%force(4, :) = [15.0_wp, 20.0_wp]
+      call compare('uneven', material)
+   end subroutine test_uneven
+
+   subroutine test_early()
+      type(pinching4_material) :: material
+
+      material%displacement = reshape([0.74_wp, 6.8_wp, 13.6_wp, 22.4_wp, &
+         0.59_wp, 5.4_wp, 10.8_wp, 17.8_wp], [4, 2])
+      material%force = reshape([0.68_wp, 12.1_wp, 17.9_wp, 21.3_wp, &
+         1.14_wp, 10.0_wp, 15.0_wp, 18.6_wp], [4, 2])
+      material%reload_displacement = [0.07_wp, 0.25_wp]
+      material%reload_force = [0.4_wp, 0.37_wp]
+      material%unload_force = [0.0014_wp, 0.016_wp]
+      call compare('early', material)
+   end subroutine test_early
 
    pure type(dowel_type_material) function dowel() result(material)
       material%pinching_force = 6.0_wp
@@ -105,6 +130,16 @@ contains
       material%curvature = 1.5_wp
       call compare('dowel_inner', material)
    end subroutine test_dowel_inner
+
+   !> It turns before it comes to the envelope of a side, and inside.
+   subroutine test_dowel_turns()
+      type(dowel_type_material) :: material
+
+      material = dowel()
+      call compare('dowel_turns', material)
+      material%curvature = 1.5_wp
+      call compare('dowel_round', material)
+   end subroutine test_dowel_turns
 
    subroutine test_gap()
       type(elastic_gap_material) :: material
