@@ -117,11 +117,13 @@ contains
       end function on_envelope
    end subroutine plan_curve
 
-   !> Where two lines meet, each given by a point and its slope.
+   !> Where two lines meet, each given by a point and its slope; very far where they do not.
    pure function crossing(first, slope, second, other) result(point)
       real(wp), intent(in) :: first(2), slope, second(2), other
       real(wp) :: point(2)
 
+      point = huge(1.0_wp)
+      if (.not. abs(slope - other) > 0.0_wp) return
       point(1) = ((second(2) - other*second(1)) - (first(2) - slope*first(1)))/(slope - other)
       point(2) = second(2) + other*(point(1) - second(1))
    end function crossing

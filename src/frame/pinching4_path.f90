@@ -21,7 +21,7 @@ contains
       real(wp), intent(inout) :: px(4)
       !> Forces
       real(wp), intent(inout) :: pf(4)
-      !> Stiffness of unloading, and the first one of the side ahead, which reloading does not exceed
+      !> Stiffness of unloading, and the first one of the side ahead, the most that reloading has
       real(wp), intent(in) :: unloading, first
       !> Whether the last point is one of the negative side
       logical, intent(in) :: ends_negative
@@ -51,7 +51,8 @@ contains
       ! through zero if that line is less stiff than the secant of the end on the negative side
       slope = slope_of(px([1, 4]), pf([1, 4]))
       negative = merge(4, 1, ends_negative)
-      if (.not. (slope > least_slope .and. slope < pf(negative)/px(negative))) return
+      if (.not. (slope > least_slope .and. slope*px(negative)**2 < pf(negative)*px(negative))) &
+         return
       px(2:3) = 0.0_wp
       pf(2:3) = 0.0_wp
    end subroutine shape_path
