@@ -93,6 +93,13 @@ refuses_fit 'bounds upside down' 2 '.*: the first must be below the second, and 
    --bounds eta=2:1 --fix $pair,initial_separation=0.2
 refuses_fit 'a start outside' 2 'load.csv: eta begins at 9.0 between 10.0 and 20.0' load.csv --free eta --bounds eta=10:20 \
    --start eta=9 --fix $pair,initial_separation=0.2
+refuses_fit 'bounds twice' 2 '--bounds: eta is given twice' load.csv --free eta --bounds eta=2:900,eta=3:400 \
+   --fix $pair,initial_separation=0.2
+refuses_fit 'two starts' 2 '--start: eta is given twice' load.csv --free eta --start eta=200,eta=300 \
+   --fix $pair,initial_separation=0.2
+# What is held out is read before the search, which would not be settled here
+refuses_fit 'no such record to hold out' 3 'test.csv: cannot be read' noisy.csv --free eta,radius,sigma,initial_separation \
+   --fix $pair,machine_compliance=0.004 --hold-out test.csv
 printf 'displacement (mm),force (N)\n0,0\n1,5\n2,9\n' >joint.csv
 refuses_fit 'a record of forces' 2 'joint.csv: no column is pressure by its name and unit' joint.csv --free eta \
    --fix $pair,initial_separation=0.2

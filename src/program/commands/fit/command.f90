@@ -10,7 +10,7 @@ module asperity_program_commands_fit_command
    use asperity_program_commands_faces_read_faces, only: read_faces
    use asperity_program_commands_fit_case_out, only: fit_case
    use asperity_program_commands_fit_free_keys, only: fix_keys, read_free, set_bounds, set_starts
-   use asperity_program_commands_fit_hold_out, only: follow_hold_out, record_table
+   use asperity_program_commands_fit_hold_out, only: follow_hold_out, read_hold_out, record_table
    use asperity_program_commands_fit_joint, only: new_joint_kind
    use asperity_program_commands_fit_keys, only: fit_options
    use asperity_program_commands_fit_kind, only: fit_kind
@@ -18,7 +18,7 @@ module asperity_program_commands_fit_command
    use asperity_program_commands_fit_plot, only: fit_picture
    use asperity_program_commands_fit_press, only: new_press_kind
    use asperity_program_commands_fit_shear, only: new_shear_kind
-   use asperity_program_commands_fit_record_input, only: fit_record, record_input
+   use asperity_program_commands_fit_record_input, only: fit_record, record_input, samples_of
    use asperity_program_commands_fit_tables, only: correlation_table, curve_table, &
       direction_table, fixed_table, parameter_table, quality_table
    use asperity_program_commands_fit_words, only: check_settled, residual_remarks
@@ -98,6 +98,9 @@ contains
       type(fit_settings) :: settings
       type(fit_result) :: result
       class(fit_problem), allocatable, target :: problem
+      ! what is held out, as a kind of its own
+      class(fit_kind), allocatable :: other
+      class(fit_problem), allocatable :: other_problem
       type(fit_record), allocatable :: held_out(:)
       real(wp), allocatable :: model(:), held_out_model(:)
       type(record_input) :: input
@@ -125,6 +128,9 @@ contains
          error%message = files_text(self%options)//': '//error%message
          return
       end if
+      call read_hold_out(kind, input, self%options%hold_out, free, other, other_problem, held_out, &
+         error)
+      if (allocated(error)) return
       if (self%options%searches == 0) then
          self%options%searches = kind%usual_searches
          self%options%searches_source = 'usual for '//trim(self%options%kind)
@@ -141,8 +147,8 @@ contains
          allocate (model(samples_of(records)))
          call kind%evaluate(problem, result%values, model, error)
       end if
-      if (.not. allocated(error)) call follow_hold_out(kind, input, self%options%hold_out, &
-         free, result%values, held_out, held_out_model, error)
+      if (.not. allocated(error)) call follow_hold_out(other, other_problem, held_out, &
+         result%values, held_out_model, error)
       if (allocated(error)) return
       call add_results(self, kind, free, records, columns, parameters, result, model, report)
       if (size(records) + size(held_out) > 1) report%more = [report%more, named_table('records', &
@@ -233,14 +239,6 @@ contains
          end do
       end associate
    end function files_text
-
-   !> Samples of all tests.
-   pure integer function samples_of(records)
-      type(fit_record), intent(in) :: records(:)
-      integer :: i
-
-      samples_of = sum([(size(records(i)%y), i=1, size(records))])
-   end function samples_of
 
    !> What differences are divided by at every sample.
    pure function scale_of(residual_scale, records) result(scale)

@@ -98,12 +98,14 @@ contains
       character(len=*), parameter :: option = '--bounds'
       type(word_type), allocatable :: words(:)
       character(len=:), allocatable :: name, bounds
+      logical :: given(size(parameters))
       real(wp) :: low, high
       integer :: colon, i, place
 
       if (text == '') return
       call split_words(text, option, words, error)
       if (allocated(error)) return
+      given = .false.
       do i = 1, size(words)
          call split_pair(words(i)%text, option, 'LOW:HIGH', name, bounds, error)
          if (allocated(error)) return
@@ -112,7 +114,7 @@ contains
             call fatal_error(error, option//': '//quoted(words(i)%text)//' is not KEY=LOW:HIGH')
             return
          end if
-         call find_parameter(name, option, parameters, place, error)
+         call find_parameter(name, option, parameters, given, place, error)
          if (.not. allocated(error)) call read_value(bounds(:colon - 1), name, option, low, error)
          if (.not. allocated(error)) call read_value(bounds(colon + 1:), name, option, high, error)
          if (allocated(error)) return
@@ -145,14 +147,17 @@ contains
       character(len=*), parameter :: option = '--start'
       type(word_type), allocatable :: words(:)
       character(len=:), allocatable :: name, value
+      logical :: given(size(parameters))
       integer :: i, place
 
       if (text == '') return
       call split_words(text, option, words, error)
       if (allocated(error)) return
+      given = .false.
       do i = 1, size(words)
          call split_pair(words(i)%text, option, 'VALUE', name, value, error)
-         if (.not. allocated(error)) call find_parameter(name, option, parameters, place, error)
+         if (.not. allocated(error)) &
+            call find_parameter(name, option, parameters, given, place, error)
          if (.not. allocated(error)) &
             call read_value(value, name, option, parameters(place)%start, error)
          if (allocated(error)) return
@@ -187,16 +192,24 @@ contains
       value = text(equals + 1:)
    end subroutine split_pair
 
-   !> Place of a free parameter.
-   pure subroutine find_parameter(name, option, parameters, place, error)
+   !> Place of a free parameter, which is given once.
+   pure subroutine find_parameter(name, option, parameters, given, place, error)
       character(len=*), intent(in) :: name, option
       type(fit_parameter), intent(in) :: parameters(:)
+      !> Which of them were given before
+      logical, intent(inout) :: given(:)
       integer, intent(out) :: place
       type(error_type), allocatable, intent(out) :: error
 
       place = findloc(parameters%name == plain(name), .true., 1)
-      if (place == 0) call fatal_error(error, option//': '//quoted(name)//' is not free: name '// &
-         'it by --free, too')
+      if (place == 0) then
+         call fatal_error(error, option//': '//quoted(name)//' is not free: name '// &
+            'it by --free, too')
+      else if (given(place)) then
+         call fatal_error(error, option//': '//name//' is given twice')
+      else
+         given(place) = .true.
+      end if
    end subroutine find_parameter
 
    !> Place of a key of the model; `error` says why it cannot be fixed or free.

@@ -6,20 +6,21 @@ module asperity_program_commands_fit_hold_out
    use asperity_fit_problem, only: fit_problem
    use asperity_program_commands_fit_kind, only: fit_kind
    use asperity_program_commands_fit_record_input, only: fit_record, record_input, &
-      record_quantities
+      record_quantities, samples_of
    use asperity_program_record_columns, only: record_column
    use asperity_program_report_table, only: column_counts, new_table, table_type
    use asperity_program_system_strings, only: string_type
    implicit none
    private
-   public :: follow_hold_out, record_table
+   public :: follow_hold_out, read_hold_out, record_table
 
    integer, parameter :: longest = 80, figures = 3
 
 contains
 
-   !> Follow them with the values found. `error` is set when one cannot be read or followed.
-   subroutine follow_hold_out(kind, input, files, free, values, records, model, error)
+   !> Read them, before a search that may be long. `error` is set when one cannot be read or is of
+   !> another kind.
+   subroutine read_hold_out(kind, input, files, free, own, problem, records, error)
       !> The kind, with the records that are fitted
       class(fit_kind), intent(in) :: kind
       !> How records are written, as given
@@ -28,22 +29,18 @@ contains
       type(string_type), intent(in) :: files(:)
       !> Names of the free keys
       type(string_type), intent(in) :: free(:)
-      !> Their values
-      real(wp), intent(in) :: values(:)
+      !> The kind with these records, and its problem; not there where there are no files
+      class(fit_kind), allocatable, intent(out) :: own
+      class(fit_problem), allocatable, intent(out) :: problem
       !> The records, none where there are no files
       type(fit_record), allocatable, intent(out) :: records(:)
-      !> The model at the samples of all of them
-      real(wp), allocatable, intent(out) :: model(:)
       !> Set on failure
       type(error_type), allocatable, intent(out) :: error
-      class(fit_kind), allocatable :: own
-      class(fit_problem), allocatable :: problem
       type(record_input) :: own_input
       type(record_column) :: columns(2)
       real(wp), allocatable :: scale(:)
-      integer :: i, n
 
-      allocate (records(0), model(0))
+      allocate (records(0))
       if (size(files) == 0) return
       allocate (own, source=kind)
       own_input = input
@@ -56,14 +53,30 @@ contains
       end if
       call own%take_records(records, error)
       if (.not. allocated(error)) then
-         n = sum([(size(records(i)%x), i=1, size(records))])
-         deallocate (model)
-         allocate (scale(n), source=1.0_wp)
-         allocate (model(n))
+         allocate (scale(samples_of(records)), source=1.0_wp)
          call own%make_problem(free, scale, problem, error)
       end if
-      if (.not. allocated(error)) call own%evaluate(problem, values, model, error)
       if (allocated(error)) error%message = '--hold-out: '//files(1)%text//': '//error%message
+   end subroutine read_hold_out
+
+   !> Follow them with the values found. `error` is set when one cannot be followed.
+   subroutine follow_hold_out(own, problem, records, values, model, error)
+      !> The kind with these records, and its problem, where there are any
+      class(fit_kind), allocatable, intent(in) :: own
+      class(fit_problem), allocatable, intent(in) :: problem
+      !> The records
+      type(fit_record), intent(in) :: records(:)
+      !> Values of the free keys
+      real(wp), intent(in) :: values(:)
+      !> The model at the samples of all of them
+      real(wp), allocatable, intent(out) :: model(:)
+      !> Set on failure
+      type(error_type), allocatable, intent(out) :: error
+
+      allocate (model(samples_of(records)))
+      if (.not. allocated(own)) return
+      call own%evaluate(problem, values, model, error)
+      if (allocated(error)) error%message = '--hold-out: '//error%message
    end subroutine follow_hold_out
 
    !> One row a record.

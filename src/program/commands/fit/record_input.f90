@@ -13,7 +13,7 @@ module asperity_program_commands_fit_record_input
    use asperity_program_system_strings, only: string_type
    implicit none
    private
-   public :: fit_record, record_input, record_quantities
+   public :: fit_record, record_input, record_quantities, samples_of
 
    !> Beginnings of the keys of both columns
    character(len=*), parameter :: axes(2) = [character(len=12) :: 'displacement', 'force']
@@ -184,6 +184,15 @@ contains
          end associate
       end do
    end subroutine read_file
+
+   !> Samples of all tests.
+   pure integer function samples_of(records)
+      !> The tests
+      type(fit_record), intent(in) :: records(:)
+      integer :: i
+
+      samples_of = sum([(size(records(i)%y), i=1, size(records))])
+   end function samples_of
 
    !> Bring a column to zero, scale, and the unit of the model.
    pure subroutine bring_to_unit(self, path, which, unit, column, error)
