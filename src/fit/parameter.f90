@@ -67,8 +67,8 @@ contains
             .and. (p%lower > 0.0_wp .or. .not. p%by_ratio) .and. p%scale > 0.0_wp
          if (.not. fine) call fatal_error(error, trim(p%name)//' begins at '//to_text(p%start)// &
             ' between '//to_text(p%lower)//' and '//to_text(p%upper)//trim(' '//p%unit)// &
-            ': the beginning must lie between the bounds'// &
-            trim(merge(', which must be above 0', '                       ', p%by_ratio)), &
+            ': bounds must lie below and above the beginning'// &
+            trim(merge(', and above 0', '             ', p%by_ratio)), &
             subject=trim(p%name))
       end associate
    end subroutine check_parameter

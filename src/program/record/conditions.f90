@@ -29,6 +29,8 @@ module asperity_program_record_conditions
       integer :: first = 1, last = 0
       !> What tells it from the others, none if it is the only one
       type(condition_type), allocatable :: conditions(:)
+      !> What would, if there were others: leading columns that are the same in all its rows
+      type(condition_type), allocatable :: constants(:)
    end type test_type
 
    !> The condition that is a record's file

@@ -127,6 +127,9 @@ contains
          if (size(found) == 0) exit
          call move_alloc(found, tests)
       end do
+      do n = 1, size(tests)
+         tests(n)%constants = tests(n)%conditions
+      end do
       if (size(tests) > 1) return
       tests(1)%first = 1
       tests(1)%last = huge(1)

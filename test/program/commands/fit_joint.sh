@@ -75,12 +75,22 @@ check 'fit joint: no case of what is not settled' test ! -e none.nml
 run press --csv press.csv
 refuses 'fit joint: a press record' 2 'press.csv: ' fit --kind joint --model small.nml press.csv --free clearance
 run shear --csv shear.csv
-refuses 'fit joint: a shear record' 2 'shear.csv: its tests have normal_stress_nominals' \
+refuses 'fit joint: a shear record' 2 'shear.csv: column normal_stress_nominal is that of shear' \
    fit --kind joint --model small.nml shear.csv --free clearance
 refuses 'fit joint: hard contact' 2 'small.csv: .*--where model=rough' \
    fit --kind joint --model small.nml small.csv --free clearance
+refuses 'fit joint: hard contact alone' 2 'small.csv: .*--where model=rough' \
+   fit --kind joint --model small.nml small.csv --free clearance --where model=hard
+refuses 'fit joint: a programme is not fixed' 2 '--fix: history cannot be fixed' \
+   "${fit[@]}" small.csv --free clearance --fix history=a.csv
+# A clearance of zero is no start, but bounds make one
+sed 's/^  clearance = 0.4/  clearance = 0.0/' small.nml >closed.nml
+refuses 'fit joint: no clearance to begin at' 2 'a.csv: clearance begins at 0.0 .*: bounds must lie below and above' \
+   fit --kind joint --model closed.nml --searches 1 a.csv --free clearance
+run fit --kind joint --model closed.nml --searches 1 a.csv --free clearance --bounds clearance=0.1:4 --case opened.nml
+check 'fit joint: clearance between bounds' has_nearly opened.nml clearance 0.4 1e-3
 printf 'displacement (mm),force (N)\n0,0\n0,1\n0,2\n' >still.csv
-refuses 'fit joint: it does not move' 2 'still.csv: .*does not move' fit --kind joint --model small.nml still.csv --free clearance
+refuses 'fit joint: it does not move' 2 'still.csv: The record does not move' fit --kind joint --model small.nml still.csv --free clearance
 printf 'displacement (mm),force (N)\n0,0\n5,0\n9,0\n' >free.csv
 refuses 'fit joint: no force' 2 'free.csv: .*no force' fit --kind joint --model small.nml free.csv --free clearance
 refuses 'fit joint: a press record held out' 2 'press.csv: no column is force' \

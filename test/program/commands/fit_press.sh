@@ -103,6 +103,11 @@ refuses_fit 'no such record to hold out' 3 'test.csv: cannot be read' noisy.csv 
 printf 'displacement (mm),force (N)\n0,0\n1,5\n2,9\n' >joint.csv
 refuses_fit 'a record of forces' 2 'joint.csv: no column is pressure by its name and unit' joint.csv --free eta \
    --fix $pair,initial_separation=0.2
+printf 'closure (mm),pressure (MPa)\n0,0\n1e-30,5\n2e-30,8\n' >small.csv
+refuses_fit 'readings of another unit' 2 'small.csv: the largest displacement is 2.0E-30 mm, which is not between 1e-20' \
+   small.csv --free eta --fix $pair,initial_separation=0.2
+refuses_fit 'two records' 2 'load.csv, noisy.csv: there are 2 tests, of which press takes one: give one file' \
+   load.csv noisy.csv --free eta --fix $pair,initial_separation=0.2
 printf 'closure (mm),pressure (MPa)\n0,0\n1,5\n0,0\n-1,-5\n0,0\n' >cyclic.csv
 refuses_fit 'faces that pull' 2 'cyclic.csv: pressures go down to -5.0 MPa' cyclic.csv --free eta --fix $pair,initial_separation=0.2
 printf 'closure (mm),pressure (MPa)\n0,5\n1,3\n2,1\n3,0\n' >down.csv

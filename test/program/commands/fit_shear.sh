@@ -45,9 +45,12 @@ check 'fit shear: decay' has_nearly pine.nml decay_slip 0.5 1e-4
 # Held out: what is not fitted is followed with the values found
 head -n 1 s.csv >first.csv
 grep '^5.0000000000000003E-002' s.csv >>first.csv
-run fit --kind shear first.csv --fix diameter=61.8,normal_stress=0.05 --free friction_coefficient,critical_slip \
-   --hold-out s.csv
+run "${fit[@]}" first.csv --free friction_coefficient,critical_slip --hold-out s.csv
 check 'fit shear: held out' test "$(grep -c '^ *s.csv normal_stress_nominal.* no ' out)" -eq 3
+
+# The only test of a file has its normal stress in a leading column as well, and one that is chosen
+run "${fit[@]}" s.csv --free friction_coefficient,critical_slip --where normal_stress_nominal=0.2 --case chosen.nml
+check 'fit shear: one test of three' grep -q '^  normal_stress = 0.2 ' chosen.nml
 
 # A test that begins under load is said
 awk -F, 'NR == 1 || $3 > 0.3 || n { if (NR > 1) n = 1; print $3 "," $10 }' s.csv | sed '1s/.*/displacement,force/' | head -n 90 >late.csv
@@ -60,11 +63,13 @@ run "${fit[@]}" drift.csv --free friction_coefficient,critical_slip --case drift
 check 'fit shear: drift is said' grep -q 'Durbin-Watson' out
 check 'fit shear: drift' has_nearly drift.nml friction_coefficient 0.42 0.05
 
-refuses 'fit shear: no normal stress' 2 'first.csv: nothing says the normal stress' \
-   "${fit[@]}" first.csv --free friction_coefficient,critical_slip
+refuses 'fit shear: no normal stress' 2 'late.csv: nothing says the normal stress' \
+   "${fit[@]}" late.csv --free friction_coefficient,critical_slip
+refuses 'fit shear: a diameter below zero' 2 's.csv: diameter = -61.8 is not allowed' \
+   fit --kind shear s.csv --fix diameter=-61.8 --free friction_coefficient,critical_slip
 refuses 'fit shear: no size' 2 's.csv: the record has forces: give the diameter' \
    fit --kind shear s.csv --free friction_coefficient,critical_slip
-refuses 'fit shear: neither free nor fixed' 2 'nothing says critical_slip' "${fit[@]}" s.csv --free friction_coefficient
+refuses 'fit shear: neither free nor fixed' 2 'nothing says critical_slip: free it, or fix it' "${fit[@]}" s.csv --free friction_coefficient
 refuses 'fit shear: a decay without rest' 2 'nothing says static_friction_coefficient' \
    "${fit[@]}" s.csv --free friction_coefficient,critical_slip,decay_slip
 refuses 'fit shear: a size is not free' 2 '--free: normal_stress is measured' \

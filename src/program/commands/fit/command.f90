@@ -21,7 +21,7 @@ module asperity_program_commands_fit_command
    use asperity_program_commands_fit_record_input, only: fit_record, record_input, samples_of
    use asperity_program_commands_fit_tables, only: correlation_table, curve_table, &
       direction_table, fixed_table, parameter_table, quality_table
-   use asperity_program_commands_fit_words, only: check_settled, residual_remarks
+   use asperity_program_commands_fit_words, only: check_settled, pronoun, residual_remarks
    use asperity_program_input_key, only: given_as_option
    use asperity_program_input_key_list, only: key_list
    use asperity_program_record_columns, only: record_column
@@ -173,7 +173,8 @@ contains
       if (allocated(error)) return
       names = kind%missing(free)
       if (names /= '') call fatal_error(error, 'nothing says '//escaped(names, ' ', ', ')// &
-         ': free them, or fix them by --fix, --model or a pair (--fix pair=NAME)')
+         ': free '//pronoun(names)//', or fix '//pronoun(names)//' by --fix, --model or a '// &
+         'pair (--fix pair=NAME)')
    end subroutine set_model
 
    !> Declare the keys of the model with their values.

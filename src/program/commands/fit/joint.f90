@@ -8,12 +8,12 @@ module asperity_program_commands_fit_joint
    use asperity_fit_problem, only: fit_problem
    use asperity_program_commands_fit_joint_problem, only: joint_force, joint_problem, &
       new_joint_problem, prepare_joint
-   use asperity_program_commands_fit_joint_record, only: check_conditions, joint_record, &
+   use asperity_program_commands_fit_joint_record, only: check_constants, joint_record, &
       thin_record
    use asperity_program_commands_fit_kind, only: fit_kind
    use asperity_program_commands_fit_record_input, only: fit_record, record_quantities
    use asperity_program_commands_tenon_joint_keys, only: declare_replay_case, tenon_case
-   use asperity_program_input_key, only: given_nowhere, key_type, kind_real
+   use asperity_program_input_key, only: given_as_option, given_nowhere, key_type, kind_real
    use asperity_program_input_key_list, only: key_list
    use asperity_program_record_names, only: holds_displacement, holds_force, holds_moment, &
       holds_rotation
@@ -65,7 +65,7 @@ contains
          [character(len=16) :: 'rotation', 'moment'], [character(len=16) :: 'rad', 'kN m'])]
    end subroutine new_joint_kind
 
-   !> The keys of a replay.
+   !> The keys of a replay. Those of the programme may be in a case file, but are not fixed.
    subroutine declare(self)
       !> The kind
       class(joint_kind), intent(inout) :: self
@@ -74,7 +74,11 @@ contains
 
       call declare_replay_case(case, self%keys)
       do i = 1, self%keys%n
-         if (any(of_programme == self%keys%rows(i)%name)) self%keys%rows(i)%unused = .true.
+         if (all(of_programme /= self%keys%rows(i)%name)) cycle
+         self%keys%rows(i)%unused = .true.
+         if (self%keys%rows(i)%given == given_as_option) call self%keys%refuse( &
+            trim(self%keys%rows(i)%name)//' cannot be fixed: the record takes the place of a '// &
+            'programme', trim(self%keys%rows(i)%name))
       end do
    end subroutine declare
 
@@ -141,17 +145,17 @@ contains
       if (allocated(self%records)) deallocate (self%records)
       allocate (self%records(size(records)))
       do i = 1, size(records)
-         call check_conditions(records(i)%conditions, error)
+         call check_constants(records(i)%constants, error)
          if (allocated(error)) return
          associate (r => records(i))
-            if (.not. maxval(r%x) > minval(r%x)) then
-               call fatal_error(error, r%title//': the joint does not move')
-            else if (.not. maxval(abs(r%y)) > 0.0_wp) then
-               call fatal_error(error, r%title//': the record has no force')
-            end if
-            if (allocated(error)) return
             self%records(i)%name = r%title
             if (r%title == '') self%records(i)%name = 'The record'
+            if (.not. maxval(r%x) > minval(r%x)) then
+               call fatal_error(error, self%records(i)%name//' does not move')
+            else if (.not. maxval(abs(r%y)) > 0.0_wp) then
+               call fatal_error(error, self%records(i)%name//' has no force')
+            end if
+            if (allocated(error)) return
             call thin_record(self%records(i), self%to_model(1)*r%x, self%to_model(2)*r%y, &
                most_samples)
             r%x = self%records(i)%displacement/self%to_model(1)
@@ -187,12 +191,14 @@ contains
          parameter%unit = key%unit
          parameter%start = key%values(1)
          parameter%by_ratio = parameter%start > 0.0_wp
-         parameter%lower = parameter%start/wide
-         parameter%upper = parameter%start*wide
+         parameter%lower = min(parameter%start/wide, parameter%start*wide)
+         parameter%upper = max(parameter%start/wide, parameter%start*wide)
       end associate
       range = findloc(ranges%name == name, .true., 1)
       if (name == 'clearance') range = findloc(ranges%name == 'clearance_above', .true., 1)
       if (range == 0) return
+      ! no clearance is no number to begin at, but a range above zero is searched by ratios
+      parameter%by_ratio = ranges(range)%lowest > 0.0_wp
       parameter%lower = max(parameter%lower, ranges(range)%lowest)
       parameter%upper = min(parameter%upper, ranges(range)%highest)
    end subroutine parameter_of

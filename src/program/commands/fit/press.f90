@@ -125,9 +125,8 @@ contains
       integer :: peak, place
 
       if (size(records) /= 1) then
-         call fatal_error(error, 'the file has '//to_text(size(records))// &
-            ' tests, of which press takes one: choose it by --where, such as --where '// &
-            records(1)%title)
+         call fatal_error(error, 'there are '//to_text(size(records))//' tests, of which '// &
+            'press takes one: give one file, and choose its test by --where')
          return
       end if
       self%record = records(1)

@@ -18,6 +18,9 @@ module asperity_program_commands_fit_record_input
    !> Beginnings of the keys of both columns
    character(len=*), parameter :: axes(2) = [character(len=12) :: 'displacement', 'force']
 
+   !> The largest reading is below this, and above one over it
+   real(wp), parameter :: most = 1.0e20_wp
+
    !> What both columns are to a model.
    type :: record_quantities
       !> What they hold (`asperity_program_record_names`)
@@ -28,9 +31,10 @@ module asperity_program_commands_fit_record_input
 
    !> One test.
    type :: fit_record
-      !> What tells it from others, empty for the only one; as columns of its file
+      !> What tells it from others, empty for the only one
       character(len=:), allocatable :: title
-      type(condition_type), allocatable :: conditions(:)
+      !> Leading columns of its file that are the same in all its rows
+      type(condition_type), allocatable :: constants(:)
       !> Its samples, in the units of the model
       real(wp), allocatable :: x(:), y(:)
    end type fit_record
@@ -177,7 +181,7 @@ contains
          associate (first => tests(i)%first, last => tests(i)%last)
             record%title = test_text(tests(i))
             if (size(files) > 1) record%title = trim(path//' '//record%title)
-            record%conditions = tests(i)%conditions
+            record%constants = tests(i)%constants
             record%x = columns(1)%values(first:last)
             record%y = columns(2)%values(first:last)
             records = [records, record]
@@ -202,6 +206,7 @@ contains
       type(record_column), intent(inout) :: column
       type(error_type), allocatable, intent(out) :: error
       type(unit_type) :: found, wanted
+      real(wp) :: largest
 
       call self%columns(which)%tell_unit(column, unit)
       found = find_unit(self%columns(which)%unit)
@@ -213,6 +218,11 @@ contains
       else
          column%values(:) = self%factor(which)*(column%values - self%zero(which)) &
             *found%factor/wanted%factor
+         largest = maxval(abs(column%values))
+         if (largest > 0.0_wp .and. .not. (largest > 1.0_wp/most .and. largest < most)) &
+            call fatal_error(error, path//': the largest '//column%name//' is '// &
+            to_text(largest, 3)//' '//unit//', which is not between 1e-20 and 1e20: is its '// &
+            'unit or factor wrong?')
       end if
    end subroutine bring_to_unit
 

@@ -1,5 +1,6 @@
 !> Shear records: friction by the keys of `asperity shear`.
 module asperity_program_commands_fit_shear
+   use asperity_base_checks, only: check_positive
    use asperity_base_error, only: error_type, fatal_error
    use asperity_base_kinds, only: wp
    use asperity_base_no_value, only: is_none, none
@@ -125,14 +126,14 @@ contains
       real(wp) :: normal_stress
       integer :: i
 
-      if (self%quantities%units(2) == 'N') then
-         if (is_none(self%diameter)) then
-            call fatal_error(error, 'the record has forces: give the diameter of the discs in '// &
-               'mm by --fix diameter=, for the area that they act on')
-            return
-         end if
-         self%divisor = overlap_area(self%diameter, 0.0_wp)
+      if (.not. is_none(self%diameter)) then
+         call check_positive(error, 'diameter', self%diameter, 'mm')
+      else if (self%quantities%units(2) == 'N') then
+         call fatal_error(error, 'the record has forces: give the diameter of the discs in '// &
+            'mm by --fix diameter=, for the area that they act on')
       end if
+      if (allocated(error)) return
+      if (self%quantities%units(2) == 'N') self%divisor = overlap_area(self%diameter, 0.0_wp)
       allocate (tests(size(records)))
       do i = 1, size(records)
          call find_normal_stress(records(i), self%normal_stress, normal_stress, error)

@@ -9,7 +9,7 @@ module asperity_program_commands_fit_words
    use asperity_program_system_strings, only: add_line, string_type
    implicit none
    private
-   public :: check_settled, combination, durbin_watson, residual_remarks
+   public :: check_settled, combination, durbin_watson, pronoun, residual_remarks
 
    !> Parts of a direction that count when it is written out
    real(wp), parameter :: written_part = 0.1_wp
@@ -76,6 +76,16 @@ contains
       end if
       text = text//', or give a record with less noise'
    end function unsettled_words
+
+   !> `it` or `them`.
+   pure function pronoun(names)
+      !> One name, or several between blanks
+      character(len=*), intent(in) :: names
+      character(len=:), allocatable :: pronoun
+
+      pronoun = 'it'
+      if (scan(names, ' ') > 0) pronoun = 'them'
+   end function pronoun
 
    !> A direction written out, such as `0.71 ln eta - 0.70 ln radius`.
    pure function combination(parameters, direction) result(text)

@@ -7,7 +7,7 @@ module asperity_program_commands_fit_joint_record
    use asperity_program_record_conditions, only: condition_type
    implicit none
    private
-   public :: check_conditions, joint_record, thin_record
+   public :: check_constants, joint_record, thin_record
 
    !> What a joint is led along, and the force that it should give.
    type :: joint_record
@@ -63,24 +63,24 @@ contains
 
    !> Set `error` when what tells tests apart says that they are none of a joint, or of hard
    !> contact.
-   pure subroutine check_conditions(conditions, error)
-      !> What tells a test from others
-      type(condition_type), intent(in) :: conditions(:)
+   pure subroutine check_constants(constants, error)
+      !> Leading columns that are the same in a test
+      type(condition_type), intent(in) :: constants(:)
       !> Set then
       type(error_type), allocatable, intent(out) :: error
       integer :: holds, i, rank
 
-      do i = 1, size(conditions)
-         associate (c => conditions(i))
+      do i = 1, size(constants)
+         associate (c => constants(i))
             call find_meaning(c%name, holds, rank)
-            if (holds == holds_pressure) call fatal_error(error, 'its tests have '//c%name// &
-               's: these are shear tests, and no records of a joint (--kind shear)')
+            if (holds == holds_pressure) call fatal_error(error, 'column '//c%name// &
+               ' is that of shear tests, which are no records of a joint (--kind shear)')
             if (c%name == 'model' .and. c%value == 'hard') call fatal_error(error, &
                'holds a replay with hard contact, but the model here has the rough law: '// &
                'take the other by --where model=rough')
          end associate
          if (allocated(error)) return
       end do
-   end subroutine check_conditions
+   end subroutine check_constants
 
 end module asperity_program_commands_fit_joint_record

@@ -24,7 +24,7 @@ module asperity_program_commands_fit_shear_tests
 
 contains
 
-   !> Normal stress of a test: what tells it from others, else the key.
+   !> Normal stress of a test: that of a leading column, else the key.
    subroutine find_normal_stress(record, usual, normal_stress, error)
       !> The test
       type(fit_record), intent(in) :: record
@@ -36,8 +36,8 @@ contains
       integer :: holds, i, rank
 
       normal_stress = usual
-      do i = 1, size(record%conditions)
-         associate (c => record%conditions(i), unit => find_unit(record%conditions(i)%unit))
+      do i = 1, size(record%constants)
+         associate (c => record%constants(i), unit => find_unit(record%constants(i)%unit))
             call find_meaning(c%name, holds, rank)
             if (holds /= holds_pressure) cycle
             call read_number(c%value, 'comma', normal_stress, error)
@@ -47,8 +47,7 @@ contains
          end associate
       end do
       if (is_none(normal_stress)) call fatal_error(error, 'nothing says the normal '// &
-         'stress: give it in MPa by --fix normal_stress=, or as a leading column of tests '// &
-         'below each other')
+         'stress: give it in MPa by --fix normal_stress=, or as a leading column')
    end subroutine find_normal_stress
 
    !> A number to begin a search at.
