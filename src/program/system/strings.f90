@@ -2,7 +2,7 @@
 module asperity_program_system_strings
    implicit none
    private
-   public :: string_type, add_line, lower_case, quoted, escaped, nearest_name, shell_word, &
+   public :: string_type, add_line, lower_case, quoted, escaped, nearest_name, repeated, shell_word, &
       split_lines, starts_with, wrapped
 
    character(len=*), parameter, public :: newline = new_line('a')
@@ -192,5 +192,22 @@ contains
       end do
       edit_distance = table(len(a), len(b))
    end function edit_distance
+
+   !> The first text that is the same as an earlier one, empty for none.
+   pure function repeated(list) result(text)
+      !> The texts
+      type(string_type), intent(in) :: list(:)
+      character(len=:), allocatable :: text
+      integer :: i, j
+
+      text = ''
+      do i = 2, size(list)
+         do j = 1, i - 1
+            if (list(j)%text /= list(i)%text) cycle
+            text = list(i)%text
+            return
+         end do
+      end do
+   end function repeated
 
 end module asperity_program_system_strings

@@ -50,11 +50,12 @@ check 'fit joint: the same with two threads' cmp 1.nml 2.nml
 awk -F, 'NR == 1 { print "displacement (mm),force (kN)" } $1 == "rough" { print $4 "," $6/1000 }' small.csv >a.csv
 run tenon small.nml --amplitudes 15 --csv one.csv
 awk -F, 'NR == 1 { print "displacement (mm),force (kN)" } $1 == "rough" { print $4 "," $6/1000 }' one.csv >b.csv
-run fit --kind joint --model small.nml --searches 1 a.csv b.csv --free clearance,side_pressure --hold-out b.csv \
+cp b.csv kept.csv
+run fit --kind joint --model small.nml --searches 1 a.csv b.csv --free clearance,side_pressure --hold-out kept.csv \
    --case both.nml
 check 'fit joint: two records' is_quiet
 check 'fit joint: two records, clearance' has_nearly both.nml clearance 0.4 1e-3
-check 'fit joint: three rows of records' test "$(grep -Ec '^ *[ab].csv +(yes|no) ' out)" -eq 3
+check 'fit joint: three rows of records' test "$(grep -Ec '^ *([ab]|kept).csv +(yes|no) ' out)" -eq 3
 
 awk -F, 'NR > 1 { OFS = ","; $1 += 5 } { print }' a.csv >offset.csv
 run fit --kind joint --model small.nml --searches 1 offset.csv --free side_pressure
@@ -98,5 +99,7 @@ refuses 'fit joint: a press record held out' 2 'press.csv: no column is force' \
 awk -F, 'NR == 1 { print "rotation (rad),moment (kN m)" } $1 == "rough" { print $5 "," $7 }' small.csv >moment.csv
 refuses 'fit joint: other quantities held out' 2 '--hold-out: moment.csv has rotation and moment' \
    fit --kind joint --model small.nml --searches 1 a.csv --free clearance --hold-out moment.csv
+refuses 'fit joint: fitted and held out' 2 'a.csv: is given twice' \
+   fit --kind joint --model small.nml a.csv --free clearance --hold-out a.csv
 refuses 'fit joint: files of two quantities' 2 'moment.csv: has rotation and moment' \
    fit --kind joint --model small.nml --searches 1 a.csv moment.csv --free clearance

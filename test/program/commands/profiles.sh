@@ -108,6 +108,7 @@ refuses 'profiles: lines of a pair' 2 '--pair: adds the maps of two faces' \
    surface m.sdf m.sdf --pair --profiles
 refuses 'profiles: too few lines of a map' 2 'three.txt: 60 x 3 points are no map: .*--profiles' \
    surface three.txt --height-unit um --step 0.01
+refuses 'profiles: one twice' 2 'fine.txt: is given twice' surface fine.txt $um --perpendicular fine.txt
 refuses 'profiles: peaks' 2 '--route paper: counts peaks' surface fine.txt $um --route paper
 refuses 'profiles: summits' 2 '--verify: sums over the summits' surface fine.txt $um --verify
 refuses 'profiles: as a map' 2 '--map: writes a map' surface fine.txt $um --map p.sdf

@@ -5,7 +5,7 @@ module asperity_program_commands_fit_keys
    use asperity_program_commands_fit_record_input, only: record_input
    use asperity_program_input_key, only: kind_file
    use asperity_program_input_key_list, only: key_list
-   use asperity_program_system_strings, only: string_type
+   use asperity_program_system_strings, only: repeated, string_type
    implicit none
    private
    public :: fit_options
@@ -77,7 +77,9 @@ contains
 
       call self%input%check(error)
       if (allocated(error)) return
-      if (self%kind == '') then
+      if (repeated([self%input%files, self%hold_out]) /= '') then
+         call fatal_error(error, repeated([self%input%files, self%hold_out])//': is given twice')
+      else if (self%kind == '') then
          call fatal_error(error, 'nothing says what the record is: --kind press, shear or joint')
       else if (self%searches < 0 .or. self%searches > most_searches) then
          call fatal_error(error, 'searches = '//to_text(self%searches)// &

@@ -7,7 +7,7 @@ module asperity_program_commands_hysteresis_records
    use asperity_program_record_columns, only: record_column
    use asperity_program_record_conditions, only: name_records, test_type
    use asperity_program_report_report, only: report_type
-   use asperity_program_system_strings, only: string_type
+   use asperity_program_system_strings, only: repeated, string_type
    implicit none
    private
    public :: list_tests, number_of_tests, read_records, record_type, remark_columns
@@ -35,16 +35,15 @@ contains
       type(record_type), allocatable, intent(out) :: records(:)
       !> Set on failure
       type(error_type), allocatable, intent(out) :: error
-      integer :: i, j
+      integer :: i
 
+      if (repeated(input%record_files) /= '') then
+         call fatal_error(error, repeated(input%record_files)//': is given twice')
+         return
+      end if
       allocate (records(size(input%record_files)))
       do i = 1, size(records)
          associate (r => records(i), path => input%record_files(i)%text)
-            do j = 1, i - 1
-               if (input%record_files(j)%text /= path) cycle
-               call fatal_error(error, path//': is given twice')
-               return
-            end do
             r%input = input
             call r%input%read(path, r%columns, r%tests, error)
             if (allocated(error)) return

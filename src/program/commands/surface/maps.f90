@@ -8,6 +8,7 @@ module asperity_program_commands_surface_maps
    use asperity_paper_pairs, only: find_pair, pair_preset
    use asperity_program_commands_surface_keys, only: surface_options
    use asperity_program_system_progress, only: show_share, show_stage
+   use asperity_program_system_strings, only: repeated
    use asperity_surface_analysis, only: prepare_surface
    use asperity_surface_generate_map, only: generate_surface
    use asperity_surface_generate_settings, only: most_points
@@ -46,6 +47,9 @@ contains
             'FILE --pair')
       else if (options%pair .and. size(options%files) > 2) then
          call fatal_error(error, options%files(3)%text//': --pair takes the maps of two faces')
+      else if (.not. options%pair .and. repeated([options%files, options%perpendicular]) /= '') then
+         call fatal_error(error, repeated([options%files, options%perpendicular])// &
+            ': is given twice')
       end if
       if (allocated(error) .or. options%material == '') return
       call find_pair(options%material, preset, error)
