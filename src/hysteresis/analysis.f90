@@ -181,6 +181,10 @@ contains
             ' in every sample: the record does not move')
       else if (.not. (maxval(abs(force)) > 0.0_wp .or. settings%force_floor > 0.0_wp)) then
          call fatal_error(error, 'force is zero in every sample')
+      else if (maxval(abs(displacement)) < 1.0_wp/largest_value) then
+         call fatal_error(error, 'displacement is below 1e-100 in every sample: check its unit')
+      else if (maxval(abs(force)) > 0.0_wp .and. maxval(abs(force)) < 1.0_wp/largest_value) then
+         call fatal_error(error, 'force is below 1e-100 in every sample: check its unit')
       end if
    end subroutine check_record
 

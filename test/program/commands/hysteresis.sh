@@ -260,6 +260,8 @@ bad_record 'a large threshold' 'bad.csv: displacement changes by no more than 2.
 head -c 4096 "$program" >bad.csv
 refuses 'hysteresis: a binary' 2 'bad.csv:' hysteresis bad.csv --csv never.csv
 refuses 'hysteresis: no record' 2 'no record is given: asperity hysteresis FILE.csv' hysteresis
+printf 'displacement (mm),force (kN)\n0,0\n1e-200,1\n0,0.5\n' >tiny.csv
+refuses 'hysteresis: displacements of another unit' 2 'tiny.csv: displacement is below 1e-100' hysteresis tiny.csv
 refuses 'hysteresis: the same record twice' 2 'h.csv: is given twice' hysteresis h.csv crlf.csv h.csv
 refuses 'hysteresis: empty name' 2 'the name of the record is empty' hysteresis ''
 refuses 'hysteresis: missing file' 3 'no.csv: cannot be read: No such file' hysteresis no.csv
