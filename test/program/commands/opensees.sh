@@ -37,5 +37,8 @@ printf '%s\n' x,f 0,0 1,5 2,8 3,9 4,9 >out_only.csv
 run hysteresis out_only.csv --opensees none.py
 check 'opensees: a monotonic record' is_refused 2 '--opensees: out_only.csv: the record is monotonic: a material with loops takes a cyclic one'
 check 'opensees: then nothing is written' test ! -e none.py
+printf '%s\n' displacement 0 5 2 9 >push.csv
+run tenon --opensees none.py --history push.csv
+check 'opensees: a history to one side' is_refused 2 '--opensees: a material with loops takes cycles to both sides'
 run tenon --opensees none.py --sweep clearance=0.1,0.2
 check 'opensees: a sweep' is_refused 2 '--opensees: is for one run, not for --sweep'

@@ -8,7 +8,7 @@ module asperity_program_commands_solid_command
    use asperity_deck_tenon_deck, only: tenon_deck
    use asperity_program_commands_command, only: command_type
    use asperity_program_commands_joint_loops, only: legends
-   use asperity_program_commands_opensees_joint, only: add_joint_material
+   use asperity_program_commands_opensees_joint, only: add_joint_material, check_history
    use asperity_program_commands_opensees_output, only: opensees_output
    use asperity_program_commands_solid_checkpoint, only: checkpoint_file, is_there
    use asperity_program_commands_solid_keys, only: solid_case
@@ -111,6 +111,7 @@ contains
 
       call read_history(history, self%case%joint, error)
       if (.not. allocated(error)) call follow_history(self%case%joint%joint, history, error)
+      if (.not. allocated(error)) call check_history(self%opensees, self%case%joint%joint, error)
       if (allocated(error)) return
       call self%declare(report%keys)
       report%faces = self%case%joint%faces%words()

@@ -11,7 +11,7 @@ module asperity_program_commands_tenon_command
    use asperity_program_commands_joint_loops, only: hard, legends, rough
    use asperity_program_commands_joint_tables, only: comparison_table, cycles_table, &
       skeleton_table
-   use asperity_program_commands_opensees_joint, only: add_joint_material
+   use asperity_program_commands_opensees_joint, only: add_joint_material, check_history
    use asperity_program_commands_opensees_output, only: opensees_output
    use asperity_program_commands_plots, only: picture_title
    use asperity_program_commands_tenon_compare_models, only: check_moment, joint_type, &
@@ -111,6 +111,7 @@ contains
       ! The cases of a sweep may have arms of their own
       if (.not. allocated(error) .and. self%sweep == '') &
          call follow_history(self%case%joint, history, error)
+      if (.not. allocated(error)) call check_history(self%opensees, self%case%joint, error)
       if (allocated(error)) return
       call self%declare(report%keys)
       report%faces = self%case%faces%words()
