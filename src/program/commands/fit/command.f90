@@ -18,7 +18,8 @@ module asperity_program_commands_fit_command
    use asperity_program_commands_fit_plot, only: fit_picture
    use asperity_program_commands_fit_press, only: new_press_kind
    use asperity_program_commands_fit_shear, only: new_shear_kind
-   use asperity_program_commands_fit_record_input, only: fit_record, record_input, samples_of
+   use asperity_program_commands_fit_record_input, only: fit_record, record_input, samples_of, &
+      scale_of
    use asperity_program_commands_fit_tables, only: correlation_table, curve_table, &
       direction_table, fixed_table, parameter_table, quality_table
    use asperity_program_commands_fit_words, only: check_settled, pronoun, residual_remarks
@@ -31,9 +32,6 @@ module asperity_program_commands_fit_command
    implicit none
    private
    public :: fit_command
-
-   !> Readings below this share of the largest have the noise of that share where noise is relative
-   real(wp), parameter :: least_share = 1.0e-2_wp
 
    !> Fits a model to a record.
    type, extends(command_type) :: fit_command
@@ -240,26 +238,6 @@ contains
          end do
       end associate
    end function files_text
-
-   !> What differences are divided by at every sample.
-   pure function scale_of(residual_scale, records) result(scale)
-      character(len=*), intent(in) :: residual_scale
-      type(fit_record), intent(in) :: records(:)
-      real(wp), allocatable :: scale(:)
-      real(wp) :: largest
-      integer :: i
-
-      allocate (scale(0))
-      do i = 1, size(records)
-         scale = [scale, abs(records(i)%y)]
-      end do
-      largest = maxval(scale)
-      if (residual_scale == 'relative') then
-         scale = max(scale, least_share*largest)
-      else
-         scale = largest
-      end if
-   end function scale_of
 
    !> Tables, remarks, picture, case file.
    subroutine add_results(self, kind, free, records, columns, parameters, result, model, report)

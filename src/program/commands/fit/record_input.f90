@@ -13,13 +13,16 @@ module asperity_program_commands_fit_record_input
    use asperity_program_system_strings, only: string_type
    implicit none
    private
-   public :: fit_record, record_input, record_quantities, samples_of
+   public :: fit_record, record_input, record_quantities, samples_of, scale_of
 
    !> Beginnings of the keys of both columns
    character(len=*), parameter :: axes(2) = [character(len=12) :: 'displacement', 'force']
 
    !> The largest reading is below this, and above one over it
    real(wp), parameter :: most = 1.0e20_wp
+
+   !> Readings below this share of the largest have the noise of that share where noise is relative
+   real(wp), parameter :: least_share = 1.0e-2_wp
 
    !> What both columns are to a model.
    type :: record_quantities
@@ -197,6 +200,28 @@ contains
 
       samples_of = sum([(size(records(i)%y), i=1, size(records))])
    end function samples_of
+
+   !> What differences are divided by at every sample.
+   pure function scale_of(residual_scale, records) result(scale)
+      !> `absolute` or `relative`
+      character(len=*), intent(in) :: residual_scale
+      !> The tests
+      type(fit_record), intent(in) :: records(:)
+      real(wp), allocatable :: scale(:)
+      real(wp) :: largest
+      integer :: i
+
+      allocate (scale(0))
+      do i = 1, size(records)
+         scale = [scale, abs(records(i)%y)]
+      end do
+      largest = maxval(scale)
+      if (residual_scale == 'relative') then
+         scale = max(scale, least_share*largest)
+      else
+         scale = largest
+      end if
+   end function scale_of
 
    !> Bring a column to zero, scale, and the unit of the model.
    pure subroutine bring_to_unit(self, path, which, unit, column, error)
