@@ -74,6 +74,9 @@ refuses 'fit shear: a decay without rest' 2 'nothing says static_friction_coeffi
    "${fit[@]}" s.csv --free friction_coefficient,critical_slip,decay_slip
 refuses 'fit shear: a size is not free' 2 '--free: normal_stress is measured' \
    "${fit[@]}" s.csv --free normal_stress,friction_coefficient,critical_slip
+refuses 'fit shear: what is fixed is wrong' 1 '.*shear.csv: the model misses [0-9]+.0 % of the readings' \
+   fit --kind shear "$root/examples/fit/shear.csv" --fix diameter=61.8,shear_compliance=1e100 --free friction_coefficient,critical_slip --case none.nml
+check 'fit shear: no case of no model' test ! -e none.nml
 # At one normal stress a machine is a longer critical slip
 awk -F, 'NR == 1 { print "displacement (mm),force (N)" } $1 == 0.1 { printf "%.3f,%.1f\n", $3, $10 }' s.csv >one.csv
 refuses 'fit shear: one normal stress and a machine' 1 'one.csv: .*(critical_slip|shear_compliance)' \

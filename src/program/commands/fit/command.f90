@@ -22,7 +22,8 @@ module asperity_program_commands_fit_command
       scale_of
    use asperity_program_commands_fit_tables, only: correlation_table, curve_table, &
       direction_table, fixed_table, parameter_table, quality_table
-   use asperity_program_commands_fit_words, only: check_settled, pronoun, residual_remarks
+   use asperity_program_commands_fit_words, only: check_explained, check_settled, &
+      pronoun, residual_remarks
    use asperity_program_input_key, only: given_as_option
    use asperity_program_input_key_list, only: key_list
    use asperity_program_record_columns, only: record_column
@@ -102,6 +103,7 @@ contains
       type(fit_record), allocatable :: held_out(:)
       real(wp), allocatable :: model(:), held_out_model(:)
       type(record_input) :: input
+      integer :: i
 
       ! as it is given, before columns are found
       input = self%options%input
@@ -144,6 +146,10 @@ contains
       if (.not. allocated(error)) then
          allocate (model(samples_of(records)))
          call kind%evaluate(problem, result%values, model, error)
+      end if
+      if (.not. allocated(error)) then
+         call check_explained([(records(i)%y, i=1, size(records))], model, error)
+         if (allocated(error)) error%message = files_text(self%options)//': '//error%message
       end if
       if (.not. allocated(error)) call follow_hold_out(other, other_problem, held_out, &
          result%values, held_out_model, error)

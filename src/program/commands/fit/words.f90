@@ -9,7 +9,7 @@ module asperity_program_commands_fit_words
    use asperity_program_system_strings, only: add_line, string_type
    implicit none
    private
-   public :: check_settled, combination, durbin_watson, pronoun, residual_remarks
+   public :: check_explained, check_settled, combination, durbin_watson, pronoun, residual_remarks
 
    !> Parts of a direction that count when it is written out
    real(wp), parameter :: written_part = 0.1_wp
@@ -19,6 +19,8 @@ module asperity_program_commands_fit_words
    real(wp), parameter :: rounding = 1.0e-8_wp
    !> Standard error up to which intervals were found to hold the truth as often as they say
    real(wp), parameter :: largest_sure = 0.2_wp
+   !> A model that misses more than this share of the readings is none of the record
+   real(wp), parameter :: largest_miss = 0.5_wp
    !> Correlation from which a pair of parameters is named
    real(wp), parameter :: high_correlation = 0.98_wp
 
@@ -48,6 +50,19 @@ contains
       end if
       if (text /= '') call fatal_error(error, text, computation_error)
    end subroutine check_settled
+
+   !> Set `error` when the model with the values found is no model of the record.
+   pure subroutine check_explained(readings, model, error)
+      !> What was read, and the model there
+      real(wp), intent(in) :: readings(:), model(:)
+      !> Set then
+      type(error_type), allocatable, intent(out) :: error
+
+      if (norm2(model - readings) <= largest_miss*norm2(readings)) return
+      call fatal_error(error, 'the model misses '//to_text(100.0_wp*norm2(model - readings) &
+         /norm2(readings), 2)//' % of the readings with the best values (root mean square): '// &
+         'this is a record of something else, or what is fixed is wrong', computation_error)
+   end subroutine check_explained
 
    !> Which parameters the directions that are not settled are of.
    pure function unsettled_words(parameters, result) result(text)
