@@ -129,7 +129,8 @@ contains
       do i = 1, size(at)
          j(i, :) = j(i, :)*slope_of(search%parameters(i), at(i))
       end do
-      jacobian_at = gsl_success
+      ! no way leads from where nothing changes, and GSL would take the logarithm of zero
+      if (any(abs(j) > 0.0_wp)) jacobian_at = gsl_success
    end function jacobian_at
 
 end module asperity_fit_search

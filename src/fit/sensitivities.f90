@@ -135,7 +135,7 @@ contains
          end associate
          do j = 1, p
             result%correlations(i, j) = covariance(i, j) &
-               /max(sqrt(covariance(i, i)*covariance(j, j)), tiny(noise))
+               /max(sqrt(covariance(i, i))*sqrt(covariance(j, j)), tiny(noise))
          end do
       end do
       call check_step(problem, parameters, y, transposed, noise, result, error)

@@ -119,7 +119,7 @@ contains
       type(contact_state), intent(in) :: state
       real(wp), intent(inout) :: slip
       type(contact_response), intent(inout) :: response
-      real(wp) :: start, low, high, left, half
+      real(wp) :: start, low, high, left, half, slope, step
       integer :: i
 
       start = slip
@@ -140,7 +140,11 @@ contains
          else
             low = slip
          end if
-         slip = slip - left/max(1.0_wp + compliance*response%tangent(2, 2), tiny(1.0_wp))
+         slope = 1.0_wp + compliance*response%tangent(2, 2)
+         ! no slope leads out of the bracket, as does one below zero
+         step = high - low
+         if (abs(left) < slope*step) step = left/slope
+         slip = slip - step
          if (.not. (slip > low .and. slip < high)) slip = 0.5_wp*(low + high)
       end do
    end subroutine advance

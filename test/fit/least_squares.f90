@@ -181,7 +181,7 @@ contains
       call refused(9, [a, b], 'a begins at 2.0 between 0.0 and 2.0')
       a%start = 1.0_wp
       a%by_ratio = .true.
-      call refused(9, [a, b], 'which must be above 0')
+      call refused(9, [a, b], 'and above 0')
    end subroutine test_refused
 
    subroutine refused(n, parameters, words)

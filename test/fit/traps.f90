@@ -23,6 +23,7 @@ contains
       call suite%addTest(TestMethod('a model that is no number on the way', test_no_number))
       call suite%addTest(TestMethod('a model that is nowhere', test_nowhere))
       call suite%addTest(TestMethod('a model that is at one point only', test_one_point))
+      call suite%addTest(TestMethod('a model that does not depend on them', test_no_influence))
       call suite%addTest(TestMethod('bounds are never passed', test_bounds))
    end function suite_fit_traps
 
@@ -107,6 +108,23 @@ contains
       call assertTrue(allocated(error))
       if (allocated(error)) call assertEqual(computation_error, error%category)
    end subroutine test_nowhere
+
+   !> Nothing is settled where no parameter changes anything. GSL would take the logarithm of zero,
+   !> which stops a program that traps divisions by zero.
+   subroutine test_no_influence()
+      type(curve) :: problem
+      type(fit_result) :: result
+      type(error_type), allocatable :: error
+
+      problem = decay()
+      problem%form = 'product'
+      problem%x = 0.0_wp
+      call fit(problem, 1.0_wp, 2, result, error)
+      call assertFalse(allocated(error))
+      call assertFalse(any(result%settled))
+      call assertTrue(all(is_finite(result%correlations)))
+      call assertRelativelyEqual(sum(problem%y**2), result%chi_squared, 1.0e-12_wp)
+   end subroutine test_no_influence
 
    !> A start with no neighbours that can be evaluated is no fit.
    subroutine test_one_point()
