@@ -2,8 +2,8 @@
 module asperity_program_system_strings
    implicit none
    private
-   public :: string_type, add_line, lower_case, quoted, escaped, nearest_name, repeated, shell_word, &
-      split_lines, starts_with, wrapped
+   public :: string_type, add_line, lower_case, quoted, escaped, nearest_name, repeated, &
+      shell_word, split_lines, starts_with, wrapped
 
    character(len=*), parameter, public :: newline = new_line('a')
    !> As `\` in a literal means different things to different compilers
