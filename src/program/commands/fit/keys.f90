@@ -75,7 +75,7 @@ contains
       !> Set otherwise
       type(error_type), allocatable, intent(out) :: error
 
-      call self%input%check(error)
+      call self%input%check('fit', error)
       if (allocated(error)) return
       if (repeated([self%input%files, self%hold_out]) /= '') then
          call fatal_error(error, repeated([self%input%files, self%hold_out])//': is given twice')

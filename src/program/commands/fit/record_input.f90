@@ -7,16 +7,12 @@ module asperity_program_commands_fit_record_input
    use asperity_program_input_key_list, only: key_list
    use asperity_program_record_columns, only: record_column
    use asperity_program_record_conditions, only: condition_type, test_text, test_type
-   use asperity_program_record_file, only: read_record, record_format
-   use asperity_program_record_keys, only: column_keys, format_keys
+   use asperity_program_record_readings, only: axes, record_readings
    use asperity_program_record_units, only: find_unit, unit_type
    use asperity_program_system_strings, only: string_type
    implicit none
    private
    public :: fit_record, record_input, record_quantities, samples_of, scale_of
-
-   !> Beginnings of the keys of both columns
-   character(len=*), parameter :: axes(2) = [character(len=12) :: 'displacement', 'force']
 
    !> The largest reading is below this, and above one over it
    real(wp), parameter :: most = 1.0e20_wp
@@ -43,16 +39,9 @@ module asperity_program_commands_fit_record_input
    end type fit_record
 
    !> The record as the user gives it.
-   type :: record_input
-      !> Its files
-      type(string_type), allocatable :: files(:)
-      !> How it is written, and its columns
-      type(format_keys) :: format
-      type(column_keys) :: columns(2)
-      !> What is subtracted from the columns, and what they are then multiplied by
-      real(wp) :: zero(2) = 0.0_wp, factor(2) = 1.0_wp
+   type, extends(record_readings) :: record_input
    contains
-      procedure :: declare, check, read => read_records
+      procedure :: declare, read => read_records
    end type record_input
 
 contains
@@ -64,46 +53,14 @@ contains
       !> The keys
       type(key_list), intent(inout) :: keys
 
-      self%columns%name = axes
-      call keys%paths('record_file', self%files, &
+      call self%declare_files(keys, &
          'the record, as FILE.csv without an option; shear and joint take several')
-      call keys%reads('record', is_argument=.true.)
-      call self%columns(1)%declare_column(keys, &
-         'name or number of the column of closure, slip or displacement; found by name and unit')
-      call self%columns(2)%declare_column(keys, &
-         'name or number of the column of pressure, stress or force; found by name and unit')
-      call self%format%declare(keys, unused=.false.)
-      call keys%real('displacement_zero', self%zero(1), '', &
-         'reading at rest, subtracted from the column of displacement')
-      call keys%real('displacement_factor', self%factor(1), '', &
-         'then multiplied by; -1 turns the sign')
-      call keys%real('force_zero', self%zero(2), '', &
-         'reading at rest, subtracted from the column of force')
-      call keys%real('force_factor', self%factor(2), '', &
-         'then multiplied by; 1/area makes a pressure')
-      call self%columns(1)%declare_unit(keys, &
-         'unit after zero and factor; that of the file, else mm')
-      call self%columns(2)%declare_unit(keys, &
-         'unit after zero and factor; that of the file, else MPa or N')
+      call self%declare_columns(keys, &
+         [character(len=32) :: 'closure, slip or displacement', 'pressure, stress or force'], &
+         [character(len=30) :: '; -1 turns the sign', '; 1/area makes a pressure'], &
+         [character(len=62) :: 'unit after zero and factor; that of the file, else mm', &
+         'unit after zero and factor; that of the file, else MPa or N'])
    end subroutine declare
-
-   !> Set `error` unless there is a record and something would be left of it.
-   pure subroutine check(self, error)
-      !> The record
-      class(record_input), intent(in) :: self
-      !> Set otherwise
-      type(error_type), allocatable, intent(out) :: error
-      integer :: i
-
-      do i = 1, size(axes)
-         if (.not. allocated(error) .and. .not. abs(self%factor(i)) > 0.0_wp) &
-            call fatal_error(error, trim(axes(i))//'_factor = 0.0 is not allowed: nothing '// &
-            'would be left of the record', subject=trim(axes(i))//'_factor')
-      end do
-      if (.not. allocated(error) .and. size(self%files) == 0) &
-         call fatal_error(error, 'no record is given: asperity fit FILE.csv')
-      if (.not. allocated(error)) call self%format%check(error)
-   end subroutine check
 
    !> Read files.
    subroutine read_records(self, files, choices, quantities, records, columns, error)
@@ -132,7 +89,7 @@ contains
 
    !> Read both columns of a file and bring them to zero, scale and the units of the model.
    subroutine read_file(self, files, which, choices, quantities, records, columns, error)
-      class(record_input), intent(inout) :: self
+      type(record_input), intent(inout) :: self
       type(string_type), intent(in) :: files(:)
       integer, intent(in) :: which
       type(record_quantities), intent(in) :: choices(:)
@@ -141,49 +98,38 @@ contains
       type(record_column), intent(out) :: columns(2)
       type(error_type), allocatable, intent(out) :: error
       type(test_type), allocatable :: tests(:)
-      type(record_format) :: format
+      type(record_input) :: own
       type(fit_record) :: record
-      character(len=:), allocatable :: path
       integer :: i
 
-      path = files(which)%text
-      do i = 1, size(axes)
-         call self%columns(i)%ask(columns(i))
-      end do
-      format = self%format%record_format
-      call read_record(path, format, reshape([(choices(i)%holds, i=1, size(choices))], &
-         [2, size(choices)]), columns, tests, error)
-      if (allocated(error)) return
-      do i = size(choices), 1, -1
-         if (all(choices(i)%holds == columns%holds)) exit
-      end do
-      if (which > 1 .and. any(quantities%holds /= choices(i)%holds)) then
-         call fatal_error(error, path//': has '//columns(1)%name//' and '//columns(2)%name// &
-            ', other files before it have not')
-         return
-      end if
-      quantities = choices(i)
-      if (columns(1)%place == columns(2)%place) then
-         call fatal_error(error, path//': '//columns(1)%name//' and '// &
-            columns(2)%name//' are both column '//to_text(columns(1)%place))
-         return
-      end if
-      if (which == size(files)) then
-         if (self%format%decimal /= format%decimal) &
-            self%format%decimal_source = 'the numbers of the file'
-         self%format%decimal = format%decimal
-         do i = 1, size(axes)
-            call self%columns(i)%tell(columns(i))
-         end do
-      end if
-      do i = 1, size(axes)
-         call bring_to_unit(self, path, i, trim(quantities%units(i)), columns(i), error)
+      own = self
+      associate (path => files(which)%text)
+         call own%read_columns(path, reshape([(choices(i)%holds, i=1, size(choices))], &
+            [2, size(choices)]), columns, tests, error)
          if (allocated(error)) return
-      end do
+         do i = size(choices), 1, -1
+            if (all(choices(i)%holds == columns%holds)) exit
+         end do
+         if (which > 1 .and. any(quantities%holds /= choices(i)%holds)) then
+            call fatal_error(error, path//': has '//columns(1)%name//' and '// &
+               columns(2)%name//', other files before it have not')
+            return
+         end if
+         quantities = choices(i)
+         do i = 1, size(axes)
+            call bring_to_unit(own, path, i, trim(quantities%units(i)), columns(i), error)
+            if (allocated(error)) return
+         end do
+      end associate
+      ! the columns and form of the last file are shown
+      if (which == size(files)) then
+         self%format = own%format
+         self%columns = own%columns
+      end if
       do i = 1, size(tests)
          associate (first => tests(i)%first, last => tests(i)%last)
             record%title = test_text(tests(i))
-            if (size(files) > 1) record%title = trim(path//' '//record%title)
+            if (size(files) > 1) record%title = trim(files(which)%text//' '//record%title)
             record%constants = tests(i)%constants
             record%x = columns(1)%values(first:last)
             record%y = columns(2)%values(first:last)
@@ -223,7 +169,7 @@ contains
       end if
    end function scale_of
 
-   !> Bring a column to zero, scale, and the unit of the model.
+   !> Bring a column to the unit of the model.
    pure subroutine bring_to_unit(self, path, which, unit, column, error)
       class(record_input), intent(inout) :: self
       character(len=*), intent(in) :: path, unit
@@ -241,8 +187,7 @@ contains
             ', which is no unit like '//unit//': bring it to one by --'//trim(axes(which))// &
             '-factor, and say which by --'//trim(axes(which))//'-unit')
       else
-         column%values(:) = self%factor(which)*(column%values - self%zero(which)) &
-            *found%factor/wanted%factor
+         column%values(:) = column%values*found%factor/wanted%factor
          largest = maxval(abs(column%values))
          if (largest > 0.0_wp .and. .not. (largest > 1.0_wp/most .and. largest < most)) &
             call fatal_error(error, path//': the largest '//column%name//' is '// &

@@ -116,7 +116,7 @@ contains
 
       if (.not. is_none(self%threshold)) self%analysis%threshold = self%threshold
       call check_hysteresis_settings(self%analysis, error)
-      if (.not. allocated(error)) call self%input%check(error)
+      if (.not. allocated(error)) call self%input%check('hysteresis', error)
       if (.not. allocated(error)) call self%opensees%check(error)
    end subroutine check
 
@@ -135,7 +135,7 @@ contains
       call read_records(self%input, records, error)
       if (allocated(error)) return
       self%input = records(1)%input
-      columns = columns_of(self%input%record_files, records)
+      columns = columns_of(self%input%files, records)
       if (sum(number_of_tests(records)) == 1) then
          associate (first => records(1))
             call report_test(self%analysis, first%columns(1)%values, first%columns(2)%values, &
@@ -208,7 +208,7 @@ contains
       type(hysteresis_result) :: result
       integer :: i
 
-      call list_tests(self%input%record_files, records, tests, numbers)
+      call list_tests(self%input%files, records, tests, numbers)
       allocate (reports(size(tests)))
       do i = 1, size(tests)
          associate (first => tests(i)%first, last => tests(i)%last, of => records(numbers(i)))

@@ -1,39 +1,27 @@
 !> The records that `asperity hysteresis` reads: their keys, their columns, what these are called.
 module asperity_program_commands_hysteresis_record_input
-   use asperity_base_error, only: error_type, fatal_error
+   use asperity_base_error, only: error_type
    use asperity_base_kinds, only: wp
-   use asperity_base_number_text, only: to_text
    use asperity_program_commands_hysteresis_tables, only: record_labels
    use asperity_program_input_key_list, only: key_list
    use asperity_program_record_columns, only: record_column
    use asperity_program_record_conditions, only: test_type
-   use asperity_program_record_file, only: read_record
-   use asperity_program_record_keys, only: column_keys, format_keys
    use asperity_program_record_names, only: holds_displacement, holds_force, holds_moment, &
       holds_rotation
+   use asperity_program_record_readings, only: axes, record_readings
    use asperity_program_record_units, only: find_unit, unit_length
-   use asperity_program_system_strings, only: string_type
    implicit none
    private
    public :: record_input
 
-   !> Beginnings of the keys of both columns
-   character(len=*), parameter :: axes(2) = [character(len=12) :: 'displacement', 'force']
-
    !> The record.
-   type :: record_input
-      !> Paths of the records, and what is taken of them
-      type(string_type), allocatable :: record_files(:)
+   type, extends(record_readings) :: record_input
+      !> What is taken of the records
       character(len=6) :: quantity = ''
       character(len=:), allocatable :: quantity_source
       logical :: has_quantity = .false.
-      !> How it is written, and its columns of displacement and force
-      type(format_keys) :: format
-      type(column_keys) :: columns(2)
-      !> What is subtracted from the columns, and what they are then multiplied by
-      real(wp) :: zero(2) = 0.0_wp, factor(2) = 1.0_wp
    contains
-      procedure :: declare, check, read => read_columns, label
+      procedure :: declare, read => read_input, label
    end type record_input
 
 contains
@@ -45,52 +33,20 @@ contains
       !> The keys
       type(key_list), intent(inout) :: keys
 
-      self%columns%name = axes
-      call keys%paths('record_file', self%record_files, &
-         'the record, or several, as FILE.csv without an option')
-      call keys%reads('record', is_argument=.true.)
+      call self%declare_files(keys, 'the record, or several, as FILE.csv without an option')
       call keys%choice('quantity', self%quantity, 'force moment', &
          'what is taken of the record: displacement and force, or rotation and moment')
       self%has_quantity = keys%given()
       call keys%said_by(self%quantity_source)
-      call self%columns(1)%declare_column(keys, &
-         'name or number of the column of displacement or rotation; found by name and unit')
-      call self%columns(2)%declare_column(keys, &
-         'name or number of the column of force or moment; found by name and unit')
-      call self%format%declare(keys, unused=.false.)
-      call keys%real('displacement_zero', self%zero(1), '', &
-         'reading at rest, subtracted from the column of displacement')
-      call keys%real('displacement_factor', self%factor(1), '', &
-         'then multiplied by; -1 turns the sign, 1/arm makes a rotation')
-      call keys%real('force_zero', self%zero(2), '', &
-         'reading at rest, subtracted from the column of force')
-      call keys%real('force_factor', self%factor(2), '', 'then multiplied by')
-      call self%columns(1)%declare_unit(keys, &
-         'unit after zero and factor; that of the file, else mm or rad')
-      call self%columns(2)%declare_unit(keys, &
-         'label, after zero and factor; that of the file, else N or kN m')
+      call self%declare_columns(keys, &
+         [character(len=24) :: 'displacement or rotation', 'force or moment'], &
+         [character(len=50) :: '; -1 turns the sign, 1/arm makes a rotation', ''], &
+         [character(len=66) :: 'unit after zero and factor; that of the file, else mm or rad', &
+         'label, after zero and factor; that of the file, else N or kN m'])
    end subroutine declare
 
-   !> Set `error` unless there is a record and something would be left of it.
-   pure subroutine check(self, error)
-      !> The record
-      class(record_input), intent(in) :: self
-      !> Set otherwise
-      type(error_type), allocatable, intent(out) :: error
-      integer :: i
-
-      do i = 1, size(axes)
-         if (.not. allocated(error) .and. .not. abs(self%factor(i)) > 0.0_wp) &
-            call fatal_error(error, trim(axes(i))//'_factor = 0.0 is not allowed: nothing '// &
-            'would be left of the record', subject=trim(axes(i))//'_factor')
-      end do
-      if (.not. allocated(error) .and. size(self%record_files) == 0) &
-         call fatal_error(error, 'no record is given: asperity hysteresis FILE.csv')
-      if (.not. allocated(error)) call self%format%check(error)
-   end subroutine check
-
-   !> Read both columns and bring them to zero and scale.
-   subroutine read_columns(self, path, columns, tests, error)
+   !> Read both columns of a file.
+   subroutine read_input(self, path, columns, tests, error)
       !> What is asked for; what was found is said there
       class(record_input), intent(inout) :: self
       !> Path of the record
@@ -101,27 +57,9 @@ contains
       type(test_type), allocatable, intent(out) :: tests(:)
       !> Set when the file cannot be read or is faulty
       type(error_type), allocatable, intent(out) :: error
-      character(len=12) :: decimal
-      integer :: i
 
-      do i = 1, size(axes)
-         call self%columns(i)%ask(columns(i))
-      end do
-      decimal = self%format%decimal
-      call read_record(path, self%format%record_format, quantities_of(self%quantity), &
-         columns, tests, error)
-      if (allocated(error)) return
-      if (columns(1)%place == columns(2)%place) then
-         call fatal_error(error, path//': '//columns(1)%name//' and '// &
-            columns(2)%name//' are both column '//to_text(columns(1)%place))
-         return
-      end if
-      if (self%format%decimal /= decimal) self%format%decimal_source = 'the numbers of the file'
-      do i = 1, size(axes)
-         call self%columns(i)%tell(columns(i))
-         columns(i)%values(:) = self%factor(i)*(columns(i)%values - self%zero(i))
-      end do
-   end subroutine read_columns
+      call self%read_columns(path, quantities_of(self%quantity), columns, tests, error)
+   end subroutine read_input
 
    !> What the columns may hold together.
    pure function quantities_of(quantity) result(quantities)

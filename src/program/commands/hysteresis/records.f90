@@ -37,13 +37,13 @@ contains
       type(error_type), allocatable, intent(out) :: error
       integer :: i
 
-      if (repeated(input%record_files) /= '') then
-         call fatal_error(error, repeated(input%record_files)//': is given twice')
+      if (repeated(input%files) /= '') then
+         call fatal_error(error, repeated(input%files)//': is given twice')
          return
       end if
-      allocate (records(size(input%record_files)))
+      allocate (records(size(input%files)))
       do i = 1, size(records)
-         associate (r => records(i), path => input%record_files(i)%text)
+         associate (r => records(i), path => input%files(i)%text)
             r%input = input
             call r%input%read(path, r%columns, r%tests, error)
             if (allocated(error)) return
