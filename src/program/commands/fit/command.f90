@@ -97,11 +97,10 @@ contains
       type(fit_settings) :: settings
       type(fit_result) :: result
       class(fit_problem), allocatable, target :: problem
-      ! what is held out, as a kind of its own
-      class(fit_kind), allocatable :: other
+      ! what is held out
       class(fit_problem), allocatable :: other_problem
       type(fit_record), allocatable :: held_out(:)
-      real(wp), allocatable :: model(:), held_out_model(:)
+      real(wp), allocatable :: scale(:), readings(:), model(:), held_out_model(:)
       type(record_input) :: input
       integer :: i
 
@@ -123,13 +122,13 @@ contains
       end if
       call make_parameters(self%options, kind, free, parameters, error)
       if (allocated(error)) return
-      call kind%make_problem(free, scale_of(self%options%residual_scale, records), problem, error)
+      scale = scale_of(self%options%residual_scale, records)
+      call kind%make_problem(free, scale, problem, error)
       if (allocated(error)) then
          error%message = files_text(self%options)//': '//error%message
          return
       end if
-      call read_hold_out(kind, input, self%options%hold_out, free, other, other_problem, held_out, &
-         error)
+      call read_hold_out(kind, input, self%options%hold_out, free, other_problem, held_out, error)
       if (allocated(error)) return
       if (self%options%searches == 0) then
          self%options%searches = kind%usual_searches
@@ -144,14 +143,12 @@ contains
       end if
       call give(kind, parameters, result%values, 'fitted', error)
       if (.not. allocated(error)) then
-         allocate (model(samples_of(records)))
-         call kind%evaluate(problem, result%values, model, error)
-      end if
-      if (.not. allocated(error)) then
-         call check_explained([(records(i)%y, i=1, size(records))], model, error)
+         readings = [(records(i)%y, i=1, size(records))]
+         model = readings + scale*result%residuals
+         call check_explained(readings, model, error)
          if (allocated(error)) error%message = files_text(self%options)//': '//error%message
       end if
-      if (.not. allocated(error)) call follow_hold_out(other, other_problem, held_out, &
+      if (.not. allocated(error)) call follow_hold_out(other_problem, held_out, &
          result%values, held_out_model, error)
       if (allocated(error)) return
       call add_results(self, kind, free, records, columns, parameters, result, model, report)

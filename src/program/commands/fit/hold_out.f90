@@ -20,7 +20,7 @@ contains
 
    !> Read them, before a search that may be long. `error` is set when one cannot be read or is of
    !> another kind.
-   subroutine read_hold_out(kind, input, files, free, own, problem, records, error)
+   subroutine read_hold_out(kind, input, files, free, problem, records, error)
       !> The kind, with the records that are fitted
       class(fit_kind), intent(in) :: kind
       !> How records are written, as given
@@ -29,13 +29,13 @@ contains
       type(string_type), intent(in) :: files(:)
       !> Names of the free keys
       type(string_type), intent(in) :: free(:)
-      !> The kind with these records, and its problem; not there where there are no files
-      class(fit_kind), allocatable, intent(out) :: own
+      !> Their problem, not there where there are no files
       class(fit_problem), allocatable, intent(out) :: problem
       !> The records, none where there are no files
       type(fit_record), allocatable, intent(out) :: records(:)
       !> Set on failure
       type(error_type), allocatable, intent(out) :: error
+      class(fit_kind), allocatable :: own
       type(record_input) :: own_input
       type(record_column) :: columns(2)
       real(wp), allocatable :: scale(:)
@@ -60,9 +60,8 @@ contains
    end subroutine read_hold_out
 
    !> Follow them with the values found. `error` is set when one cannot be followed.
-   subroutine follow_hold_out(own, problem, records, values, model, error)
-      !> The kind with these records, and its problem, where there are any
-      class(fit_kind), allocatable, intent(in) :: own
+   subroutine follow_hold_out(problem, records, values, model, error)
+      !> Their problem, where there are any
       class(fit_problem), allocatable, intent(in) :: problem
       !> The records
       type(fit_record), intent(in) :: records(:)
@@ -72,11 +71,17 @@ contains
       real(wp), allocatable, intent(out) :: model(:)
       !> Set on failure
       type(error_type), allocatable, intent(out) :: error
+      integer :: i
 
       allocate (model(samples_of(records)))
-      if (.not. allocated(own)) return
-      call own%evaluate(problem, values, model, error)
-      if (allocated(error)) error%message = '--hold-out: '//error%message
+      if (.not. allocated(problem)) return
+      call problem%residuals(values, model, error)
+      if (allocated(error)) then
+         error%message = '--hold-out: '//error%message
+      else
+         ! they are differences over a scale of 1
+         model = model + [(records(i)%y, i=1, size(records))]
+      end if
    end subroutine follow_hold_out
 
    !> One row a record.

@@ -6,8 +6,8 @@ module asperity_program_commands_fit_joint
    use asperity_base_number_text, only: to_text
    use asperity_fit_parameter, only: fit_parameter
    use asperity_fit_problem, only: fit_problem
-   use asperity_program_commands_fit_joint_problem, only: joint_force, joint_problem, &
-      new_joint_problem, prepare_joint
+   use asperity_program_commands_fit_joint_problem, only: joint_problem, new_joint_problem, &
+      prepare_joint
    use asperity_program_commands_fit_joint_record, only: check_constants, joint_record, &
       thin_record
    use asperity_program_commands_fit_kind, only: fit_kind
@@ -46,7 +46,7 @@ module asperity_program_commands_fit_joint
       real(wp) :: to_model(2) = 1.0_wp
       type(joint_record), allocatable :: records(:)
    contains
-      procedure :: declare, missing, take_records, parameter_of, make_problem, evaluate, remarks, &
+      procedure :: declare, missing, take_records, parameter_of, make_problem, remarks, &
          case_keys
    end type joint_kind
 
@@ -227,39 +227,6 @@ contains
       call new_joint_problem(own, self%keys, places, self%records, self%to_model(2)*scale)
       allocate (problem, source=own)
    end subroutine make_problem
-
-   !> The joint at the samples of all records, in the unit of the record.
-   subroutine evaluate(self, problem, values, model, error)
-      !> The kind, with its record
-      class(joint_kind), intent(in) :: self
-      !> Its problem
-      class(fit_problem), intent(in) :: problem
-      !> Values of the free keys
-      real(wp), intent(in) :: values(:)
-      !> One a sample
-      real(wp), intent(out) :: model(:)
-      !> Set when a value is refused or a replay fails
-      type(error_type), allocatable, intent(out) :: error
-      type(tenon_case) :: case
-      integer :: i, last
-
-      model = 0.0_wp
-      select type (problem)
-      type is (joint_problem)
-         call prepare_joint(problem%keys, problem%free, values, case, error)
-         last = 0
-         do i = 1, size(self%records)
-            if (allocated(error)) return
-            associate (n => size(self%records(i)%force))
-               call joint_force(case, self%records(i), model(last + 1:last + n), error)
-               last = last + n
-            end associate
-         end do
-         model = model/self%to_model(2)
-      class default
-         continue
-      end select
-   end subroutine evaluate
 
    !> How far the records are thinned, and where they do not begin at rest.
    subroutine remarks(self, lines)

@@ -36,8 +36,6 @@ module asperity_program_commands_fit_kind
       procedure(parameter_of), deferred :: parameter_of
       !> The problem of some free keys
       procedure(make_problem), deferred :: make_problem
-      !> The model at the samples of all tests, one after the other
-      procedure(evaluate), deferred :: evaluate
       !> What is to be said of the values found and of the record, besides what holds for all kinds
       procedure(remarks), deferred :: remarks
       !> A case file's keys with the values found
@@ -103,21 +101,6 @@ module asperity_program_commands_fit_kind
          !> Set when the model cannot be made
          type(error_type), allocatable, intent(out) :: error
       end subroutine make_problem
-
-      !> The model at the samples of all tests, one after the other.
-      subroutine evaluate(self, problem, values, model, error)
-         import :: error_type, fit_kind, fit_problem, wp
-         !> The kind, with its record
-         class(fit_kind), intent(in) :: self
-         !> Its problem
-         class(fit_problem), intent(in) :: problem
-         !> Values of the free keys
-         real(wp), intent(in) :: values(:)
-         !> In the unit of the record's second column
-         real(wp), intent(out) :: model(:)
-         !> Set when the model cannot be evaluated there
-         type(error_type), allocatable, intent(out) :: error
-      end subroutine evaluate
 
       !> What is to be said of the values found and of the record. Keys of the model have the values
       !> found.

@@ -4,8 +4,7 @@ module asperity_program_commands_fit_press
    use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
    use asperity_fit_parameter, only: fit_parameter
-   use asperity_fit_press, only: n_press_numbers, press_pressures, press_problem, &
-      press_separation
+   use asperity_fit_press, only: n_press_numbers, press_problem, press_separation
    use asperity_fit_problem, only: fit_problem
    use asperity_law_normal_law, only: evaluate_normal_law, normal_response
    use asperity_law_normal_properties, only: normal_properties, unloading_elastic, &
@@ -38,7 +37,7 @@ module asperity_program_commands_fit_press
       real(wp) :: compliance = 0.0_wp
       type(fit_record) :: record
    contains
-      procedure :: declare, missing, take_records, parameter_of, make_problem, evaluate, remarks, &
+      procedure :: declare, missing, take_records, parameter_of, make_problem, remarks, &
          case_keys
    end type press_kind
 
@@ -217,28 +216,6 @@ contains
       press%kurtosis = self%faces%heights%kurtosis
       allocate (problem, source=press)
    end subroutine make_problem
-
-   !> Pressures of the model at the closures of the record.
-   subroutine evaluate(self, problem, values, model, error)
-      !> The kind
-      class(press_kind), intent(in) :: self
-      !> Its problem
-      class(fit_problem), intent(in) :: problem
-      !> Values of the free numbers
-      real(wp), intent(in) :: values(:)
-      !> MPa
-      real(wp), intent(out) :: model(:)
-      !> Set when the law refuses the numbers
-      type(error_type), allocatable, intent(out) :: error
-
-      model = self%record%y
-      select type (problem)
-      type is (press_problem)
-         call press_pressures(problem, values, model, error)
-      class default
-         continue
-      end select
-   end subroutine evaluate
 
    !> What no face has, and limits of the law that the record goes past.
    subroutine remarks(self, lines)

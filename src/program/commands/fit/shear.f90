@@ -10,7 +10,7 @@ module asperity_program_commands_fit_shear
    use asperity_fit_shear_model, only: check_shear_tests, shear_critical_slip, &
       shear_decay_slip, shear_friction_coefficient, shear_names, shear_pressure_exponent, &
       shear_reference_pressure, shear_shear_compliance, shear_static_friction_coefficient, &
-      shear_stress_along, shear_test, shear_units
+      shear_test, shear_units
    use asperity_program_commands_fit_kind, only: fit_kind
    use asperity_program_commands_fit_record_input, only: fit_record, record_quantities
    use asperity_program_commands_fit_shear_tests, only: find_normal_stress, guess, remark_loaded
@@ -42,7 +42,7 @@ module asperity_program_commands_fit_shear
       real(wp) :: divisor = 1.0_wp
       type(shear_test), allocatable :: tests(:)
    contains
-      procedure :: declare, missing, take_records, parameter_of, make_problem, evaluate, remarks, &
+      procedure :: declare, missing, take_records, parameter_of, make_problem, remarks, &
          case_keys
    end type shear_kind
 
@@ -217,40 +217,6 @@ contains
          scale/self%divisor, error)
       call move_alloc(own, problem)
    end subroutine make_problem
-
-   !> The model at the samples of all tests, in the unit of the record.
-   subroutine evaluate(self, problem, values, model, error)
-      !> The kind, with its record
-      class(shear_kind), intent(in) :: self
-      !> Its problem
-      class(fit_problem), intent(in) :: problem
-      !> Values of the free keys
-      real(wp), intent(in) :: values(:)
-      !> One a sample
-      real(wp), intent(out) :: model(:)
-      !> Set when a number is refused
-      type(error_type), allocatable, intent(out) :: error
-      real(wp) :: all_values(size(shear_names))
-      integer :: i, last
-
-      model = 0.0_wp
-      select type (problem)
-      type is (shear_problem)
-         all_values = problem%values
-         all_values(problem%free) = values
-         last = 0
-         do i = 1, size(self%tests)
-            associate (n => size(self%tests(i)%displacement))
-               call shear_stress_along(all_values, self%tests(i), model(last + 1:last + n), error)
-               last = last + n
-            end associate
-            if (allocated(error)) return
-         end do
-         model = self%divisor*model
-      class default
-         call fatal_error(error, 'this is no problem of shear tests')
-      end select
-   end subroutine evaluate
 
    !> Tests that begin under load.
    subroutine remarks(self, lines)
