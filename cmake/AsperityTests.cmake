@@ -86,8 +86,8 @@ add_executable(asperity_single_tests
    src/wood/check.f90 src/wood/ageing.f90 src/wood/sections.f90 src/faces/nayak.f90
    src/faces/face.f90 src/faces/aged_pair.f90
    src/faces/two_faces.f90 src/asperity.f90
-   interface/abaqus/uinter.f90 interface/abaqus/uinter_point.f90
-   interface/abaqus/uinter_signature.f90 interface/abaqus/vuinter_signature.f90
+   interface/abaqus/routines/uinter.f90 interface/abaqus/routines/uinter_point.f90
+   interface/abaqus/routines/uinter_signature.f90 interface/abaqus/routines/vuinter_signature.f90
    src/replay/abaqus_record.f90 src/replay/abaqus_host.f90)
 # one rule writes the file, not two at once
 add_dependencies(asperity_single_tests uinter_file)

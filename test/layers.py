@@ -41,8 +41,8 @@ home = {}
 for path, text in texts.items():
     for module in re.findall(r'^module (?!procedure)(\w+)', text, re.M):
         home[module] = path
-        # glue/ is all the Fortran that interface/calculix has
-        parts = [part for part in path.with_suffix('').parts[1:] if part != 'glue']
+        # Fortran of interface/calculix and interface/abaqus is all in one folder each
+        parts = [part for part in path.with_suffix('').parts[1:] if part not in ('glue', 'routines')]
         check(module == '_'.join(['asperity'] + parts) or path == FACE,
               f'{path}: module {module}')
 for path, text in texts.items():

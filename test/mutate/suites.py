@@ -13,7 +13,7 @@ FOLDERS = {
     'src/wood': ['solid', 'deck'],
     'src/deck': ['deck'],
     'src/solid': ['solid'],
-    'interface/abaqus': ['abaqus', 'single', 'replay'],
+    'interface/abaqus/routines': ['abaqus', 'single', 'replay'],
     'interface/c': ['c'],
 }
 

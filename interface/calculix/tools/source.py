@@ -126,7 +126,7 @@ def included(path, name, form, depth):
 
 def right_arguments():
     """ABAQUS' list, from the signature that our hosts call by."""
-    path = os.path.join(HERE, "..", "..", "abaqus", "uinter_signature.f90")
+    path = os.path.join(HERE, "..", "..", "abaqus", "routines", "uinter_signature.f90")
     for text in statements(read(path), "free"):
         part = SUBROUTINE.match(text)
         if part and part[1] == "uinter_interface":
