@@ -1,0 +1,26 @@
+!> A given motion of a contact point, with what it is expected to answer.
+module asperity_replay_motion_path
+   use asperity_base_kinds, only: wp
+   implicit none
+   private
+   public :: motion_path
+
+   !> Names of the tractions, as in columns of files
+   character(len=*), parameter, public :: traction_names(3) = [character(len=8) :: 'pressure', &
+      'shear_1', 'shear_2']
+
+   !> One row an increment, the state of its end; before the first row nothing is opposite.
+   type :: motion_path
+      !> Total time, rising, s
+      real(wp), allocatable :: time(:)
+      !> How far the faces have passed each other, mm; -1.E36 is no opposite surface
+      real(wp), allocatable :: overclosure(:)
+      !> Slip since the start in both slip directions, shape (2, rows), mm
+      real(wp), allocatable :: slip(:, :)
+      !> Tractions expected at the end, shape (3, rows), MPa: pressure, both shear stresses
+      real(wp), allocatable :: expected(:, :)
+      !> Which of them the path has
+      logical :: has_expected(3) = .false.
+   end type motion_path
+
+end module asperity_replay_motion_path
