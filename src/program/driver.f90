@@ -81,7 +81,7 @@ contains
          end if
          call remark_interaction(report)
          call deliver(delivery, report, error)
-         if (.not. allocated(error)) call command%finish()
+         if (.not. allocated(error)) call command%finish(error)
       end associate
    end subroutine run
 

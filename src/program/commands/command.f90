@@ -39,7 +39,7 @@ module asperity_program_commands_command
       procedure :: check
       !> Do it
       procedure(run), deferred :: run
-      !> Clear up when its results are written
+      !> Clear up when its results are written, and judge them
       procedure :: finish
       !> Declare the outputs of all commands
       procedure :: declare_outputs
@@ -92,10 +92,13 @@ contains
       end associate
    end subroutine check
 
-   !> Clear up when the results are written.
-   subroutine finish(self)
+   !> Clear up when the results are written. A command whose results say that something is wrong
+   !> fails here, after them.
+   subroutine finish(self, error)
       !> The command
       class(command_type), intent(inout) :: self
+      !> Set when the results are no success
+      type(error_type), allocatable, intent(out) :: error
 
       ! nothing is left, unless a command says so
       associate (command => self)

@@ -124,9 +124,11 @@ contains
    end subroutine run
 
    !> Remove the checkpoints.
-   subroutine finish(self)
+   subroutine finish(self, error)
       !> The command
       class(solid_command), intent(inout) :: self
+      !> Never set
+      type(error_type), allocatable, intent(out) :: error
       integer :: i
 
       do i = 1, size(self%checkpoints)

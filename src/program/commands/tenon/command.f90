@@ -138,9 +138,11 @@ contains
    end subroutine check_sweep
 
    !> Remove what was kept of a sweep.
-   subroutine finish(self)
+   subroutine finish(self, error)
       !> The command
       class(tenon_command), intent(inout) :: self
+      !> Never set
+      type(error_type), allocatable, intent(out) :: error
 
       if (allocated(self%partial%path)) call close_partial(self%partial)
    end subroutine finish
