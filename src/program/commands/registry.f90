@@ -1,6 +1,7 @@
 !> The commands of the program, in the order of its help.
 module asperity_program_commands_registry
    use asperity_program_commands_command, only: command_type
+   use asperity_program_commands_compare_command, only: compare_command
    use asperity_program_commands_curve, only: curve_command
    use asperity_program_commands_deck_shear, only: shear_deck_command
    use asperity_program_commands_deck_tenon, only: tenon_deck_command
@@ -20,7 +21,7 @@ module asperity_program_commands_registry
    public :: command_entry, list_commands, find_command, all_keys, owners
 
    !> How many there are
-   integer, parameter, public :: n_commands = 12
+   integer, parameter, public :: n_commands = 13
 
    !> A command in a list.
    type :: command_entry
@@ -47,6 +48,7 @@ contains
       allocate (fit_command :: list(10)%command)
       allocate (surface_command :: list(11)%command)
       allocate (pairs_command :: list(12)%command)
+      allocate (compare_command :: list(13)%command)
       do i = 1, size(list)
          call list(i)%command%describe()
       end do
