@@ -28,8 +28,11 @@ def check_pairs(deck):
             law = laws.get(squeezed(values.get("INTERACTION", "")))
             at = f"{deck.path}: *CONTACT PAIR {', '.join(data[0]) if data else ''}"
             if law == "UINTER" and kind not in NODE_TO_SURFACE:
-                raise DeckError(f"{at}: UINTER serves TYPE=NODE TO SURFACE alone: with others, such "
-                                "as SURFACE TO SURFACE, CalculiX does not call it")
+                name = values.get("INTERACTION", "")
+                raise DeckError(f"{at}: UINTER serves node to surface alone: with others, such as "
+                                "SURFACE TO SURFACE, CalculiX does not call it; write *CONTACT "
+                                f"PAIR, INTERACTION={name}, TYPE=NODE TO SURFACE, and below it "
+                                "the surface with the finer mesh first")
             if law == "TABULAR" and kind == "SURFACETOSURFACE":
                 raise DeckError(f"{at}: a table with SURFACE TO SURFACE gives no pressure at all in "
                                 "CalculiX, and no message: take NODE TO SURFACE")

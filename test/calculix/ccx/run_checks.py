@@ -10,8 +10,8 @@ is needed.
 import sys
 import time
 
-from checks import (arguments, cutback, law, lift, mixed, newton, patch, restart, threads, turn,
-                    user_file)
+from checks import (arguments, cutback, first_run, law, lift, mixed, newton, patch, restart,
+                    threads, turn, two_d, user_file)
 from harness import COUNTS, group
 from rough_law import RoughLaw
 
@@ -35,6 +35,8 @@ def main():
         ("Newton's method", newton.quadratic, rough, uinter, folder),
         ("lifted and pressed again, stock", lift.stock_keeps_shear, rough, stock, folder),
         ("lifted and pressed again", lift.uinter_forgets, rough, uinter, folder),
+        ("two dimensions", two_d.two_dimensions, rough, uinter, events, folder),
+        ("the first run in ABAQUS", first_run.first_run, uinter, asperity, folder),
         ("refused by a stock ccx", mixed.refused, rough, stock, folder),
         ("bad decks", mixed.bad_decks, rough, uinter, folder),
         ("other springs beside UINTER", mixed.apart, rough, stock, uinter, folder),

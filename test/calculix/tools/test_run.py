@@ -361,8 +361,10 @@ def test_pairs():
     law = "*SURFACE INTERACTION,NAME=WOOD\n*SURFACE BEHAVIOR, pressure-overclosure = {}\n1.,2.\n"
     pair = "*CONTACT PAIR,INTERACTION=Wood,\nTYPE={}\nS,M\n"
     for name, behavior, kind, status, text in (
-            ("UINTER", "UINTER, PROPERTIES=2", "surface to surface", 2, "NODE TO SURFACE alone"),
-            ("UINTER and mortar", "UINTER, PROPERTIES=2", "LINMORTAR", 2, "NODE TO SURFACE alone"),
+            ("UINTER", "UINTER, PROPERTIES=2", "surface to surface", 2,
+             "write *CONTACT PAIR, INTERACTION=Wood, TYPE=NODE TO SURFACE, and below it"),
+            ("UINTER and mortar", "UINTER, PROPERTIES=2", "LINMORTAR", 2,
+             "serves node to surface alone"),
             ("UINTER, right", "UINTER, PROPERTIES=2", "Node To Surface", 0, ""),
             ("a table", "Tabular", "SURFACE TO SURFACE", 2, "no pressure at all"),
             ("a table, right", "TABULAR", "NODE TO SURFACE", 0, ""),

@@ -179,7 +179,8 @@ def poison(penalty, uinter, law, folder):
 
 def pairs(stock, events, folder):
     """Pairs that are not node to surface, and a table in them, which stock ccx takes."""
-    for kind, word in (("SURFACE TO SURFACE", "TYPE=NODE TO SURFACE"), ("MORTAR", "ERROR")):
+    for kind, word in (("SURFACE TO SURFACE", "write *CONTACT PAIR, INTERACTION=name, "
+                        "TYPE=NODE TO SURFACE, and below it"), ("MORTAR", "ERROR")):
         deck, _, _ = blocks([PENALTY, 99.0, 0.0], kind=kind)
         deck.step({"LOW_BOTTOM": (0, 0, 0), "HIGH_TOP": (0, 0, -0.01)})
         run = Run(events, folder, f"pair-{kind.split()[0]}", deck)
