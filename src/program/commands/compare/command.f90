@@ -25,8 +25,8 @@ module asperity_program_commands_compare_command
       private
       !> What is expected, and the result
       type(string_type), allocatable :: files(:)
-      !> What a value may be off, as a part of the largest of its column. Solvers print four
-      !> figures or more, and what goes wrong with a user routine is seldom below a per cent
+      !> What a value may be off, as a part of the largest of its column. ABAQUS prints four
+      !> figures, half a unit of the last of which is up to half of this
       real(wp) :: tolerance = 1.0e-3_wp
       !> What is said of a result that departs, empty when it does not
       character(len=:), allocatable :: departs
@@ -65,7 +65,7 @@ contains
 
       call keys%paths('compared_file', self%files, &
          'expected values, then the result, as two files without an option')
-      call keys%reads('file compared', is_argument=.true.)
+      call keys%reads('result', is_argument=.true.)
       call keys%real('tolerance', self%tolerance, '', &
          'what a value may be off, as a part of the largest of its column')
       call self%declare_outputs(keys, has_picture=.true.)
@@ -81,8 +81,8 @@ contains
 
       self%departs = ''
       if (size(self%files) /= 2) then
-         call fatal_error(error, to_text(size(self%files))//' files are given; two are compared: '// &
-            'asperity compare EXPECTED.csv RESULT')
+         call fatal_error(error, to_text(size(self%files))//' files are given; two are '// &
+            'compared: asperity compare EXPECTED.csv RESULT')
       else if (.not. (self%tolerance > 0.0_wp .and. self%tolerance < 1.0_wp)) then
          call fatal_error(error, 'tolerance = '//to_text(self%tolerance)// &
             ' is not allowed: above 0 and below 1', subject='tolerance')
@@ -178,7 +178,7 @@ contains
          call fatal_error(error, path//': cannot be read: '//reason, file_error)
       else if (len(text) > largest) then
          call fatal_error(error, path//': is larger than 256 MiB')
-      else if (is_printed(text)) then
+      else if (is_printed(text) .or. index(path, '.dat', back=.true.) == len(path) - 3) then
          call read_printed_forces(text, path, history, error)
       else
          call read_columns(text, path, history, error)

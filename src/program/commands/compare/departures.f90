@@ -135,16 +135,15 @@ contains
       text = ''
       if (any(is_none(found)) .or. .not. sum(expected**2) > 0.0_wp) return
       factor = sum(expected*found)/sum(expected**2)
-      if (all(abs(found) <= allowed)) then
-         text = 'is zero throughout: was the routine called?'
-      else if (any(abs(found - factor*expected) > abs(factor)*allowed)) then
-         return
+      if (.not. abs(factor) > 0.0_wp .or. any(abs(found - factor*expected) &
+         > abs(factor)*allowed)) then
+         if (all(abs(found) <= allowed)) text = 'is zero throughout: was the routine called?'
       else if (abs(factor + 1.0_wp) < 0.01_wp) then
          text = 'has the other sign throughout: slave and master, or the two bodies, are exchanged'
       else
          power = log10(abs(factor))
          text = 'is '//to_text(factor, 4)//' times what is expected throughout'
-         if (abs(power - 3.0_wp*anint(power/3.0_wp)) < 0.01_wp) then
+         if (abs(power) > 1.0_wp .and. abs(power - 3.0_wp*anint(power/3.0_wp)) < 0.01_wp) then
             text = text//': check the units, which are N, mm, MPa, s'
          else
             text = text//': check area and properties'
