@@ -59,7 +59,7 @@ changed r.csv '$8 *= 0.25'
 departs 'a quarter of the area' r.csv reaction_3 \
    'reaction_3 is 0.25 times what is expected throughout: check area and properties'
 changed r.csv '$2 *= 1.02'
-departs 'a little more everywhere' r.csv pressure 'is 1.02 times what is expected throughout: check area and'
+departs 'a little more everywhere' r.csv pressure 'is 1.020 times what is expected throughout: check area and'
 changed r.csv '$2 = 0'
 departs 'no pressure' r.csv pressure 'pressure is zero throughout: was the routine called?'
 changed r.csv 'x = $3; $3 = $4; $4 = x'
