@@ -128,6 +128,8 @@ if(ASPERITY_BUILD_PROGRAM)
    if(Python3_FOUND)
       add_test(NAME paper_tests COMMAND ${Python3_EXECUTABLE} test/docs/test_paper.py
          $<TARGET_FILE:asperity_program> WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
+      add_test(NAME first_run_tests COMMAND ${Python3_EXECUTABLE} -B test/first_run/expected.py
+         $<TARGET_FILE:asperity_program> WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
    endif()
 endif()
 

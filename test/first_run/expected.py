@@ -15,7 +15,8 @@ import sys
 
 from deck import FOLDER, NAMES, Deck
 
-RELATIVE = 1e-12
+# Of a value, and of the largest of its column
+RELATIVE, ROUND_OFF = 1e-12, 1e-15
 PATH_HEADINGS = ["time (s)", "overclosure (mm)", "slip_1 (mm)", "slip_2 (mm)"]
 REACTION_HEADINGS = ["reaction_1 (N)", "reaction_2 (N)", "reaction_3 (N)"]
 
@@ -46,25 +47,31 @@ def expected_text(deck, asperity, path):
     for row in rows:
         pressure, shear_1, shear_2 = (float(row[names.index(name)])
                                       for name in ("pressure", "shear_1", "shear_2"))
-        row += [f"{deck.area*value:.16e}" for value in (shear_1, shear_2, -pressure)]
+        row += [f"{deck.area*value:.16E}" for value in (shear_1, shear_2, -pressure)]
     return table(headings + REACTION_HEADINGS, rows)
+
+
+def as_number(text):
+    """A number, or nothing."""
+    try:
+        return float(text)
+    except ValueError:
+        return None
 
 
 def departure(old, new):
     """The first cell in which two tables differ, or nothing."""
-    old, new = ([row for row in csv.reader(io.StringIO(text))] for text in (old, new))
+    old, new = (list(csv.reader(io.StringIO(text))) for text in (old, new))
     if [len(row) for row in old] != [len(row) for row in new] or old[0] != new[0]:
         return f"{len(old)} rows under {old[0]}, now {len(new)} under {new[0]}"
-    for number, (left, right) in enumerate(zip(old[1:], new[1:]), 1):
-        for heading, a, b in zip(old[0], left, right):
-            if a == b:
+    for heading, *column in zip(old[0], *(zip(a, b) for a, b in zip(old[1:], new[1:]))):
+        values = [(as_number(a), as_number(b)) for a, b in column]
+        largest = max(abs(a or 0.0) for a, _ in values)
+        for number, ((a, b), (text, now)) in enumerate(zip(values, column), 1):
+            if text == now or None not in (a, b) and abs(a - b) <= max(
+                    RELATIVE*max(abs(a), abs(b)), ROUND_OFF*largest):
                 continue
-            try:
-                off = abs(float(a) - float(b)) > RELATIVE*max(abs(float(a)), abs(float(b)))
-            except ValueError:
-                off = True
-            if off:
-                return f"row {number}, {heading}: {a}, now {b}"
+            return f"row {number}, {heading}: {text}, now {now}"
     return ""
 
 

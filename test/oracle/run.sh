@@ -78,7 +78,7 @@ all_cases() {
    # Help
    keep help help
    keep no-command
-   for name in curve press shear tenon table hysteresis surface pairs; do keep "help-$name" help $name; done
+   for name in curve press shear tenon table hysteresis surface pairs compare; do keep "help-$name" help $name; done
    keep help-deck-shear deck shear --help
    keep help-deck-tenon deck tenon --help
    keep version version
