@@ -144,7 +144,9 @@ contains
             ! a long name stands on a line of its own
             table%set = field(line, place, field_count(line, ' '))
          else if (any(table%columns > 0)) then
-            if (field(line, place, 1) == 'TOTAL') then
+            ! not the total time of the job
+            if (field(line, place, 1) == 'TOTAL' .and. &
+               verify(field(line, place, 2), '0123456789.+-ED*') == 0) then
                call read_values(line, place, 1, table%columns, total, error)
                found = .true.
             else if (index(line, 'ALL VALUES IN THIS TABLE ARE ZERO') > 0) then
