@@ -76,8 +76,9 @@ contains
 
       if (.not. has_interactions()) return
       if (mortar /= 0) call refuse('UINTER serves node to surface alone: with SURFACE TO '// &
-         'SURFACE and the others CalculiX does not call it; write *CONTACT PAIR, INTERACTION=name, '// &
-         'TYPE=NODE TO SURFACE, and below it the surface with the finer mesh first')
+         'SURFACE and the others CalculiX does not call it; write *CONTACT PAIR, '// &
+         'INTERACTION=name, TYPE=NODE TO SURFACE, and below it the surface with the finer mesh '// &
+         'first')
       call c_f_pointer(vini, host%start, [mi(2) + 1, nk])
       call c_f_pointer(time, host%time)
       call c_f_pointer(dtime, host%increment)
