@@ -58,6 +58,7 @@ asperity_test_suite(surface asperity_surface)
 asperity_test_suite(deck asperity_deck)
 asperity_test_suite(fit asperity_fit)
 asperity_test_suite(frame asperity_frame)
+asperity_test_suite(check asperity_check)
 asperity_test_suite(solid asperity_solid)
 # With PETSc, or left out
 asperity_test_suite(petsc asperity_solid)
