@@ -1,5 +1,6 @@
 !> Text helpers: lists of texts of different length, lower case, quoting, nearest name.
 module asperity_program_system_strings
+   use asperity_base_letter_case, only: lower_case
    implicit none
    private
    public :: string_type, add_line, lower_case, quoted, escaped, nearest_name, repeated, &
@@ -29,19 +30,6 @@ contains
       line%text = text
       lines = [lines, line]
    end subroutine add_line
-
-   !> ASCII letters in lower case.
-   pure function lower_case(text) result(lower)
-      !> Any text
-      character(len=*), intent(in) :: text
-      character(len=len(text)) :: lower
-      integer :: i
-
-      lower = text
-      do i = 1, len(text)
-         if (text(i:i) >= 'A' .and. text(i:i) <= 'Z') lower(i:i) = achar(iachar(text(i:i)) + 32)
-      end do
-   end function lower_case
 
    !> Text of the user in quotes for a message: cut if long, control characters as `?`.
    pure function quoted(text) result(message)
