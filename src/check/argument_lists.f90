@@ -81,7 +81,7 @@ contains
       !> Differences are added: an error for another number or order, a note on unknown names
       type(finding_list), intent(inout) :: findings
       character(len=longest), allocatable :: right(:)
-      character(len=len(found)) :: names(size(found))
+      character(len=max(len(found), longest)) :: names(size(found))
       character(len=*), parameter :: effect = 'ABAQUS passes its arguments by their places: this &
          &routine takes each from there on for another one, and answers with nonsense or nothing'
       integer :: i, n
@@ -96,28 +96,31 @@ contains
          i = min(findloc(differs, .true., dim=1), n + 1)
          ! all are right, and some are missing
          if (i == 0) i = n + 1
-         call findings%add(rule_argument_list, severity_error, 'argument '//to_text(i)//', '//place, &
-            argument_at(right, i)//' of '//to_text(size(right))//' arguments', &
+         call findings%add(rule_argument_list, severity_error, &
+            'argument '//to_text(i)//', '//place, argument_at(right, i)//' of '// &
+            to_text(size(right))//' arguments', &
             argument_at(found, i)//' of '//to_text(size(found))//' arguments'// &
             origin(names), effect)
          return
       end if
       do i = 1, n
          if (.not. (differs(i) .and. any(right == names(i)))) cycle
-         call findings%add(rule_argument_list, severity_error, 'argument '//to_text(i)//', '//place, &
-            argument_at(right, i), argument_at(found, i)//', which is argument '// &
+         call findings%add(rule_argument_list, severity_error, &
+            'argument '//to_text(i)//', '//place, argument_at(right, i), &
+            argument_at(found, i)//', which is argument '// &
             to_text(findloc(right, names(i), dim=1))//' of ABAQUS', effect)
          return
       end do
-      if (any(differs)) call findings%add(rule_argument_list, severity_note, 'names of arguments, '// &
-         place, listed(pack(right, differs)), listed(pack(found, differs)), &
+      if (any(differs)) call findings%add(rule_argument_list, severity_note, &
+         'names of arguments, '//place, listed(pack(right, differs)), &
+         listed(pack(found, differs)), &
          'none: ABAQUS passes arguments by their places, whatever their names are')
    end subroutine check_argument_list
 
    !> The names by which the lists above have these arguments.
    pure function listed_names(names) result(known)
       character(len=*), intent(in) :: names(:)
-      character(len=len(names)) :: known(size(names))
+      character(len=max(len(names), longest)) :: known(size(names))
       integer :: at, i
 
       known = names
@@ -126,18 +129,20 @@ contains
          if (at > 0) known(i) = other_names(2, at)
          ! what was slave and master is secondary and main in newer releases
          at = index(names(i), 'sec')
-         if (at > 0) call take_if_known(names(i)(:at - 1)//'slv'//names(i)(at + 3:), known(i))
+         if (at > 0) known(i) = if_known(names(i)(:at - 1)//'slv'//names(i)(at + 3:), known(i))
          at = index(names(i), 'main')
-         if (at > 0) call take_if_known(names(i)(:at - 1)//'mst'//names(i)(at + 4:), known(i))
+         if (at > 0) known(i) = if_known(names(i)(:at - 1)//'mst'//names(i)(at + 4:), known(i))
       end do
    end function listed_names
 
-   pure subroutine take_if_known(name, known)
-      character(len=*), intent(in) :: name
-      character(len=*), intent(inout) :: known
+   !> A name if VUINTER has it, else another one.
+   pure function if_known(name, other) result(known)
+      character(len=*), intent(in) :: name, other
+      character(len=len(other)) :: known
 
+      known = other
       if (any(vuinter_list == name)) known = name
-   end subroutine take_if_known
+   end function if_known
 
    !> In words, which list of another number of arguments it is, if that is known.
    pure function origin(names) result(words)

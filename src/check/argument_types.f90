@@ -11,8 +11,8 @@ module asperity_check_argument_types
    private
    public :: caller_of, check_argument_types
 
-   !> Options of gfortran, whose messages must be those of LC_ALL=C, for both sources: that of the user, and
-   !> the same with the caller behind it
+   !> Options of gfortran, whose messages must be those of LC_ALL=C, for both sources:
+   !> that of the user, and the same with the caller behind it
    character(len=*), parameter, public :: type_options = &
       '-S -std=legacy -Wunused-dummy-argument -fmax-errors=0'
    !> What gfortran says of arguments
@@ -96,10 +96,10 @@ contains
       end do
       if (n == 0) return
       if (n > most_named) found = found//' and '//to_text(n - most_named)//' more'
-      call findings%add(rule_argument_list, severity_error, 'types of arguments, '//place, expected, &
-         found, 'ABAQUS passes numbers that '//upper_case(routine)//' takes for others. Is '// &
-         'INCLUDE '''//trim(merge(include_names(2), include_names(1), routine == 'vuinter'))// &
-         ''' missing?')
+      call findings%add(rule_argument_list, severity_error, 'types of arguments, '//place, &
+         expected, found, 'ABAQUS passes numbers that '//upper_case(routine)// &
+         ' takes for others. Is INCLUDE '''//trim(merge(include_names(2), &
+         include_names(1), routine == 'vuinter'))//''' missing?')
    end subroutine check_argument_types
 
    !> Read `'name' at (1); passed REAL(8) to REAL(4)`; what is not so leaves `found` empty.

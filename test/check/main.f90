@@ -2,11 +2,21 @@
 program test_check
    use funit, only: TestSuite
    use run_suites, only: run_suite
+   use test_check_argument_lists, only: suite_argument_lists
+   use test_check_argument_types, only: suite_argument_types
    use test_check_findings, only: suite_findings
+   use test_check_source_forms, only: suite_source_forms
+   use test_check_source_scan, only: suite_source_scan
+   use test_check_source_text, only: suite_source_text
    implicit none
    type(TestSuite) :: suite
 
    suite = TestSuite('check')
    call suite%addTest(suite_findings())
+   call suite%addTest(suite_source_forms())
+   call suite%addTest(suite_source_scan())
+   call suite%addTest(suite_source_text())
+   call suite%addTest(suite_argument_lists())
+   call suite%addTest(suite_argument_types())
    call run_suite(suite)
 end program test_check

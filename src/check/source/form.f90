@@ -14,7 +14,7 @@ module asperity_check_source_form
 
 contains
 
-   !> The form, by the directive of Intel's compiler if there is one, else by the ending of the path.
+   !> The form, by the directive of Intel's compiler if there is one, else by the path's ending.
    pure subroutine form_of(path, text, form, error)
       !> Path of the source
       character(len=*), intent(in) :: path
@@ -34,7 +34,7 @@ contains
          if (form /= '') return
          start = finish + 1
       end do
-      ending = lower_case(path(scan(path, './', back=.true.):))
+      ending = lower_case(path(max(scan(path, './', back=.true.), 1):))
       if (any(fixed_endings == ending)) then
          form = 'fixed'
       else if (any(free_endings == ending)) then
@@ -69,8 +69,8 @@ contains
       end select
    end function form_by_directive
 
-   !> Options of gfortran for a source: its form, lines of any length, a preprocessor if it has lines
-   !> of one.
+   !> Options of gfortran for a source: its form, lines of any length, a preprocessor if it has
+   !> lines of one.
    pure function gfortran_options(form, text) result(options)
       !> `fixed` or `free`
       character(len=*), intent(in) :: form

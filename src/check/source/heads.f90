@@ -27,7 +27,7 @@ contains
       logical, intent(out) :: bound
       !> Whether it is such a head at all
       logical, intent(out) :: is_head
-      integer :: close, finish, start
+      integer :: last, finish, start
 
       name = ''
       arguments = ''
@@ -38,19 +38,19 @@ contains
       if (.not. is_prefix(statement(:start - 1), keyword)) return
       start = start + len(keyword)
       finish = start - 1 + identifier_end(statement(start:))
-      if (finish < start .or. scan(statement(start:min(start, len(statement))), '0123456789_$') > 0) &
-         return
-      close = finish
+      if (finish < start) return
+      if (scan(statement(start:start), '0123456789_$') > 0) return
+      last = finish
       if (statement(finish + 1:min(finish + 1, len(statement))) == '(') then
-         close = finish + index(statement(finish + 1:), ')')
-         if (close == finish) return
-         arguments = statement(finish + 2:close - 1)
+         last = finish + index(statement(finish + 1:), ')')
+         if (last == finish) return
+         arguments = statement(finish + 2:last - 1)
          if (verify(arguments, name_letters//',*') > 0) return
       else if (keyword == 'function') then
          return
       end if
-      bound = begins(statement(close + 1:), 'bind(c')
-      is_head = close == len(statement) .or. bound .or. begins(statement(close + 1:), 'result(')
+      bound = begins(statement(last + 1:), 'bind(c')
+      is_head = last == len(statement) .or. bound .or. begins(statement(last + 1:), 'result(')
       name = statement(start:finish)
    end subroutine read_head
 

@@ -1,5 +1,5 @@
-!> What a Fortran source has: routines with their arguments, COMMON blocks, what it includes, what it
-!> calls. Names are in lower case, but for those of files.
+!> What a Fortran source has: routines with their arguments, COMMON blocks, what it includes,
+!> what it calls. Names are in lower case, but for those of files.
 module asperity_check_source_scan
    use asperity_check_source_heads, only: identifier_end, name_length
    use asperity_check_source_statements, only: next_statement, statement_reader
@@ -82,7 +82,7 @@ contains
          i=1, size(found%calls))])
    end subroutine calls_elsewhere
 
-   !> COMMON blocks of a statement: /name/ variables, several in a row; the first name may be missing.
+   !> COMMON blocks of a statement: /name/ variables, several in a row; the first may have no name.
    pure subroutine take_common(statement, unit, line, commons)
       character(len=*), intent(in) :: statement, unit
       integer, intent(in) :: line

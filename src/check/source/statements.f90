@@ -69,7 +69,7 @@ contains
       end do
    end subroutine next_statement
 
-   !> Where the first of several statements ends: at a semicolon outside of quotes, or behind the last.
+   !> Where the first of several statements ends: at a semicolon outside of quotes, or behind it.
    pure integer function end_of_first(statements) result(finish)
       character(len=*), intent(in) :: statements
       character(len=1) :: quote
@@ -150,8 +150,8 @@ contains
       is_comment = line(first:first) == '!' .and. (first /= 6 .or. index(line(:first), tab) > 0)
    end function is_comment
 
-   !> Where the statement on a line of fixed form begins, and whether it continues the last one: by a
-   !> mark in column 6, or by a digit behind a tab.
+   !> Where the statement on a line of fixed form begins, and whether it continues the last one: by
+   !> a mark in column 6, or by a digit behind a tab.
    pure subroutine split_line(line, continues, start)
       character(len=*), intent(in) :: line
       logical, intent(out) :: continues

@@ -24,11 +24,10 @@ module asperity_check_source_text
       character(len=5) :: form = ''
       !> The file and those that it includes
       character(len=:), allocatable :: text
-      !> Of each line of the text: which file it is of, the first one of the user's own, and its line
-      !> there
-      integer, allocatable, private :: file(:), line(:)
+      !> Of each line of the text: which file it is of, the user's own first, and its line there
+      integer, allocatable :: file(:), line(:)
       !> Names of the files
-      character(len=255), allocatable, private :: files(:)
+      character(len=255), allocatable :: files(:)
    contains
       !> Where a line stands, in words
       procedure :: place
@@ -67,8 +66,8 @@ contains
       integer :: at, i, number, start
 
       if (level > most_levels) then
-         call fatal_error(error, source%path//' includes files that include each other without end, '// &
-            name//' among them')
+         call fatal_error(error, source%path//' includes files that include each other '// &
+            'without end, '//name//' among them')
          return
       end if
       source%files = [character(len=255) :: source%files, name]
@@ -117,8 +116,8 @@ contains
       start = finish
    end subroutine append
 
-   !> Path of an included file, in the folder of the source; empty if it is not there. Where upper and
-   !> lower case differ, Windows' users may have written it either way.
+   !> Path of an included file, in the folder of the source; empty if it is not there. Where
+   !> upper and lower case differ, users of Windows may have written it either way.
    function beside(path, name) result(found)
       character(len=*), intent(in) :: path, name
       character(len=:), allocatable :: found
@@ -153,8 +152,8 @@ contains
       if (status == 0) then
          inquire (unit=unit, size=length)
          if (length > most_characters) then
-            call fatal_error(error, path//' has '//to_text(length)//' characters, a source has at '// &
-               'most '//to_text(most_characters))
+            call fatal_error(error, path//' has '//to_text(length)//' characters, a source '// &
+               'has at most '//to_text(most_characters))
          else
             allocate (character(len=max(length, 0)) :: text)
             if (length > 0) read (unit, iostat=status, iomsg=reason) text
