@@ -37,8 +37,12 @@ install(FILES ${one_files} README.md ARCHITECTURE.md CONTRIBUTING.md CHANGELOG.m
    DESTINATION ${share_folder})
 install(DIRECTORY docs examples interface DESTINATION ${share_folder} USE_SOURCE_PERMISSIONS
    PATTERN __pycache__ EXCLUDE)
-# What the glue of interface/calculix is compiled with
-install(FILES src/base/kinds.f90 DESTINATION ${share_folder}/src/base)
+# What the glue of interface/calculix and its look at the user's file are compiled with
+install(FILES src/base/kinds.f90 src/base/letter_case.f90 src/base/error.f90 src/base/finite.f90
+   src/base/number_text.f90 DESTINATION ${share_folder}/src/base)
+install(FILES src/check/finding.f90 src/check/argument_lists.f90 src/check/argument_types.f90
+   DESTINATION ${share_folder}/src/check)
+install(DIRECTORY src/check/source DESTINATION ${share_folder}/src/check)
 
 # The program writes its own man page and completion, where it can run here
 if(ASPERITY_BUILD_PROGRAM AND NOT CMAKE_CROSSCOMPILING)

@@ -105,6 +105,10 @@ target_link_libraries(asperity_calculix_glue PUBLIC asperity_abaqus)
 asperity_test_suite(calculix asperity_calculix_glue)
 target_sources(asperity_calculix_tests PRIVATE test/abaqus/abaqus_utilities.f90)
 
+add_executable(asperity_calculix_check_source interface/calculix/check_source.f90)
+asperity_compile_options(asperity_calculix_check_source)
+target_link_libraries(asperity_calculix_check_source PRIVATE asperity_check)
+
 # Layers of the sources, and the runner of CalculiX decks with a fake CalculiX
 find_package(Python3 COMPONENTS Interpreter)
 if(Python3_FOUND)
@@ -115,7 +119,8 @@ if(Python3_FOUND)
    add_test(NAME calculix_run_tests
       COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/test/calculix/tools/test_run.py)
    add_test(NAME calculix_source_tests
-      COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/test/calculix/tools/test_source.py)
+      COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/test/calculix/tools/test_source.py
+         $<TARGET_FILE:asperity_calculix_check_source>)
 endif()
 
 if(ASPERITY_BUILD_PROGRAM)

@@ -8,7 +8,7 @@ import subprocess
 
 # Below comes first; folders of one line know nothing of each other
 LAYERS = ['base', 'paper', 'law wood', 'faces', 'contact',
-          'abaqus c height_map hysteresis', 'replay surface', 'deck calculix fit check', 'solid frame',
+          'abaqus c height_map hysteresis', 'replay surface', 'deck fit check', 'solid frame calculix',
           'program/system', 'program/input', 'program/plot', 'program/report', 'program/record', 'program/commands', 'program', 'app']
 RANK = {folder: rank for rank, line in enumerate(LAYERS) for folder in line.split()}
 MOST_FILES = 15

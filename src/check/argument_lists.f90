@@ -82,8 +82,8 @@ contains
       type(finding_list), intent(inout) :: findings
       character(len=longest), allocatable :: right(:)
       character(len=max(len(found), longest)) :: names(size(found))
-      character(len=*), parameter :: effect = 'ABAQUS passes its arguments by their places: this &
-         &routine takes each from there on for another one, and answers with nonsense or nothing'
+      character(len=*), parameter :: effect = 'ABAQUS passes arguments by their places: the &
+         &routine takes one for another, and answers with nonsense or nothing'
       integer :: i, n
       logical :: differs(size(found))
 

@@ -9,7 +9,7 @@ module asperity_check_source_text
    use asperity_check_source_statements, only: newline
    implicit none
    private
-   public :: read_source, source_text
+   public :: read_source, read_text, source_text
 
    !> Most characters of a file
    integer, parameter :: most_characters = 50000000
@@ -139,10 +139,13 @@ contains
       found = ''
    end function beside
 
-   !> Read a file as it is.
+   !> Read a text file as it is.
    subroutine read_text(path, text, error)
+      !> Path of the file
       character(len=*), intent(in) :: path
+      !> All of it
       character(len=:), allocatable, intent(out) :: text
+      !> Set when it cannot be read, is too large or has zero bytes
       type(error_type), allocatable, intent(out) :: error
       character(len=200) :: reason
       integer :: length, status, unit
