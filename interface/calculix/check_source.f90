@@ -60,27 +60,24 @@ contains
 
    !> Let the compiler look at the file alone and with a caller behind it.
    subroutine ask_for_types()
-      character(len=:), allocatable :: alone, called, ending, text
+      character(len=:), allocatable :: alone, called, caller
 
-      ending = file(scan(file, '.', back=.true.):)
-      call read_text(file, text, error)
-      if (allocated(error)) call refuse(error%message)
-      call said_of(text, ending, alone)
-      call caller_of(name, source%form, double_kind, called)
-      call said_of(text//called, ending, called)
+      call said_of(source%text, alone)
+      call caller_of(name, source%form, double_kind, caller)
+      call said_of(source%text//caller, called)
       call check_argument_types(name, alone, called, place, findings)
    end subroutine ask_for_types
 
    !> What the compiler says of a text. That it does not compile is told later, when it shall.
-   subroutine said_of(text, ending, said)
-      character(len=*), intent(in) :: text, ending
+   subroutine said_of(text, said)
+      character(len=*), intent(in) :: text
       character(len=:), allocatable, intent(out) :: said
       integer :: status
 
-      call write_text(folder//'/check'//ending, text)
+      call write_text(folder//'/check.f', text)
       call execute_command_line('LC_ALL=C '//compiler//' '//type_options//' '//options//' -I'// &
          quoted(folder)//' -I'//quoted(file(:scan(file, '/', back=.true.))//'.')//' -J'// &
-         quoted(folder)//' '//quoted(folder//'/check'//ending)//' -o /dev/null 2>'// &
+         quoted(folder)//' '//quoted(folder//'/check.f')//' -o /dev/null 2>'// &
          quoted(folder//'/check.log'), exitstat=status)
       call read_text(folder//'/check.log', said, error)
       if (allocated(error)) call refuse(error%message)
