@@ -72,7 +72,7 @@ contains
       character(len=*), intent(in) :: place
       !> Arguments of other types are added
       type(finding_list), intent(inout) :: findings
-      character(len=:), allocatable :: expected, found, has, name, passed
+      character(len=:), allocatable :: expected, found, has, name, passed, remedy
       integer :: at, n, next
 
       expected = ''
@@ -96,10 +96,14 @@ contains
       end do
       if (n == 0) return
       if (n > most_named) found = found//' and '//to_text(n - most_named)//' more'
+      if (routine == 'vuinter') then
+         remedy = 'Is INCLUDE '''//trim(include_names(2))//''' missing, or the precision another?'
+      else
+         remedy = 'Is INCLUDE '''//trim(include_names(1))//''' missing?'
+      end if
       call findings%add(rule_argument_list, severity_error, 'types of arguments, '//place, &
          expected, found, 'ABAQUS passes numbers that '//upper_case(routine)// &
-         ' takes for others. Is INCLUDE '''//trim(merge(include_names(2), &
-         include_names(1), routine == 'vuinter'))//''' missing?')
+         ' takes for others. '//remedy)
    end subroutine check_argument_types
 
    !> Read `'name' at (1); passed REAL(8) to REAL(4)`; what is not so leaves `found` empty.

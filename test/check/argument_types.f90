@@ -62,7 +62,7 @@ contains
             call caller_of(trim(routines(i)), forms(j), single_kind, text)
             call scan_source(text, forms(j), found)
             call assertEqual('calls_'//routines(i), found%routines(1)%name)
-            call assertEqual(routines(i), found%calls(1)%name)
+            call assertTrue(index(text, '      call '//trim(routines(i))//'( ') > 0)
             call argument_list(trim(routines(i)), names)
             call assertTrue(index(text, ' '//trim(names(size(names)))//'(1))'//newline) > 0)
             call assertTrue(index(text, '      real*4 props(1)'//newline) > 0)

@@ -1,7 +1,6 @@
 !> What the scan of a source finds, and what it is not taken in by.
 module test_check_source_scan
-   use asperity_check_source_scan, only: calls_elsewhere, has_external, scan_source, &
-      source_mention, source_scan
+   use asperity_check_source_scan, only: has_external, scan_source, source_scan
    use asperity_base_number_text, only: to_text
    use funit, only: assertEqual, assertFalse, assertTrue, TestMethod, TestSuite
    use uinter_sources, only: fixed_uinter, manual, newline, with_line_breaks
@@ -19,8 +18,6 @@ contains
       call suite%addTest(TestMethod('what looks like a head', test_no_heads))
       call suite%addTest(TestMethod('what looks like an end', test_no_ends))
       call suite%addTest(TestMethod('interfaces', test_interfaces))
-      call suite%addTest(TestMethod('COMMON blocks', test_commons))
-      call suite%addTest(TestMethod('calls', test_calls))
       call suite%addTest(TestMethod('included files', test_includes))
       call suite%addTest(TestMethod('a large source', test_large))
       call suite%addTest(TestMethod('no source at all', test_nonsense))
@@ -89,37 +86,6 @@ contains
          '|end|end interface assignment(=)|contains|subroutine c|end|end', 'c module m 14')
    end subroutine test_interfaces
 
-   subroutine test_commons()
-      type(source_scan) :: found
-
-      call scan_source(with_line_breaks('subroutine a|common /k/ x, y(3,2), z /l/ w|common u|'// &
-         'common // v, t, /m/ s(2)|common = 3|end|subroutine b|common /k/ x(9)|end'), 'free', found)
-      call assertEqual(6, size(found%commons))
-      if (size(found%commons) /= 6) return
-      call assertEqual('k,l,,,m,k', joined(found%commons))
-      call assertEqual([3, 1, 1, 2, 1, 1], found%commons%members)
-      call assertEqual([2, 2, 3, 4, 4, 8], found%commons%line)
-      call assertTrue(all(found%commons%unit == ['a', 'a', 'a', 'a', 'a', 'b']), 'units')
-   end subroutine test_commons
-
-   subroutine test_calls()
-      type(source_scan) :: found
-      type(source_mention), allocatable :: calls(:)
-
-      call scan_source(with_line_breaks('      SUBROUTINE UINTER|      CALL '// &
-         'STDB_ABQERR(-3,''A)B'',I,'// &
-         'R,C)|      IF (A(1).GT.'')'') CALL XIT|      CALL XIT()|      IF (A) THEN|      '// &
-         'CALL OWN|'// &
-         '      CALLED=3|      CALLX(3)=1|      IF (CALL) GO TO 10|      CALL%D(1)|      END|'// &
-         '      SUBROUTINE OWN|      END'), 'fixed', found)
-      call assertEqual('stdb_abqerr,xit,own', joined(found%calls))
-      call assertEqual([2, 3, 6], found%calls%line)
-      call calls_elsewhere(found, calls)
-      call assertEqual('stdb_abqerr,xit', joined(calls))
-      call assertTrue(has_external(found, 'own'))
-      call assertFalse(has_external(found, 'xit'))
-   end subroutine test_calls
-
    subroutine test_includes()
       type(source_scan) :: found
 
@@ -127,8 +93,12 @@ contains
          'c.f"|'// &
          'C     INCLUDE ''D''|      INCLUDEX=''E''|      PRINT *, ''INCLUDE ''''F'''''''), &
          'fixed', found)
-      call assertEqual('Body.INC,b c.f', joined(found%includes))
-      call assertEqual([1, 2], found%includes%line)
+      call assertEqual(2, size(found%includes))
+      if (size(found%includes) /= 2) return
+      call assertEqual('Body.INC', found%includes(1)%name)
+      call assertEqual('b c.f', found%includes(2)%name)
+      call assertEqual(1, found%includes(1)%line)
+      call assertEqual(2, found%includes(2)%line)
    end subroutine test_includes
 
    !> 20000 lines and a statement of 2000 continuation lines before the UINTER.
@@ -185,17 +155,5 @@ contains
       end do
       call assertEqual(expected, routines, text)
    end subroutine has
-
-   function joined(mentions) result(names)
-      type(source_mention), intent(in) :: mentions(:)
-      character(len=:), allocatable :: names
-      integer :: i
-
-      names = ''
-      do i = 1, size(mentions)
-         if (i > 1) names = names//','
-         names = names//trim(mentions(i)%name)
-      end do
-   end function joined
 
 end module test_check_source_scan

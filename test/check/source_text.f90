@@ -38,10 +38,8 @@ contains
       call assertEqual('line 2 of BODY.INC', source%place(routine%line))
       call assertEqual(2, size(found%routines))
       call assertEqual('line 3', source%place(found%routines(2)%line))
-      call assertEqual(2, size(found%commons))
-      call assertEqual('line 2 of common.inc', source%place(found%commons(1)%line))
-      call assertEqual('uinter', found%commons(1)%unit)
-      call assertEqual('line 5', source%place(found%commons(2)%line))
+      call assertEqual('line 1 of common.inc', source%place(routine%line + 1))
+      call assertEqual('line 4 of BODY.INC', source%place(routine%line + 3))
       call assertEqual(1, size(found%includes), 'one does not stand beside it')
       call assertEqual('ABA_PARAM.INC', found%includes(1)%name)
    end subroutine test_included

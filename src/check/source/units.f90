@@ -38,8 +38,6 @@ module asperity_check_source_units
    contains
       !> Follow a statement
       procedure :: follow
-      !> Name of the innermost unit, empty outside of all
-      procedure :: name => name_of_unit
       !> The subroutines, those in interfaces left out
       procedure :: routines
    end type program_units
@@ -151,17 +149,6 @@ contains
       if (present(role)) grown(n)%role = role
       call move_alloc(grown, self%found)
    end subroutine keep
-
-   !> Name of the innermost unit, empty outside of all.
-   pure function name_of_unit(self) result(name)
-      !> Where we are
-      class(program_units), intent(in) :: self
-      character(len=name_length) :: name
-
-      name = ''
-      if (.not. allocated(self%open)) return
-      if (size(self%open) > 0) name = self%open(size(self%open))%name
-   end function name_of_unit
 
    !> The subroutines so far.
    pure subroutine routines(self, found)
