@@ -148,13 +148,11 @@ contains
    pure function origin(names) result(words)
       character(len=*), intent(in) :: names(:)
       character(len=:), allocatable :: words
-      character(len=longest), allocatable :: earlier(:)
       integer :: i
 
-      earlier = pack(uinter_list, [(all(later_arguments /= uinter_list(i)), &
-         i=1, size(uinter_list))])
       words = ''
-      if (same(names, earlier)) then
+      if (same(names, pack(uinter_list, [(all(later_arguments /= uinter_list(i)), &
+         i=1, size(uinter_list))]))) then
          words = ', the list of UINTER in releases up to 6.6, without '//listed(later_arguments)
       else if (same(names, uinter_list)) then
          words = ', the list of UINTER'
