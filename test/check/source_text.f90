@@ -42,6 +42,10 @@ contains
       call assertEqual('line 4 of BODY.INC', source%place(routine%line + 3))
       call assertEqual(1, size(found%includes), 'one does not stand beside it')
       call assertEqual('ABA_PARAM.INC', found%includes(1)%name)
+      call read_source(folder//'mark.f', source, error)
+      call scan_source(source%text, source%form, found)
+      call find_user_routine(source, found, 'uinter', routine, error)
+      call assertFalse(allocated(error), 'is found behind the mark of UTF-8')
    end subroutine test_included
 
    subroutine test_refused()

@@ -13,6 +13,7 @@ module asperity_check_source_text
 
    !> Most characters of a file
    integer, parameter :: most_characters = 50000000
+   character(len=*), parameter :: utf8_mark = char(239)//char(187)//char(191)
    !> How deep files may include files
    integer, parameter :: most_levels = 20
 
@@ -139,7 +140,7 @@ contains
       found = ''
    end function beside
 
-   !> Read a text file as it is.
+   !> Read a text file as it is, but for the mark of UTF-8 that editors of Windows write first.
    subroutine read_text(path, text, error)
       !> Path of the file
       character(len=*), intent(in) :: path
@@ -165,6 +166,7 @@ contains
       end if
       if (status /= 0) call fatal_error(error, 'cannot read '//path//': '//trim(reason), file_error)
       if (allocated(error)) return
+      if (index(text, utf8_mark) == 1) text = text(len(utf8_mark) + 1:)
       if (index(text, achar(0)) > 0) call fatal_error(error, path//' is no text: it has zero bytes')
    end subroutine read_text
 

@@ -1,0 +1,2 @@
+﻿      SUBROUTINE UINTER(STRESS)
+      END
