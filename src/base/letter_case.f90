@@ -7,7 +7,7 @@ module asperity_base_letter_case
 contains
 
    !> ASCII letters in lower case.
-   elemental function lower_case(text) result(lower)
+   pure function lower_case(text) result(lower)
       !> Any text
       character(len=*), intent(in) :: text
       character(len=len(text)) :: lower
@@ -20,7 +20,7 @@ contains
    end function lower_case
 
    !> ASCII letters in upper case.
-   elemental function upper_case(text) result(upper)
+   pure function upper_case(text) result(upper)
       !> Any text
       character(len=*), intent(in) :: text
       character(len=len(text)) :: upper

@@ -1,7 +1,6 @@
 !> Argument lists: ours are those of the signatures that hosts call by; how others differ.
 module test_check_argument_lists
    use asperity_base_error, only: error_type
-   use asperity_base_letter_case, only: lower_case
    use asperity_check_argument_lists, only: argument_list, argument_type, check_argument_list
    use asperity_check_finding, only: finding_list, rule_argument_list, severity_error, &
       severity_note
@@ -10,7 +9,7 @@ module test_check_argument_lists
    use asperity_check_source_statements, only: next_statement, statement_reader
    use asperity_check_source_text, only: read_source, source_text
    use funit, only: assertEqual, assertFalse, assertTrue, TestMethod, TestSuite
-   use uinter_sources, only: manual, swapped
+   use uinter_sources, only: in_lower_case, manual, swapped
    implicit none
    private
    public :: suite_argument_lists
@@ -46,9 +45,9 @@ contains
          'dpreDefSec', 'tempMain', 'dtempMain', 'preDefMain', 'dpreDefMai']
       character(len=12) :: names(49)
 
-      call check_argument_list('uinter', lower_case(manual), 'line 1', findings)
-      call check_argument_list('uinter', lower_case(renamed()), 'line 1', findings)
-      names = lower_case(newer)
+      call check_argument_list('uinter', in_lower_case(manual), 'line 1', findings)
+      call check_argument_list('uinter', in_lower_case(renamed()), 'line 1', findings)
+      names = in_lower_case(newer)
       names(49) = 'dpredefmain'
       call check_argument_list('vuinter', names, 'line 1', findings)
       call assertEqual(0, findings%n)
@@ -137,9 +136,9 @@ contains
       type(finding_list) :: findings
 
       if (present(routine)) then
-         call check_argument_list(routine, lower_case(names), 'line 7', findings)
+         call check_argument_list(routine, in_lower_case(names), 'line 7', findings)
       else
-         call check_argument_list('uinter', lower_case(names), 'line 7', findings)
+         call check_argument_list('uinter', in_lower_case(names), 'line 7', findings)
       end if
       call assertEqual(1, findings%n, found)
       if (findings%n /= 1) return

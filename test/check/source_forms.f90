@@ -1,13 +1,12 @@
 !> Forms of sources with a UINTER: each way to write the head gives the same 47 arguments.
 module test_check_source_forms
    use asperity_base_error, only: error_type
-   use asperity_base_letter_case, only: lower_case
    use asperity_check_source_form, only: form_of, gfortran_options
    use asperity_check_source_scan, only: scan_source, source_scan
    use asperity_check_source_statements, only: next_statement, statement_reader
    use funit, only: assertEqual, assertFalse, assertTrue, TestMethod, TestSuite
-   use uinter_sources, only: fixed_begin, fixed_uinter, free_uinter, manual, newline, &
-      with_line_breaks
+   use uinter_sources, only: fixed_begin, fixed_uinter, free_uinter, in_lower_case, manual, &
+      newline, with_line_breaks
    implicit none
    private
    public :: suite_source_forms
@@ -130,7 +129,7 @@ contains
       if (count(found%routines%name == 'uinter') /= 1) return
       associate (routine => found%routines(size(found%routines)))
          call assertEqual(47, size(routine%arguments), name)
-         call assertTrue(all(routine%arguments == lower_case(manual)), name)
+         call assertTrue(all(routine%arguments == in_lower_case(manual)), name)
          call assertEqual('external', routine%role, name)
          call assertEqual(line, routine%line, name)
       end associate

@@ -1,8 +1,9 @@
 !> UINTERs in fixed and free form, for the tests of sources.
 module uinter_sources
+   use asperity_base_letter_case, only: lower_case
    implicit none
    private
-   public :: fixed_uinter, free_uinter, swapped, with_line_breaks
+   public :: fixed_uinter, free_uinter, in_lower_case, swapped, with_line_breaks
 
    character(len=*), parameter, public :: newline = new_line('a')
    !> ABAQUS' list with names of releases up to 2020, as its manual has it
@@ -77,6 +78,17 @@ contains
       where (manual == a) names = b
       where (manual == b) names = a
    end function swapped
+
+   !> Names in lower case.
+   pure function in_lower_case(names) result(lower)
+      character(len=*), intent(in) :: names(:)
+      character(len=len(names)) :: lower(size(names))
+      integer :: i
+
+      do i = 1, size(names)
+         lower(i) = lower_case(names(i))
+      end do
+   end function in_lower_case
 
    !> Lines whose ends are | in a text.
    pure function with_line_breaks(text) result(lines)
