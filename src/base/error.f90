@@ -37,9 +37,13 @@ contains
       character(len=*), intent(in), optional :: subject
 
       allocate (error)
-      error%message = message
-      error%subject = ''
-      if (present(subject)) error%subject = subject
+      ! allocated in so many words: ABAQUS may compile without allocation by assignment
+      allocate (error%message, source=message)
+      if (present(subject)) then
+         allocate (error%subject, source=subject)
+      else
+         allocate (error%subject, source='')
+      end if
       error%category = input_error
       if (present(category)) error%category = category
    end subroutine fatal_error

@@ -159,7 +159,10 @@ contains
                to_text(s%friction_pressures(i))//' MPa is not above the one before: '// &
                'pressures must rise')
          end do
-         if (allocated(error)) error%subject = 'friction_points'
+         if (allocated(error)) then
+            deallocate (error%subject)
+            allocate (error%subject, source='friction_points')
+         end if
       end associate
    end subroutine check_pressure
 

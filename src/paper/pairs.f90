@@ -144,15 +144,15 @@ contains
    pure subroutine refuse_name(error, kind, name, known)
       type(error_type), allocatable, intent(out) :: error
       character(len=*), intent(in) :: kind, name, known(:)
-      character(len=:), allocatable :: list
+      character(len=(len(known) + 2)*size(known)) :: list
       integer :: i
 
-      list = trim(known(1))
+      list = known(1)
       do i = 2, size(known)
-         list = list//', '//trim(known(i))
+         list = trim(list)//', '//known(i)
       end do
-      call fatal_error(error, kind//" = '"//name//"' is unknown; known "//kind//'s: '//list, &
-         subject=kind)
+      call fatal_error(error, kind//" = '"//name//"' is unknown; known "//kind//'s: '// &
+         trim(list), subject=kind)
    end subroutine refuse_name
 
 end module asperity_paper_pairs

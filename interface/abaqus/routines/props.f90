@@ -257,7 +257,7 @@ contains
    pure subroutine refuse_length(error, length)
       type(error_type), allocatable, intent(out) :: error
       integer, intent(in) :: length
-      character(len=:), allocatable :: remedy
+      character(len=500) :: remedy
       integer :: i
 
       if (length == prop_sigma - 1) then
@@ -265,14 +265,14 @@ contains
             'scale: add sigma, the standard deviation of summit heights in mm, as the ninth '// &
             '(Table 2 prints it in um)'
       else
-         remedy = ' ('
-         do i = 1, prop_unloading
-            remedy = remedy//trim(prop_names(i))//', '
+         remedy = ' ('//prop_names(1)
+         do i = 2, prop_unloading
+            remedy = trim(remedy)//', '//prop_names(i)
          end do
-         remedy = remedy//'and what else docs/abaqus.md lists)'
+         remedy = trim(remedy)//', and what else docs/abaqus.md lists)'
       end if
       call fatal_error(error, 'PROPERTIES = '//to_text(length)//' is not allowed: give '// &
-         to_text(prop_sigma)//' to '//to_text(most_props)//remedy)
+         to_text(prop_sigma)//' to '//to_text(most_props)//trim(remedy))
    end subroutine refuse_length
 
 end module asperity_abaqus_props

@@ -73,11 +73,15 @@ contains
       logical, allocatable, intent(inout) :: roots(:)
       !> How often the region was halved so far
       integer, intent(in) :: halvings
+      real(wp), allocatable :: more_starts(:)
+      logical, allocatable :: more_roots(:)
       real(wp) :: half
 
       if (halvings == most_halvings .or. is_good(properties, middle, from, to, root)) then
-         starts = [starts, from]
-         roots = [roots, root]
+         allocate (more_starts(size(starts) + 1), source=[starts, from])
+         call move_alloc(more_starts, starts)
+         allocate (more_roots(size(roots) + 1), source=[roots, root])
+         call move_alloc(more_roots, roots)
       else
          half = 0.5_wp*(from + to)
          ! the law is the less smooth the nearer zero retraction is
