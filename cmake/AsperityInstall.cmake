@@ -1,6 +1,6 @@
 # What goes where on installation besides libraries and program: the CMake package, the pkg-config
-# file, and in one folder, whose links lead from one file to another, documents, examples, the
-# sources that ABAQUS compiles, and what puts a UINTER into CalculiX; man page and completion. `cmake --build . --target
+# file, and in one folder, whose links lead from one file to another, documents, examples, what is
+# for ABAQUS, and what puts a UINTER into CalculiX; man page and completion. `cmake --build . --target
 # uninstall` removes what was installed last.
 include(CMakePackageConfigHelpers)
 
@@ -33,10 +33,12 @@ if(ASPERITY_BUILD_C)
       DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 endif()
 
-install(FILES ${one_files} README.md ARCHITECTURE.md CONTRIBUTING.md CHANGELOG.md LICENSE CITATION.cff
+install(FILES README.md ARCHITECTURE.md CONTRIBUTING.md CHANGELOG.md LICENSE CITATION.cff
    DESTINATION ${share_folder})
 install(DIRECTORY docs examples interface DESTINATION ${share_folder} USE_SOURCE_PERMISSIONS
-   PATTERN __pycache__ EXCLUDE)
+   PATTERN __pycache__ EXCLUDE REGEX "/interface/abaqus/ready$" EXCLUDE)
+# As these sources make it, not as it stands ready
+install(DIRECTORY ${abaqus_folder}/ DESTINATION ${share_folder}/interface/abaqus/ready)
 # What the glue of interface/calculix and its look at the user's file are compiled with
 install(FILES src/base/kinds.f90 src/base/letter_case.f90 src/base/error.f90 src/base/finite.f90
    src/base/number_text.f90 DESTINATION ${share_folder}/src/base)

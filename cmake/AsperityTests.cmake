@@ -80,7 +80,7 @@ endif()
 list(TRANSFORM single_sources PREPEND test/)
 list(TRANSFORM single_sources APPEND .f90)
 add_executable(asperity_single_tests
-   ${PROJECT_BINARY_DIR}/asperity_vuinter_single.f90 ${single_sources}
+   ${abaqus_folder}/asperity_vuinter_single.f90 ${single_sources}
    # of the face of the law, what that file has no need of
    src/base/version.f90 src/base/no_value.f90 src/contact/points.f90 src/wood/properties.f90
    src/wood/values.f90
@@ -91,7 +91,7 @@ add_executable(asperity_single_tests
    interface/abaqus/routines/uinter_signature.f90 interface/abaqus/routines/vuinter_signature.f90
    src/replay/abaqus_record.f90 src/replay/abaqus_host.f90)
 # one rule writes the file, not two at once
-add_dependencies(asperity_single_tests uinter_file)
+add_dependencies(asperity_single_tests abaqus_files)
 target_link_libraries(asperity_single_tests PRIVATE ${funit_target})
 asperity_test(single)
 
@@ -109,10 +109,13 @@ add_executable(asperity_calculix_check_source interface/calculix/check_source.f9
 asperity_compile_options(asperity_calculix_check_source)
 target_link_libraries(asperity_calculix_check_source PRIVATE asperity_check)
 
-# Layers of the sources, and the runner of CalculiX decks with a fake CalculiX
+# Layers of the sources, what stands ready for ABAQUS, and the runner of CalculiX decks with a fake
+# CalculiX
 find_package(Python3 COMPONENTS Interpreter)
 if(Python3_FOUND)
    add_test(NAME layers_tests COMMAND ${Python3_EXECUTABLE} test/layers.py
+      WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
+   add_test(NAME abaqus_ready_tests COMMAND bash test/abaqus/ready.sh
       WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
    add_test(NAME mutate_tests
       COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/test/mutate/test_fortran.py)

@@ -17,7 +17,8 @@ FACE = pathlib.Path('src/asperity.f90')
 files = [pathlib.Path(name) for name in subprocess.check_output(
     ['git', 'ls-files', '--cached', '--others', '--exclude-standard', 'src', 'interface', 'app'],
     text=True).split() if pathlib.Path(name).is_file()]
-sources = [path for path in files if path.suffix == '.f90']
+# interface/abaqus/ready is made of the others
+sources = [path for path in files if path.suffix == '.f90' and 'ready' not in path.parts]
 failures, checked = [], 0
 
 

@@ -3,6 +3,7 @@ program test_abaqus
    use funit, only: TestSuite
    use run_suites, only: run_suite
    use test_abaqus_friction, only: suite_abaqus_friction
+   use test_abaqus_heads, only: suite_heads
    use test_abaqus_limits, only: suite_limits
    use test_abaqus_memory, only: suite_abaqus_memory
    use test_abaqus_uinter, only: suite_uinter
@@ -20,5 +21,6 @@ program test_abaqus
    call suite%addTest(suite_abaqus_memory())
    call suite%addTest(suite_abaqus_friction())
    call suite%addTest(suite_vuinter_friction())
+   call suite%addTest(suite_heads())
    call run_suite(suite)
 end program test_abaqus

@@ -279,11 +279,11 @@ contains
       seen = transfer(list, seen, n_props)
       if (vp == real64) then
          call expect_error(seen, 'PROPS is in single precision')
-         call expect_error(seen, 'asperity_vuinter_single.f90')
+         call expect_error(seen, 'asperity_vuinter_single')
          call expect_error(seen(:9), 'PROPS is in single precision')
       else
          call expect_error(seen, 'PROPS is in double precision')
-         call expect_error(seen, 'asperity_vuinter.f90')
+         call expect_error(seen, 'asperity_vuinter for')
          call expect_error(seen(:9), 'or the run has another precision')
       end if
    end subroutine test_precision

@@ -34,40 +34,55 @@ configure() { # source build option...
 
 # What the library and the C interface are built from, in a folder of the user's
 copy_to() { # folder
-   mkdir -p "$1" && cp -r "$root"/{CMakeLists.txt,LICENSE,CITATION.cff,cmake,interface,src} "$1"
+   mkdir -p "$1" && cp -r "$root"/{CMakeLists.txt,LICENSE,CITATION.cff,cmake,docs,interface,src} "$1"
 }
 
 symbols() { # build: what libasperity_c.so offers
    nm -D --defined-only "$1/libasperity_c.so" | awk '{ print $3 }'
 }
 
-# The three files that ABAQUS compiles, each with its own routine and precision
-one_files_in() { # build
-   local file head
+# What ABAQUS needs in a folder, each file with its own routine and precision
+abaqus_files_in() { # folder
+   local file routine
    for file in uinter vuinter vuinter_single; do
-      head=$(head -n 1 "$1/asperity_$file.f90") || return
-      echo "$file: $head"
-      case $file in
-         uinter) [[ $head == *': UINTER and '* ]] ;;
-         vuinter) [[ $head == *': VUINTER and '* ]] ;;
-         vuinter_single) [[ $head == *': VUINTER in single precision and '* ]] ;;
-      esac || return
-      grep -q "^ *subroutine ${file%_single}(" "$1/asperity_$file.f90" || return
+      routine=${file%_single}
+      [[ $(head -n 1 "$1/asperity_$file.f90") == "! asperity "*": ${routine^^} for ABAQUS/"* ]] \
+         && grep -q "^ *subroutine $routine(" "$1/asperity_$file.f90" \
+         && diff "$1/asperity_$file".f{or,} \
+         && diff <(echo '!DIR$ FREEFORM' && cat "$1/asperity_$file.f90") "$1/asperity_$file.f" || return
    done
    grep -q "= real64" "$1/asperity_vuinter.f90" \
       && diff <(tail -n +2 "$1/asperity_vuinter.f90" | sed s/real64/real32/g) \
-         <(tail -n +2 "$1/asperity_vuinter_single.f90" | sed s/real64/real32/g)
+         <(tail -n +2 "$1/asperity_vuinter_single.f90" | sed s/real64/real32/g) \
+      && diff -r "$root/interface/abaqus/ready" "$1"
 }
 
-one_files() { # build
+abaqus_files() { # build
    configure "$root" "$1" -DASPERITY_BUILD_C=OFF \
-      && cmake_within 60 --build "$1" --target uinter_file && one_files_in "$1"
+      && cmake_within 60 --build "$1" --target abaqus_files && abaqus_files_in "$1/abaqus"
+}
+
+# By the script alone, called from elsewhere, with no compiler on PATH; a folder that is given, and one
+# that is not
+abaqus_script() { # folder
+   copy_to "$1" && mkdir -p "$1/elsewhere" "$work/cmake_alone" \
+      && ln -sf "$(command -v cmake)" "$work/cmake_alone" || return
+   (cd "$1/elsewhere" && PATH=$work/cmake_alone cmake -P ../cmake/abaqus.cmake) \
+      && abaqus_files_in "$1/elsewhere/build/abaqus" \
+      && (cd "$1/elsewhere" && cmake -D "output=a folder" -P "$1/cmake/abaqus.cmake") \
+      && abaqus_files_in "$1/elsewhere/a folder"
+}
+
+abaqus_script_refuses() { # pattern copy option...
+   ! (cd "$work" && cmake "${@:3}" -P "$2/cmake/abaqus.cmake") >"$log.refused" 2>&1 || return 1
+   cat "$log.refused"
+   tr -s '\n ' ' ' <"$log.refused" | grep -Eq -- "$1"
 }
 
 # The C library from a copy of the project in a folder, by some generator
 c_library() { # folder generator
    copy_to "$1" && configure "$1" "$1/build" -G "$2" \
-      && cmake_within 240 --build "$1/build" -j 2 && one_files_in "$1/build" \
+      && cmake_within 240 --build "$1/build" -j 2 && abaqus_files_in "$1/build/abaqus" \
       && symbols "$1/build" >"$work/symbols" && grep -qx asperity_law_new "$work/symbols" \
       && ! grep -v '^asperity_' "$work/symbols"
 }
@@ -92,8 +107,23 @@ refused() { # pattern option...
 }
 
 for name in vuinter_single my_single uinter vuinter 'a,b' 'a b' "it's" 'a+b(c' asperity_c_x; do
-   check "one-file sources in a folder called $name" one_files "$work/files/$name/build $name"
+   check "files for ABAQUS in a folder called $name" abaqus_files "$work/files/$name/build $name"
+   check "files for ABAQUS by the script in a folder called $name" abaqus_script "$work/script/$name"
 done
+copy=$work/script/uinter
+touch "$work/taken"
+check 'files for ABAQUS where a file is' abaqus_script_refuses \
+   'output = .*/taken is a file: give a folder' "$copy" -D output=taken
+rm -r "$copy/src/paper"
+check 'files for ABAQUS without a module' abaqus_script_refuses \
+   'uses asperity_paper_[a-z]*, which is in none of the folders' "$copy"
+sed -i '/head: statev/d' "$copy/docs/abaqus.md"
+cp -r "$root/src/paper" "$copy/src"
+check 'files for ABAQUS without a part of the page' abaqus_script_refuses \
+   "docs/abaqus.md has no part 'statev'" "$copy"
+rm -r "$copy/src" "$copy/interface/abaqus/routines"
+check 'files for ABAQUS without the project' abaqus_script_refuses \
+   'works in the project.s own folder, not alone' "$copy"
 
 check 'C library in .../src/asperity, Ninja' c_library "$work/src/asperity" Ninja
 check 'C library in a folder with comma, make' c_library "$work/a,b" 'Unix Makefiles'

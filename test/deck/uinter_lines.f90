@@ -4,7 +4,8 @@ module test_deck_uinter_lines
       slip_direction_of_stress, stick_summits, unloading_elastic, wp
    use asperity_abaqus_props, only: properties_from_props, props_from_properties
    use asperity_deck_cards_card_writer, only: writer_type
-   use asperity_deck_cards_interaction, only: interaction_type, new_interaction, write_interaction
+   use asperity_deck_cards_interaction, only: interaction_type, new_interaction, &
+      write_interaction, write_pair
    use asperity_deck_options, only: deck_choice
    use contact_cases, only: pair_properties
    use friction_cases, only: friction_properties
@@ -20,6 +21,7 @@ contains
 
       suite = TestSuite('lines of UINTER')
       call suite%addTest(TestMethod('numbers, counts and names', test_lines))
+      call suite%addTest(TestMethod('the lines of the page', test_page))
    end function suite_uinter_lines
 
    subroutine test_lines()
@@ -42,6 +44,31 @@ contains
       call check(friction_properties(points), 35, 13, &
          'friction points, a pressure (MPa) and a factor for each of them. Separation')
    end subroutine test_lines
+
+   !> docs/abaqus.md, and with it the head of the one file, has the lines that decks have.
+   subroutine test_page()
+      type(deck_choice) :: choice
+      type(interaction_type) :: interaction
+      type(writer_type) :: deck
+      type(error_type), allocatable :: error
+      character(len=:), allocatable :: page
+      integer :: unit, status, length
+
+      open (newunit=unit, file='docs/abaqus.md', status='old', action='read', access='stream', &
+         iostat=status)
+      call assertTrue(status == 0, 'docs/abaqus.md opens')
+      if (status /= 0) return
+      inquire (unit, size=length)
+      allocate (character(len=length) :: page)
+      read (unit) page
+      close (unit)
+      choice%solver = 'abaqus'
+      call new_interaction(interaction, choice, 'WOOD', pair_properties(), 0.1_wp, error)
+      call write_interaction(deck, choice, interaction)
+      call write_pair(deck, interaction, 'SLAVE', 'MASTER')
+      call assertTrue(index(page, '```text'//new_line('a')//deck%text()//'```') > 0, &
+         'docs/abaqus.md has: '//deck%text())
+   end subroutine test_page
 
    !> The list has so many numbers, which give the same properties; both solvers.
    subroutine check(properties, n, depvar, names)

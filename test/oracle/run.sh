@@ -54,7 +54,7 @@ sources() {
    local name
    mkdir -p "$out/sources"
    for name in asperity_uinter asperity_vuinter asperity_vuinter_single; do
-      [[ -f $build/$name.f90 ]] || fail "no $build/$name.f90"
+      [[ -f $build/abaqus/$name.f90 ]] || fail "no $build/abaqus/$name.f90"
       awk '
          { sub(/^ +/, ""); if (/^[^\047"]*!/ && !/^!(\$|[Dd][Ii][Rr]\$)/) sub(/ *!.*/, "") }
          /^$/ { next }
@@ -69,7 +69,7 @@ sources() {
          !depth { print line }
          depth { block = block "\t" line }
          line ~ /^end (subroutine|function|type|enum|interface)/ && !--depth { print block }
-      ' "$build/$name.f90" | sort | tr '\t' '\n' >"$out/sources/$name"
+      ' "$build/abaqus/$name.f90" | sort | tr '\t' '\n' >"$out/sources/$name"
    done
 }
 

@@ -5,7 +5,7 @@ module asperity_abaqus_vuinter_precision
    private
 
    !> Kind of VUINTER's real arguments; all computing is done in `wp`. It is set here alone:
-   !> cmake/one_file.cmake writes a second file from the same sources with the other kind
+   !> cmake/abaqus.cmake writes a second file from the same sources with the other kind
    integer, parameter, public :: vp = real64
 
 end module asperity_abaqus_vuinter_precision

@@ -17,8 +17,8 @@ module asperity_abaqus_vuinter_props
    !> So many properties hold the bits of five (`prop_pi`) in the other precision: half as many, or
    !> twice
    integer, parameter :: leading = merge(3, 10, other == real32)
-   character(len=*), parameter :: remedy = 'compile asperity_vuinter.f90 for a run with double '// &
-      'precision, asperity_vuinter_single.f90 for one without'
+   character(len=*), parameter :: remedy = 'compile asperity_vuinter for a run with double '// &
+      'precision, asperity_vuinter_single for one without'
 
 contains
 
@@ -31,6 +31,7 @@ contains
       type(contact_properties), intent(inout) :: properties
       !> Set when the list is refused
       type(error_type), allocatable, intent(out) :: error
+      character(len=:), allocatable :: message
 
       if (in_other_precision(props)) then
          call fatal_error(error, 'PROPS is in '//merge('single', 'double', other == real32)// &
@@ -39,8 +40,10 @@ contains
       end if
       call properties_from_props(real(props, wp), properties, error)
       if (.not. allocated(error) .or. size(props) < prop_sigma) return
-      if (.not. near_pi(real(props(prop_pi), wp))) &
-         error%message = error%message//'; or the run has another precision than VUINTER: '//remedy
+      if (near_pi(real(props(prop_pi), wp))) return
+      allocate (message, source=error%message// &
+         '; or the run has another precision than VUINTER: '//remedy)
+      call move_alloc(message, error%message)
    end subroutine read_props
 
    !> Does the list hold pi in its place when read in the other precision, and not in ours?
