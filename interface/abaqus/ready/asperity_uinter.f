@@ -9,7 +9,7 @@
 !
 ! IN THE DECK
 !
-! abaqus job=joint user=asperity_uinter.for
+! abaqus job=joint user=asperity_uinter
 !
 ! ** UINTER of asperity: mu, gcrit (mm), eta (1/mm^2), E* (MPa), pi, R (mm), H (MPa), k, sigma (mm),
 ! ** d0 (mm), friction rule, slip integration. Separation of the mean planes = d0 - overclosure of

@@ -10,8 +10,8 @@
 ! file of the wrong precision is refused before anything is written, with a message that names the
 ! right one.
 !
-! abaqus job=joint user=asperity_vuinter_single.for
-! abaqus job=joint double user=asperity_vuinter.for
+! abaqus job=joint user=asperity_vuinter_single
+! abaqus job=joint double user=asperity_vuinter
 !
 ! *SURFACE INTERACTION, NAME=WOOD, USER, PROPERTIES=12, DEPVAR=11, TRACKING THICKNESS=0.2
 !

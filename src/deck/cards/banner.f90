@@ -37,7 +37,7 @@ contains
       else
          call deck%comment('For ABAQUS/Standard. Not run: ABAQUS was not available.')
          if (choice%contact == 'uinter') &
-            call deck%comment('   abaqus job=... user=asperity_uinter.for')
+            call deck%comment('   abaqus job=... user=asperity_uinter')
       end if
       call deck%comment('Elements: '//element_kind(choice)//'. The paper used C3D8R; in '// &
          'CalculiX that one deforms without resistance (hourglassing), C3D8I does not and '// &
