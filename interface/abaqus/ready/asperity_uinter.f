@@ -3159,8 +3159,7 @@ module asperity_law_quadrature_pieces_by_fixed_rule
    !> left out is below 0.28^12/12! = 5e-16; for small products, 0.05^8/8! = 1e-15, fewer do
    integer, parameter :: last = 11, last_of_few = 7
    real(wp), parameter :: small_product = 0.05_wp
-   integer :: i
-   real(wp), parameter :: power(0:last) = [(real(i, wp), i=0, last)]
+   real(wp), parameter :: power(0:last) = real([0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11], wp)
    real(wp), parameter :: reciprocal(2:last) = 1.0_wp/power(2:)
    ! integrals of the powers, times those of force, its slope, area, its slope and energy
    real(wp), parameter :: elastic_force(0:last) = 1.0_wp/(power + 2.5_wp)
