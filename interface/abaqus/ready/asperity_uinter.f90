@@ -110,8 +110,7 @@
 !   quantity    sign
 !   RDISP(1)    overclosure: positive closes; -1.E36 is no opposite surface
 !   STRESS(1)   pressure: positive compresses
-!   STRESS(2:3) shear stress: has the sign of the elastic slip, which it resists, and so of
-!               RDISP(2:3)
+!   STRESS(2:3) shear stress along RDISP(2:3): has the sign of the elastic slip, which it resists
 !   DDSDDR      (1,1), (2,2), (3,3) zero or positive; (2,2), (3,3) below zero where friction decays
 !   DROT        the elastic slip of the start becomes DROT times it
 !   SED         total stored energy, with elastic the recoverable one
