@@ -12,9 +12,15 @@ if(ASPERITY_BUILD_C)
    add_library(asperity::c ALIAS asperity_c)
    asperity_compile_options(asperity_c)
    target_link_libraries(asperity_c PRIVATE asperity_law)
-   # 0.x may change the interface with every x
-   set_target_properties(asperity_c PROPERTIES EXPORT_NAME c
-      VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
+   set_target_properties(asperity_c PROPERTIES EXPORT_NAME c)
+   if(SKBUILD)
+      # A wheel of interface/python has its own copy, and wheels have no links between files
+      install(TARGETS asperity_c LIBRARY DESTINATION asperity COMPONENT python)
+   else()
+      # 0.x may change the interface with every x
+      set_target_properties(asperity_c PROPERTIES VERSION ${PROJECT_VERSION}
+         SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
+   endif()
    target_include_directories(asperity_c INTERFACE
       $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/interface/c>
       $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
