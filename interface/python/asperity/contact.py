@@ -1,0 +1,192 @@
+"""Contact points between the increments of a finite-element code."""
+
+from __future__ import annotations
+
+import ctypes
+import weakref
+from ctypes import byref
+from dataclasses import dataclass, fields
+from enum import IntEnum, IntFlag
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _library
+from ._arrays import NOT_ASKED, FloatArray, IntArray, address, count, given
+from .errors import InputError
+from .law import Law
+
+STATE_TYPE = np.dtype(_library.StateStruct)
+"""What a point remembers, as numpy has asperity_state of asperity.h: status, validity, overclosure,
+pressure, normal_energy, elastic_slip, largest_closure, dissipation, pressure_coupling, motion_share,
+grain_turn and summit_slip. All zero is a fresh point."""
+
+
+class Status(IntEnum):
+    """Contact status of a point."""
+
+    UNSET = 0
+    OPEN = 1
+    STICK = 2
+    SLIP = 3
+
+
+class Validity(IntFlag):
+    """Limits past which a result no longer means what the law assumes."""
+
+    AREA_ABOVE_NOMINAL = 1
+    PRESSURE_ABOVE_HARDNESS = 2
+    CLOSURE_ABOVE_HALF_RADIUS = 4
+    STIFFER_THAN_HERTZ = 8
+    ROUGHNESS_NUMBER_HIGH = 16
+    ROUGHNESS_NUMBER_LOW = 32
+    IMPLAUSIBLE_PROPERTY = 64
+    MEMORY_BEYOND_DATA = 128
+
+    @property
+    def remark(self) -> str:
+        """What the flags mean, in words; empty where none is set."""
+        return _library.text("validity_remark", int(self))
+
+
+_LEADING = {"traction": (3,), "tangent": (3, 3)}
+
+
+def _kind(name: str) -> Any:
+    return np.intc if name == "validity" else np.float64
+
+
+@dataclass
+class Response:
+    """What an increment of contact points gives; (...) is the shape of the points."""
+
+    traction: FloatArray
+    """(3, ...): pressure, positive in compression, and two shear stresses, which have the sign of
+    the elastic slip, MPa."""
+    tangent: FloatArray = NOT_ASKED
+    """(3, 3, ...): derivative of traction[row] by overclosure (column 0) or slip (1, 2) as
+    tangent[row, column], MPa/mm; unsymmetric."""
+    tangential_energy: FloatArray = NOT_ASKED
+    """(...): stored tangential energy per area at the end, N/mm."""
+    dissipation: FloatArray = NOT_ASKED
+    """(...): frictional dissipation per area of the increment, N/mm."""
+    plastic_dissipation: FloatArray = NOT_ASKED
+    """(...): plastic dissipation of summits per area of the increment, N/mm; 0 without memory."""
+    pressure_coupling: FloatArray = NOT_ASKED
+    """(...): energy per area that a change of pressure put into elastic slip, N/mm."""
+    validity: IntArray = NOT_ASKED
+    """(...): sum of Validity flags of the increment."""
+
+    @classmethod
+    def empty(cls, shape: int | tuple[int, ...], *names: str) -> Response:
+        """Arrays to be filled by `out=`: the traction and these, or all without names."""
+        shape = (shape,) if isinstance(shape, int) else shape
+        known = {f.name for f in fields(cls)}
+        wanted = {"traction", *names} if names else known
+        if not wanted <= known:
+            raise InputError(f"Response has no {', '.join(sorted(wanted - known))}")
+        made = cls(**{name: np.empty(_LEADING.get(name, ()) + shape, _kind(name))
+                      for name in wanted})
+        if made.tangent is not None:
+            # as the library has it, column by column
+            made.tangent = made.tangent.swapaxes(0, 1)
+        return made
+
+
+class Contact:
+    """Contact points of one law, and what they remember between increments.
+
+    Overclosures, slips and all results have the shape of the points, after the axes of components.
+    A contact belongs to one thread at a time; several may share a law. It is freed with its last
+    reference, or by close(), or at the end of a `with` block.
+    """
+
+    def __init__(self, law: Law, shape: int | tuple[int, ...]) -> None:
+        """Make fresh points.
+
+        Args:
+            law: their law
+            shape: number of points, or the shape of an array of them
+
+        Raises:
+            InputError: a number of points that is not allowed
+        """
+        self.law = law
+        """The law."""
+        self.shape: tuple[int, ...] = (shape,) if isinstance(shape, int) else tuple(shape)
+        """The shape of the points."""
+        self._n = count(self.shape)
+        self._handle = ctypes.c_void_p()
+        _library.call("states_new", byref(self._handle), self._n)
+        self.close = weakref.finalize(self, _library.free, "states_free", self._handle)
+        """Free the points now; they are refused everywhere from then on."""
+
+    def __enter__(self) -> Contact:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()
+
+    def update(self, overclosure: npt.ArrayLike, slip_increment: npt.ArrayLike,
+               rotation: npt.ArrayLike | None = None, time_increment: float = 0.0,
+               out: Response | None = None) -> Response:
+        """Advance all points over one increment. On any path, work = change of (normal + tangential
+        energy) + dissipation + plastic dissipation - pressure coupling.
+
+        Args:
+            overclosure: (...) at the end, mm; NO_OPPOSITE_SURFACE where there is none
+            slip_increment: (2, ...), relative tangential motion of the increment, mm
+            rotation: (2, 2, ...), rotation[row, column] of the slip directions in the increment,
+                w = R v; copied unless rotation.swapaxes(0, 1) is contiguous
+            time_increment: s, for friction with a decay_slip_rate
+            out: arrays to write to, by Response.empty()
+
+        Returns:
+            out, or new arrays of everything
+
+        Raises:
+            InputError: numbers that are not finite, arrays that do not fit; nothing has changed then
+        """
+        closure = given("overclosure", overclosure, self.shape)
+        slip = given("slip_increment", slip_increment, (2, *self.shape))
+        turn = None
+        if rotation is not None:
+            turn = given("rotation", np.swapaxes(rotation, 0, 1), (2, 2, *self.shape))
+        out = Response.empty(self.shape) if out is None else out
+        to = []
+        for field in fields(out):
+            array = getattr(out, field.name)
+            if field.name == "tangent" and array is not None:
+                array = array.swapaxes(0, 1)
+            to.append(address(field.name, array, _LEADING.get(field.name, ()) + self.shape,
+                              _kind(field.name)))
+        _library.call("states_update", self.law._handle, self._handle, self._n,
+                      closure.ctypes.data, slip.ctypes.data,
+                      None if turn is None else turn.ctypes.data, time_increment, *to)
+        return out
+
+    @property
+    def states(self) -> npt.NDArray[np.void]:
+        """What the points remember, a copy of STATE_TYPE: contact.states["status"] and so on. To
+        set it restarts a run, which goes on bit by bit; what no update can have left is refused."""
+        states = np.zeros(self.shape, STATE_TYPE)
+        _library.call("states_get", self._handle, 0, self._n, states.ctypes.data)
+        return states
+
+    @states.setter
+    def states(self, states: npt.NDArray[np.void]) -> None:
+        states = np.require(states, STATE_TYPE, ["C", "A"])
+        if states.shape != self.shape:
+            raise InputError(f"states has the shape {states.shape}; it must be {self.shape}")
+        _library.call("states_set", self._handle, 0, self._n, states.ctypes.data)
+
+    def copy(self) -> Contact:
+        """Points of the same law and the same past."""
+        other = Contact(self.law, self.shape)
+        other.copy_from(self)
+        return other
+
+    def copy_from(self, other: Contact) -> None:
+        """Take over the past of as many other points, as an iteration does before each trial."""
+        _library.call("states_copy", other._handle, self._handle)

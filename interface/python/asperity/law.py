@@ -1,0 +1,168 @@
+"""The normal law: pressures, stiffnesses, areas and energies at separations."""
+
+from __future__ import annotations
+
+import ctypes
+import weakref
+from ctypes import byref
+from dataclasses import dataclass, fields
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _library
+from ._arrays import NOT_ASKED, FloatArray, IntArray, address, count, given
+from .errors import InputError
+from .properties import Properties
+
+
+@dataclass
+class LawValues:
+    """The normal law at a number of points; each array has the shape of the separations."""
+
+    pressure: FloatArray
+    """Pressure, MPa."""
+    stiffness: FloatArray
+    """Stiffness -dp/dd, MPa/mm; with memory, at fixed memory."""
+    area_fraction: FloatArray = NOT_ASKED
+    """Real area over nominal area."""
+    contact_density: FloatArray = NOT_ASKED
+    """Summits in contact per area, 1/mm2."""
+    energy: FloatArray = NOT_ASKED
+    """Energy per area that is stored, N/mm. By Law.evaluate() of a law with memory: the work since
+    first touch."""
+    validity: IntArray = NOT_ASKED
+    """Sum of Validity flags."""
+
+    @classmethod
+    def empty(cls, shape: int | tuple[int, ...], *names: str) -> Any:
+        """Arrays to be filled by `out=`: pressure, stiffness and these, or all without names.
+
+        A compiled law is fast where pressure and stiffness alone are asked for: "pressure".
+        """
+        wanted = {"pressure", "stiffness", *names} if names else {f.name for f in fields(cls)}
+        if not wanted <= {f.name for f in fields(cls)}:
+            raise InputError(f"{cls.__name__} has no {', '.join(sorted(set(names)))}")
+        return cls(**{f.name: np.empty(shape, np.intc if f.name == "validity" else np.float64)
+                      for f in fields(cls) if f.name in wanted})
+
+    def addresses(self, shape: tuple[int, ...]) -> dict[str, int | None]:
+        """Where the library writes them."""
+        return {f.name: address(f.name, getattr(self, f.name), shape,
+                                np.intc if f.name == "validity" else np.float64)
+                for f in fields(self)}
+
+
+@dataclass
+class UnloadingValues(LawValues):
+    """The law with memory at a number of points."""
+
+    plastic_dissipation: FloatArray = NOT_ASKED
+    """Plastic dissipation per area since first touch, N/mm."""
+
+
+class Law:
+    """Normal law, friction and the datum of the overclosure of one pair of faces.
+
+    It never changes, so any number of threads may use one. It is freed with its last reference, or
+    by close(), or at the end of a `with` block.
+    """
+
+    def __init__(self, properties: Properties) -> None:
+        """Make the law.
+
+        Raises:
+            InputError: a property that is not allowed, by its name
+        """
+        self._handle = ctypes.c_void_p()
+        self._given = properties
+        _library.call("law_new", byref(self._handle), byref(properties.as_struct()))
+        self.close = weakref.finalize(self, _library.free, "law_free", self._handle)
+        """Free the law now; it is refused everywhere from then on."""
+
+    def __enter__(self) -> Law:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()
+
+    def __reduce__(self) -> Any:
+        return Law, (self._given,)
+
+    def __repr__(self) -> str:
+        return f"Law({self._given!r})"
+
+    @property
+    def properties(self) -> Properties:
+        """What the law is made of, its initial separation as a number."""
+        return Properties.of_law(self._handle)
+
+    def evaluate(self, separation: npt.ArrayLike, out: LawValues | None = None) -> LawValues:
+        """The law at separations, each as if the face had never been closer.
+
+        Args:
+            separation: mm, of any shape; not copied where it is contiguous float64
+            out: arrays of that shape to write to, by LawValues.empty()
+
+        Returns:
+            out, or new arrays of everything
+
+        Raises:
+            InputError: a separation that is not finite, or arrays that do not fit
+        """
+        d = given("separation", separation)
+        out = LawValues.empty(d.shape) if out is None else out
+        _library.call("law_evaluate", self._handle, count(d.shape), d.ctypes.data,
+                      *out.addresses(d.shape).values())
+        return out
+
+    def evaluate_unloading(self, closest_separation: npt.ArrayLike, retraction: npt.ArrayLike,
+                           out: UnloadingValues | None = None) -> UnloadingValues:
+        """The law of unloading="elastic" away from the closest separations so far.
+
+        Args:
+            closest_separation: mm, of any shape
+            retraction: separation less the closest one, mm, of the same shape; with zero or less
+                the face is as close as never before
+            out: arrays of that shape to write to, by UnloadingValues.empty()
+
+        Returns:
+            out, or new arrays of everything
+
+        Raises:
+            InputError: a law without memory, numbers that are not finite, arrays that do not fit
+        """
+        d = given("closest_separation", closest_separation)
+        r = given("retraction", retraction, d.shape)
+        out = UnloadingValues.empty(d.shape) if out is None else out
+        to = out.addresses(d.shape)
+        _library.call("law_evaluate_unloading", self._handle, count(d.shape), d.ctypes.data,
+                      r.ctypes.data, *(to[name] for name in (
+                          "pressure", "stiffness", "area_fraction", "contact_density", "energy",
+                          "plastic_dissipation", "validity")))
+        return out
+
+    def pressure(self, separation: npt.ArrayLike) -> FloatArray:
+        """Pressures at separations alone, MPa; see evaluate()."""
+        return self.evaluate(separation, LawValues.empty(np.shape(separation), "pressure")).pressure
+
+    def separation(self, pressure: npt.ArrayLike) -> FloatArray:
+        """Separations at which the law gives pressures, when the face was never closer.
+
+        Args:
+            pressure: MPa, above zero, of any shape
+
+        Returns:
+            separations, mm, of that shape
+
+        Raises:
+            InputError: a pressure that the law does not reach
+        """
+        p = given("pressure", pressure)
+        out = np.empty(p.shape)
+        found = ctypes.c_double()
+        for place, value in np.ndenumerate(p):
+            _library.call("law_separation", self._handle, value, byref(found))
+            out[place] = found.value
+        return out
