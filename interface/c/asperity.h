@@ -470,24 +470,26 @@ int asperity_states_copy(const asperity_states *from, asperity_states *to, asper
 int asperity_states_count(const asperity_states *states, int *n, asperity_error *error);
 
 /**
- * @brief State of one point.
+ * @brief States of points, one after the other.
  * @param states the states
- * @param point  number of the point, from 0
- * @param state  struct to fill
+ * @param first  number of the first point, from 0
+ * @param n      how many; with 0 the array may be NULL
+ * @param state  [n] structs to fill
  * @param error  may be NULL
  */
-int asperity_states_get(const asperity_states *states, int point, asperity_state *state,
+int asperity_states_get(const asperity_states *states, int first, int n, asperity_state *state,
                         asperity_error *error);
 
 /**
- * @brief Set the state of one point. What no update can have left behind is refused: an unknown
- *        status or flag, a negative pressure, numbers that are not finite.
+ * @brief Set the states of points, one after the other. What no update can have left behind is
+ *        refused: an unknown status or flag, a negative pressure, numbers that are not finite.
  * @param states the states
- * @param point  number of the point, from 0
- * @param state  its new state
+ * @param first  number of the first point, from 0
+ * @param n      how many; with 0 the array may be NULL
+ * @param state  [n] their new states
  * @param error  may be NULL
  */
-int asperity_states_set(asperity_states *states, int point, const asperity_state *state,
+int asperity_states_set(asperity_states *states, int first, int n, const asperity_state *state,
                         asperity_error *error);
 
 /**

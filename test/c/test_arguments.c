@@ -125,7 +125,7 @@ static int untouched(const asperity_states *states)
    int i;
    memset(&zero, 0, sizeof zero);
    for (i = 0; i < n; i++) {
-      asperity_states_get(states, i, &state, NULL);
+      asperity_states_get(states, i, 1, &state, NULL);
       if (memcmp(&state, &zero, sizeof state) != 0)
          return 0;
    }
@@ -297,22 +297,25 @@ static void handles(void)
    CHECK_CODE(asperity_states_count(states, NULL, &error), ASPERITY_NULL_ARGUMENT);
    CHECK_CODE(asperity_states_count((asperity_states *)law, &count, &error), ASPERITY_WRONG_HANDLE);
    CHECK(count == 9);
-   CHECK_CODE(asperity_states_get(NULL, 0, &state, &error), ASPERITY_NULL_ARGUMENT);
-   CHECK_CODE(asperity_states_get(states, 0, NULL, &error), ASPERITY_NULL_ARGUMENT);
-   CHECK_CODE(asperity_states_get((asperity_states *)law, 0, &state, &error),
+   CHECK_CODE(asperity_states_get(NULL, 0, 1, &state, &error), ASPERITY_NULL_ARGUMENT);
+   CHECK_CODE(asperity_states_get(states, 0, 1, NULL, &error), ASPERITY_NULL_ARGUMENT);
+   CHECK_CODE(asperity_states_get((asperity_states *)law, 0, 1, &state, &error),
               ASPERITY_WRONG_HANDLE);
-   CHECK_CODE(asperity_states_get(states, -1, &state, &error), ASPERITY_WRONG_LENGTH);
-   CHECK_CODE(asperity_states_get(states, n, &state, &error), ASPERITY_WRONG_LENGTH);
-   CHECK_MESSAGE("point = 4 is not there: the states have 4 points");
-   CHECK_CODE(asperity_states_get(states, INT_MAX, &state, &error), ASPERITY_WRONG_LENGTH);
-   CHECK_CODE(asperity_states_set(NULL, 0, &state, &error), ASPERITY_NULL_ARGUMENT);
-   CHECK_CODE(asperity_states_set(states, 0, NULL, &error), ASPERITY_NULL_ARGUMENT);
-   CHECK_CODE(asperity_states_set((asperity_states *)law, 0, &state, &error),
+   CHECK_CODE(asperity_states_get(states, -1, 1, &state, &error), ASPERITY_WRONG_LENGTH);
+   CHECK_CODE(asperity_states_get(states, n, 1, &state, &error), ASPERITY_WRONG_LENGTH);
+   CHECK_MESSAGE("first = 4 and n = 1 go beyond the points: the states have 4");
+   CHECK_CODE(asperity_states_get(states, 0, -1, &state, &error), ASPERITY_WRONG_LENGTH);
+   CHECK_CODE(asperity_states_get(states, 1, INT_MAX, &state, &error), ASPERITY_WRONG_LENGTH);
+   CHECK_CODE(asperity_states_get(states, 0, 0, NULL, &error), ASPERITY_OK);
+   CHECK_CODE(asperity_states_get(states, INT_MAX, 1, &state, &error), ASPERITY_WRONG_LENGTH);
+   CHECK_CODE(asperity_states_set(NULL, 0, 1, &state, &error), ASPERITY_NULL_ARGUMENT);
+   CHECK_CODE(asperity_states_set(states, 0, 1, NULL, &error), ASPERITY_NULL_ARGUMENT);
+   CHECK_CODE(asperity_states_set((asperity_states *)law, 0, 1, &state, &error),
               ASPERITY_WRONG_HANDLE);
-   CHECK_CODE(asperity_states_set(states, -1, &state, &error), ASPERITY_WRONG_LENGTH);
-   CHECK_CODE(asperity_states_set(states, n, &state, &error), ASPERITY_WRONG_LENGTH);
-   CHECK_CODE(asperity_states_set(states, INT_MAX, &state, &error), ASPERITY_WRONG_LENGTH);
-   CHECK_CODE(asperity_states_set(states, INT_MIN, &state, &error), ASPERITY_WRONG_LENGTH);
+   CHECK_CODE(asperity_states_set(states, -1, 1, &state, &error), ASPERITY_WRONG_LENGTH);
+   CHECK_CODE(asperity_states_set(states, n, 1, &state, &error), ASPERITY_WRONG_LENGTH);
+   CHECK_CODE(asperity_states_set(states, INT_MAX, 1, &state, &error), ASPERITY_WRONG_LENGTH);
+   CHECK_CODE(asperity_states_set(states, INT_MIN, 1, &state, &error), ASPERITY_WRONG_LENGTH);
 
    /* no int begins at an odd address, and no handle */
    CHECK_CODE(asperity_states_count((asperity_states *)((char *)states + 1), &count, &error),
@@ -325,7 +328,7 @@ static void handles(void)
    CHECK_CODE(asperity_states_free(&states, &error), ASPERITY_OK);
    CHECK_CODE(asperity_states_free(&states, &error), ASPERITY_OK);
    CHECK(law == NULL && states == NULL);
-   CHECK_CODE(asperity_states_get(states, 0, &state, &error), ASPERITY_NULL_ARGUMENT);
+   CHECK_CODE(asperity_states_get(states, 0, 1, &state, &error), ASPERITY_NULL_ARGUMENT);
 }
 
 static void texts(void)

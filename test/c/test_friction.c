@@ -99,9 +99,9 @@ static void twin(int kind)
       differ += memcmp(t, expected[i], sizeof t) != 0;
       sheared += t[1] != 0.0;
       /* half of the way a restart from the struct, then one from a copy */
-      CHECK_CODE(asperity_states_get(states, 0, &state, &error), ASPERITY_OK);
+      CHECK_CODE(asperity_states_get(states, 0, 1, &state, &error), ASPERITY_OK);
       if (i == steps / 2) {
-         CHECK_CODE(asperity_states_set(other, 0, &state, &error), ASPERITY_OK);
+         CHECK_CODE(asperity_states_set(other, 0, 1, &state, &error), ASPERITY_OK);
          CHECK_CODE(asperity_states_copy(states, third, &error), ASPERITY_OK);
       } else if (i > steps / 2) {
          CHECK_CODE(asperity_states_update(law, other, 1, &closure[i], slip[i], r[0], time[i], t,
@@ -112,7 +112,7 @@ static void twin(int kind)
                                            NULL, NULL, NULL, NULL, NULL, NULL, &error),
                     ASPERITY_OK);
          differ += memcmp(t, expected[i], sizeof t) != 0;
-         asperity_states_get(other, 0, &again, NULL);
+         asperity_states_get(other, 0, 1, &again, NULL);
          differ += memcmp(&state, &again, sizeof state) != 0;
       }
    }
@@ -124,8 +124,8 @@ static void twin(int kind)
    asperity_states_free(&third, NULL);
    third = fresh_states(1);
    CHECK_CODE(asperity_states_copy(third, states, &error), ASPERITY_OK);
-   asperity_states_get(states, 0, &state, NULL);
-   asperity_states_get(third, 0, &again, NULL);
+   asperity_states_get(states, 0, 1, &state, NULL);
+   asperity_states_get(third, 0, 1, &again, NULL);
    CHECK(memcmp(&state, &again, sizeof state) == 0);
    asperity_states_free(&states, NULL);
    asperity_states_free(&other, NULL);
@@ -199,18 +199,18 @@ static void refused(void)
 
    memset(&state, 0, sizeof state);
    state.motion_share = 1.5;
-   CHECK_CODE(asperity_states_set(states, 0, &state, &error), ASPERITY_BAD_INPUT);
+   CHECK_CODE(asperity_states_set(states, 0, 1, &state, &error), ASPERITY_BAD_INPUT);
    CHECK_MESSAGE("motion_share = 1.5");
    state.motion_share = -0.5;
-   CHECK_CODE(asperity_states_set(states, 0, &state, &error), ASPERITY_BAD_INPUT);
+   CHECK_CODE(asperity_states_set(states, 0, 1, &state, &error), ASPERITY_BAD_INPUT);
    CHECK_MESSAGE("motion_share = -0.5");
    state.motion_share = 0.5;
    state.summit_slip[3][1] = NAN;
-   CHECK_CODE(asperity_states_set(states, 0, &state, &error), ASPERITY_BAD_INPUT);
+   CHECK_CODE(asperity_states_set(states, 0, 1, &state, &error), ASPERITY_BAD_INPUT);
    CHECK_MESSAGE("summit_slip[3][1] = NaN");
    state.summit_slip[3][1] = 0.0;
    state.grain_turn = INFINITY;
-   CHECK_CODE(asperity_states_set(states, 0, &state, &error), ASPERITY_BAD_INPUT);
+   CHECK_CODE(asperity_states_set(states, 0, 1, &state, &error), ASPERITY_BAD_INPUT);
    CHECK_MESSAGE("grain_turn = Inf");
    asperity_states_free(&states, NULL);
 }

@@ -117,11 +117,11 @@ static void state(void)
       given.summit_slip[i][0] = 0.5 + i;
       given.summit_slip[i][1] = -0.25 - i;
    }
-   CHECK_CODE(asperity_states_set(states, 1, &given, &error), ASPERITY_OK);
+   CHECK_CODE(asperity_states_set(states, 1, 1, &given, &error), ASPERITY_OK);
    memset(&g, 0x5a, sizeof g);
    g.before = 1.25;
    g.after = 2.5;
-   CHECK_CODE(asperity_states_get(states, 1, &g.state, &error), ASPERITY_OK);
+   CHECK_CODE(asperity_states_get(states, 1, 1, &g.state, &error), ASPERITY_OK);
    CHECK(g.before == 1.25 && g.after == 2.5);
    CHECK(g.state.status == ASPERITY_SLIP && g.state.validity == 37);
    CHECK(g.state.overclosure == -0.25 && g.state.pressure == 1.5);

@@ -107,7 +107,7 @@ static void cycle(void)
    CHECK_CODE(asperity_states_update(law, states, 1, &closure, slip, NULL, 0.0, t, NULL, NULL, NULL,
                                      &f, NULL, NULL, &error), ASPERITY_OK);
    last = t[0];
-   asperity_states_get(states, 0, &state, NULL);
+   asperity_states_get(states, 0, 1, &state, NULL);
    first = state.normal_energy;
    for (leg = 0; leg < legs; leg++) {
       for (i = 1; i <= steps; i++) {
@@ -121,7 +121,7 @@ static void cycle(void)
          last = t[0];
       }
       from = to[leg];
-      asperity_states_get(states, 0, &state, NULL);
+      asperity_states_get(states, 0, 1, &state, NULL);
       CHECK_NEAR(work, state.normal_energy - first + flat, 2e-5, 0.0);
    }
    CHECK(state.largest_closure == 0.13 && state.normal_energy < 1e-3 * flat);
@@ -172,10 +172,10 @@ static void refused(void)
    CHECK_CODE(asperity_law_new(&reversible, &properties, &error), ASPERITY_BAD_INPUT);
    CHECK_MESSAGE("yield_factor = 0.19 is not allowed with elastic unloading");
 
-   CHECK_CODE(asperity_states_set(states, 0, &state, &error), ASPERITY_BAD_INPUT);
-   CHECK_MESSAGE("largest_closure = 0.09 mm of the state is not allowed");
+   CHECK_CODE(asperity_states_set(states, 0, 1, &state, &error), ASPERITY_BAD_INPUT);
+   CHECK_MESSAGE("largest_closure = 0.09 mm of state[0] is not allowed");
    state.largest_closure = 0.1;
-   CHECK_CODE(asperity_states_set(states, 0, &state, &error), ASPERITY_OK);
+   CHECK_CODE(asperity_states_set(states, 0, 1, &state, &error), ASPERITY_OK);
    asperity_states_free(&states, NULL);
    asperity_law_free(&law, NULL);
 }

@@ -48,12 +48,12 @@ static void layout(int compiled)
             for (column = 0; column < 2; column++)
                q[column][row] = turn[column][row][i];
          }
-         asperity_states_get(before, i, &state, NULL);
-         asperity_states_set(one, 0, &state, NULL);
+         asperity_states_get(before, i, 1, &state, NULL);
+         asperity_states_set(one, 0, 1, &state, NULL);
          CHECK_CODE(asperity_states_update(law, one, 1, &closure[i], s, q[0], 0.0, t, k[0], &e, &d,
                                            &f, &c, &v, &error), ASPERITY_OK);
-         asperity_states_get(one, 0, &expected, NULL);
-         asperity_states_get(all, i, &state, NULL);
+         asperity_states_get(one, 0, 1, &expected, NULL);
+         asperity_states_get(all, i, 1, &state, NULL);
          CHECK(memcmp(&state, &expected, sizeof state) == 0);
          CHECK(e == r.energy[i] && d == r.dissipation[i] && c == r.coupling[i]);
          CHECK(f == r.plastic[i]);
@@ -99,13 +99,13 @@ static void plateau(int compiled)
    CHECK_NEAR(r.traction[1][1], 0.0, 1e-14, 1.0);
    CHECK_NEAR(r.traction[2][1], -0.5 * p[1], 1e-14, 0.0);
    CHECK(r.traction[0][2] == 0.0 && r.traction[1][2] == 0.0 && r.traction[2][2] == 0.0);
-   asperity_states_get(states, 0, &state, NULL);
+   asperity_states_get(states, 0, 1, &state, NULL);
    CHECK(state.status == ASPERITY_SLIP);
    CHECK_NEAR(hypot(state.elastic_slip[0], state.elastic_slip[1]), 0.31, 1e-14, 0.0);
    /* all motion but the elastic slip dissipates: mu p (5 - gcrit) */
    CHECK_NEAR(r.dissipation[0], 0.5 * p[0] * (5.0 - 0.31), 1e-13, 0.0);
    CHECK_NEAR(r.energy[0], 0.5 * 0.5 * p[0] * 0.31, 1e-14, 0.0);
-   asperity_states_get(states, 2, &state, NULL);
+   asperity_states_get(states, 2, 1, &state, NULL);
    CHECK(state.status == ASPERITY_OPEN);
    CHECK(state.overclosure == ASPERITY_NO_OPPOSITE_SURFACE);
    asperity_states_free(&states, NULL);
@@ -179,10 +179,10 @@ static void rotation(void)
    CHECK_CODE(update(law, still, closure, none, NULL, &r, &error), ASPERITY_OK);
    for (i = 0; i < points; i++) {
       double angle = 0.3 * (i + 1);
-      asperity_states_get(states, i, &state, NULL);
+      asperity_states_get(states, i, 1, &state, NULL);
       CHECK_NEAR(state.elastic_slip[0], 0.1 * cos(angle) - 0.05 * sin(angle), 1e-15, 1.0);
       CHECK_NEAR(state.elastic_slip[1], 0.1 * sin(angle) + 0.05 * cos(angle), 1e-15, 1.0);
-      asperity_states_get(still, i, &state, NULL);
+      asperity_states_get(still, i, 1, &state, NULL);
       CHECK(state.elastic_slip[0] == 0.1 && state.elastic_slip[1] == 0.05);
    }
    asperity_states_free(&states, NULL);
@@ -258,7 +258,7 @@ static void energies(int rule)
       if (asperity_states_update(law, states, 1, &closure, slip, NULL, 0.0, t, NULL, &e, &d, NULL,
                                  &c, NULL, &error) != ASPERITY_OK)
          break;
-      asperity_states_get(states, 0, &state, NULL);
+      asperity_states_get(states, 0, 1, &state, NULL);
       if (i == 0) {
          first = state.normal_energy;
       } else {

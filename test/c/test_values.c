@@ -165,7 +165,7 @@ static void motions(int compiled)
          CHECK(t[0] == 9.0);
       }
    }
-   asperity_states_get(states, 0, &state, NULL);
+   asperity_states_get(states, 0, 1, &state, NULL);
    CHECK(state.status == ASPERITY_UNSET);
    /* the largest that is let pass, many times over, stays finite */
    for (i = 0; i < 50; i++) {
@@ -179,8 +179,8 @@ static void motions(int compiled)
                                         NULL, NULL, NULL, NULL, NULL, NULL, &error), ASPERITY_OK);
       CHECK(isfinite(t[0]) && isfinite(t[1]) && isfinite(t[2 * n]) && isfinite(t[2 * n + 1]));
       /* and what an update leaves behind may be set again */
-      asperity_states_get(states, i % 2, &state, NULL);
-      CHECK_CODE(asperity_states_set(states, i % 2, &state, &error), ASPERITY_OK);
+      asperity_states_get(states, i % 2, 1, &state, NULL);
+      CHECK_CODE(asperity_states_set(states, i % 2, 1, &state, &error), ASPERITY_OK);
    }
    asperity_states_free(&states, NULL);
    asperity_law_free(&law, NULL);
@@ -210,25 +210,25 @@ static void states_refused(void)
          double value = bad(k);
          state = zero;
          memcpy((char *)&state + reals[i], &value, sizeof value);
-         CHECK_CODE(asperity_states_set(states, 0, &state, &error), ASPERITY_BAD_INPUT);
+         CHECK_CODE(asperity_states_set(states, 0, 1, &state, &error), ASPERITY_BAD_INPUT);
          CHECK_MESSAGE(names[i]);
       }
    }
    state = zero;
    state.pressure = -1e-300;
-   CHECK_CODE(asperity_states_set(states, 0, &state, &error), ASPERITY_BAD_INPUT);
+   CHECK_CODE(asperity_states_set(states, 0, 1, &state, &error), ASPERITY_BAD_INPUT);
    CHECK_MESSAGE("pressure = -1.0E-300");
    for (k = 0; k < 3; k++) {
       state = zero;
       state.status = wrong_status[k];
-      CHECK_CODE(asperity_states_set(states, 0, &state, &error), ASPERITY_BAD_INPUT);
+      CHECK_CODE(asperity_states_set(states, 0, 1, &state, &error), ASPERITY_BAD_INPUT);
       CHECK_MESSAGE("status = ");
       state = zero;
       state.validity = wrong_flags[k];
-      CHECK_CODE(asperity_states_set(states, 0, &state, &error), ASPERITY_BAD_INPUT);
+      CHECK_CODE(asperity_states_set(states, 0, 1, &state, &error), ASPERITY_BAD_INPUT);
       CHECK_MESSAGE("validity = ");
    }
-   asperity_states_get(states, 0, &state, NULL);
+   asperity_states_get(states, 0, 1, &state, NULL);
    CHECK(memcmp(&state, &zero, sizeof state) == 0);
    asperity_states_free(&states, NULL);
 }
