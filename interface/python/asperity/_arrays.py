@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import math
-from typing import Any
+import operator
+from dataclasses import MISSING, fields
+from typing import Any, TypeVar
 
 import numpy as np
 import numpy.typing as npt
@@ -17,6 +19,11 @@ IntArray = npt.NDArray[np.intc]
 _MOST_POINTS = 2**31 - 1
 # A field that was not asked for
 NOT_ASKED: Any = None
+
+
+def as_shape(shape: int | tuple[int, ...]) -> tuple[int, ...]:
+    """The shape of a number of points."""
+    return shape if isinstance(shape, tuple) else (operator.index(shape),)
 
 
 def count(shape: tuple[int, ...]) -> int:
@@ -35,14 +42,65 @@ def given(name: str, values: npt.ArrayLike, shape: tuple[int, ...] | None = None
     return array
 
 
-def address(name: str, array: npt.NDArray[Any] | None, shape: tuple[int, ...],
-            kind: npt.DTypeLike = np.float64) -> int | None:
-    """Address of an output; None where it was not asked for."""
-    if array is None:
-        return None
-    if array.shape != shape or array.dtype != kind:
-        raise InputError(f"out.{name} has the shape {array.shape} and numbers of {array.dtype}; it "
-                         f"must be {shape} of {np.dtype(kind)}")
-    if not (array.flags.c_contiguous and array.flags.writeable):
-        raise InputError(f"out.{name} cannot be written in place: make it by empty()")
-    return int(array.ctypes.data)
+# Axes of components that come before those of the points, and what is not a real number
+_AXES = {"traction": (3,), "tangent": (3, 3)}
+_KINDS: dict[str, npt.DTypeLike] = {"validity": np.intc}
+
+
+class Outputs:
+    """Arrays that the library writes to: a dataclass whose fields without default it always writes,
+    and those with None only where there is an array."""
+
+    @classmethod
+    def empty(cls: type[Made], shape: int | tuple[int, ...], *names: str) -> Made:
+        """Arrays for `out=`, of points of a shape.
+
+        Args:
+            shape: of the points
+            *names: what is asked for besides what is always given; without names, everything
+
+        Raises:
+            InputError: a name that is none of them
+        """
+        shape = as_shape(shape)
+        known = fields(cls)  # type: ignore[arg-type]
+        unknown = set(names) - {field.name for field in known}
+        if unknown:
+            raise InputError(f"{cls.__name__} has no {', '.join(sorted(unknown))}")
+        made = {}
+        for field in known:
+            if not names or field.name in names or field.default is MISSING:
+                array: npt.NDArray[Any] = np.empty(
+                    _AXES.get(field.name, ()) + shape, _KINDS.get(field.name, np.float64))
+                made[field.name] = _by_columns(field.name, array)
+        return cls(**made)
+
+    def addresses(self, shape: tuple[int, ...], *names: str) -> list[int | None]:
+        """Where the library finds arrays, by their names; None for what was not asked for.
+
+        Raises:
+            InputError: an array that the library cannot write to
+        """
+        found = []
+        for name in names:
+            array = getattr(self, name)
+            if array is None:  # the library says where that is not allowed
+                found.append(None)
+                continue
+            expected, kind = _AXES.get(name, ()) + shape, np.dtype(_KINDS.get(name, np.float64))
+            if not (isinstance(array, np.ndarray) and array.shape == expected
+                    and array.dtype == kind):
+                raise InputError(f"out.{name} must be an array of {kind} of the shape {expected}")
+            array = _by_columns(name, array)
+            if not (array.flags.c_contiguous and array.flags.writeable):
+                raise InputError(f"out.{name} cannot be written in place: make it by empty()")
+            found.append(array.ctypes.data)
+        return found
+
+
+Made = TypeVar("Made", bound=Outputs)
+
+
+def _by_columns(name: str, array: npt.NDArray[Any]) -> npt.NDArray[Any]:
+    """A tangent [row, column] of [column][row] of the library, and the other way round."""
+    return array.swapaxes(0, 1) if len(_AXES.get(name, ())) == 2 else array

@@ -5,7 +5,7 @@ from __future__ import annotations
 import ctypes
 import weakref
 from ctypes import byref
-from dataclasses import dataclass, fields
+from dataclasses import dataclass
 from enum import IntEnum, IntFlag
 from typing import Any
 
@@ -13,7 +13,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _library
-from ._arrays import NOT_ASKED, FloatArray, IntArray, address, count, given
+from ._arrays import NOT_ASKED, FloatArray, IntArray, Outputs, as_shape, count, given
 from .errors import InputError
 from .law import Law
 
@@ -50,15 +50,8 @@ class Validity(IntFlag):
         return _library.text("validity_remark", int(self))
 
 
-_LEADING = {"traction": (3,), "tangent": (3, 3)}
-
-
-def _kind(name: str) -> Any:
-    return np.intc if name == "validity" else np.float64
-
-
 @dataclass
-class Response:
+class Response(Outputs):
     """What an increment of contact points gives; (...) is the shape of the points."""
 
     traction: FloatArray
@@ -77,21 +70,6 @@ class Response:
     """(...): energy per area that a change of pressure put into elastic slip, N/mm."""
     validity: IntArray = NOT_ASKED
     """(...): sum of Validity flags of the increment."""
-
-    @classmethod
-    def empty(cls, shape: int | tuple[int, ...], *names: str) -> Response:
-        """Arrays to be filled by `out=`: the traction and these, or all without names."""
-        shape = (shape,) if isinstance(shape, int) else shape
-        known = {f.name for f in fields(cls)}
-        wanted = {"traction", *names} if names else known
-        if not wanted <= known:
-            raise InputError(f"Response has no {', '.join(sorted(wanted - known))}")
-        made = cls(**{name: np.empty(_LEADING.get(name, ()) + shape, _kind(name))
-                      for name in wanted})
-        if made.tangent is not None:
-            # as the library has it, column by column
-            made.tangent = made.tangent.swapaxes(0, 1)
-        return made
 
 
 class Contact:
@@ -114,7 +92,7 @@ class Contact:
         """
         self.law = law
         """The law."""
-        self.shape: tuple[int, ...] = (shape,) if isinstance(shape, int) else tuple(shape)
+        self.shape = as_shape(shape)
         """The shape of the points."""
         self._n = count(self.shape)
         self._handle = ctypes.c_void_p()
@@ -127,6 +105,9 @@ class Contact:
 
     def __exit__(self, *_: object) -> None:
         self.close()
+
+    def __reduce__(self) -> Any:
+        return _restored, (self.law, self.shape, self.states)
 
     def update(self, overclosure: npt.ArrayLike, slip_increment: npt.ArrayLike,
                rotation: npt.ArrayLike | None = None, time_increment: float = 0.0,
@@ -154,16 +135,12 @@ class Contact:
         if rotation is not None:
             turn = given("rotation", np.swapaxes(rotation, 0, 1), (2, 2, *self.shape))
         out = Response.empty(self.shape) if out is None else out
-        to = []
-        for field in fields(out):
-            array = getattr(out, field.name)
-            if field.name == "tangent" and array is not None:
-                array = array.swapaxes(0, 1)
-            to.append(address(field.name, array, _LEADING.get(field.name, ()) + self.shape,
-                              _kind(field.name)))
         _library.call("states_update", self.law._handle, self._handle, self._n,
                       closure.ctypes.data, slip.ctypes.data,
-                      None if turn is None else turn.ctypes.data, time_increment, *to)
+                      None if turn is None else turn.ctypes.data, time_increment,
+                      *out.addresses(
+                          self.shape, "traction", "tangent", "tangential_energy", "dissipation",
+                          "plastic_dissipation", "pressure_coupling", "validity"))
         return out
 
     @property
@@ -190,3 +167,9 @@ class Contact:
     def copy_from(self, other: Contact) -> None:
         """Take over the past of as many other points, as an iteration does before each trial."""
         _library.call("states_copy", other._handle, self._handle)
+
+
+def _restored(law: Law, shape: tuple[int, ...], states: npt.NDArray[np.void]) -> Contact:
+    contact = Contact(law, shape)
+    contact.states = states
+    return contact

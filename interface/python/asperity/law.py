@@ -5,20 +5,19 @@ from __future__ import annotations
 import ctypes
 import weakref
 from ctypes import byref
-from dataclasses import dataclass, fields
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
 from . import _library
-from ._arrays import NOT_ASKED, FloatArray, IntArray, address, count, given
-from .errors import InputError
+from ._arrays import NOT_ASKED, FloatArray, IntArray, Outputs, count, given
 from .properties import Properties
 
 
 @dataclass
-class LawValues:
+class LawValues(Outputs):
     """The normal law at a number of points; each array has the shape of the separations."""
 
     pressure: FloatArray
@@ -34,24 +33,6 @@ class LawValues:
     first touch."""
     validity: IntArray = NOT_ASKED
     """Sum of Validity flags."""
-
-    @classmethod
-    def empty(cls, shape: int | tuple[int, ...], *names: str) -> Any:
-        """Arrays to be filled by `out=`: pressure, stiffness and these, or all without names.
-
-        A compiled law is fast where pressure and stiffness alone are asked for: "pressure".
-        """
-        wanted = {"pressure", "stiffness", *names} if names else {f.name for f in fields(cls)}
-        if not wanted <= {f.name for f in fields(cls)}:
-            raise InputError(f"{cls.__name__} has no {', '.join(sorted(set(names)))}")
-        return cls(**{f.name: np.empty(shape, np.intc if f.name == "validity" else np.float64)
-                      for f in fields(cls) if f.name in wanted})
-
-    def addresses(self, shape: tuple[int, ...]) -> dict[str, int | None]:
-        """Where the library writes them."""
-        return {f.name: address(f.name, getattr(self, f.name), shape,
-                                np.intc if f.name == "validity" else np.float64)
-                for f in fields(self)}
 
 
 @dataclass
@@ -103,7 +84,8 @@ class Law:
 
         Args:
             separation: mm, of any shape; not copied where it is contiguous float64
-            out: arrays of that shape to write to, by LawValues.empty()
+            out: arrays of that shape to write to, by LawValues.empty(); a compiled law is fast
+                where no more than pressure and stiffness is asked for
 
         Returns:
             out, or new arrays of everything
@@ -114,7 +96,8 @@ class Law:
         d = given("separation", separation)
         out = LawValues.empty(d.shape) if out is None else out
         _library.call("law_evaluate", self._handle, count(d.shape), d.ctypes.data,
-                      *out.addresses(d.shape).values())
+                      *out.addresses(d.shape, "pressure", "stiffness", "area_fraction",
+                                     "contact_density", "energy", "validity"))
         return out
 
     def evaluate_unloading(self, closest_separation: npt.ArrayLike, retraction: npt.ArrayLike,
@@ -136,11 +119,10 @@ class Law:
         d = given("closest_separation", closest_separation)
         r = given("retraction", retraction, d.shape)
         out = UnloadingValues.empty(d.shape) if out is None else out
-        to = out.addresses(d.shape)
         _library.call("law_evaluate_unloading", self._handle, count(d.shape), d.ctypes.data,
-                      r.ctypes.data, *(to[name] for name in (
-                          "pressure", "stiffness", "area_fraction", "contact_density", "energy",
-                          "plastic_dissipation", "validity")))
+                      r.ctypes.data, *out.addresses(
+                          d.shape, "pressure", "stiffness", "area_fraction", "contact_density",
+                          "energy", "plastic_dissipation", "validity"))
         return out
 
     def pressure(self, separation: npt.ArrayLike) -> FloatArray:

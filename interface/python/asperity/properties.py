@@ -51,7 +51,7 @@ def _filled(function: str, *arguments: Any) -> dict[str, Any]:
 _DEFAULT = _filled("init")
 
 
-@dataclass(frozen=True, kw_only=True)
+@dataclass(frozen=True, kw_only=True, repr=False)
 class Properties:
     """Properties of a pair of faces, in N, mm and MPa, with the names of case files.
 
@@ -125,6 +125,12 @@ class Properties:
     """Up to 8 pressures, MPa, rising, at which friction_factors stand."""
     friction_factors: tuple[float, ...] = _DEFAULT["friction_factors"]
     """Factors on all coefficients there; straight in between, constant outside."""
+
+    def __repr__(self) -> str:
+        """What differs from its default."""
+        values = {field.name: getattr(self, field.name) for field in fields(self)}
+        return "Properties(%s)" % ", ".join(f"{name}={value!r}" for name, value in values.items()
+                                            if value != _DEFAULT[name])
 
     @classmethod
     def from_pair(cls, pair: str, **changes: Any) -> Properties:
