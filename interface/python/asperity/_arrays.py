@@ -75,13 +75,13 @@ class Outputs:
                 made[field.name] = _by_columns(field.name, array)
         return cls(**made)
 
-    def addresses(self, shape: tuple[int, ...], *names: str) -> list[int | None]:
+    def _addresses(self, shape: tuple[int, ...], *names: str) -> list[int | None]:
         """Where the library finds arrays, by their names; None for what was not asked for.
 
         Raises:
             InputError: an array that the library cannot write to
         """
-        found = []
+        found: list[int | None] = []
         for name in names:
             array = getattr(self, name)
             if array is None:  # the library says where that is not allowed

@@ -138,7 +138,7 @@ class Contact:
         _library.call("states_update", self.law._handle, self._handle, self._n,
                       closure.ctypes.data, slip.ctypes.data,
                       None if turn is None else turn.ctypes.data, time_increment,
-                      *out.addresses(
+                      *out._addresses(
                           self.shape, "traction", "tangent", "tangential_energy", "dissipation",
                           "plastic_dissipation", "pressure_coupling", "validity"))
         return out

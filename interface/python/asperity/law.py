@@ -96,7 +96,7 @@ class Law:
         d = given("separation", separation)
         out = LawValues.empty(d.shape) if out is None else out
         _library.call("law_evaluate", self._handle, count(d.shape), d.ctypes.data,
-                      *out.addresses(d.shape, "pressure", "stiffness", "area_fraction",
+                      *out._addresses(d.shape, "pressure", "stiffness", "area_fraction",
                                      "contact_density", "energy", "validity"))
         return out
 
@@ -120,7 +120,7 @@ class Law:
         r = given("retraction", retraction, d.shape)
         out = UnloadingValues.empty(d.shape) if out is None else out
         _library.call("law_evaluate_unloading", self._handle, count(d.shape), d.ctypes.data,
-                      r.ctypes.data, *out.addresses(
+                      r.ctypes.data, *out._addresses(
                           d.shape, "pressure", "stiffness", "area_fraction", "contact_density",
                           "energy", "plastic_dissipation", "validity"))
         return out
