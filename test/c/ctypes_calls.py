@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """The normal law and a sliding contact point from Python, by ctypes and nothing else.
 
-usage: normal_law.py [LIBRARY]
+usage: ctypes_calls.py [LIBRARY]
 
 LIBRARY is the file libasperity_c.so; without it the environment variable ASPERITY_C_LIBRARY names
 the file, and without that the system's loader looks for libasperity_c.so (in LD_LIBRARY_PATH, among
