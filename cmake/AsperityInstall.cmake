@@ -35,8 +35,9 @@ endif()
 
 install(FILES README.md ARCHITECTURE.md CONTRIBUTING.md CHANGELOG.md LICENSE CITATION.cff
    DESTINATION ${share_folder})
+# The Python package is built from the project's sources alone
 install(DIRECTORY docs examples interface DESTINATION ${share_folder} USE_SOURCE_PERMISSIONS
-   PATTERN __pycache__ EXCLUDE REGEX "/interface/abaqus/ready$" EXCLUDE)
+   PATTERN __pycache__ EXCLUDE REGEX "/interface/(abaqus/ready|python)$" EXCLUDE)
 # As these sources make it, not as it stands ready
 install(DIRECTORY ${abaqus_folder}/ DESTINATION ${share_folder}/interface/abaqus/ready)
 # What the glue of interface/calculix and its look at the user's file are compiled with

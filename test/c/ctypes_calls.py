@@ -1,15 +1,12 @@
 #!/usr/bin/env python3
-"""The normal law and a sliding contact point from Python, by ctypes and nothing else.
+"""Calls of the C interface from Python, by ctypes and nothing else: to be run under valgrind.
 
-usage: ctypes_calls.py [LIBRARY]
+usage: ctypes_calls.py LIBRARY
 
-LIBRARY is the file libasperity_c.so; without it the environment variable ASPERITY_C_LIBRARY names
-the file, and without that the system's loader looks for libasperity_c.so (in LD_LIBRARY_PATH, among
-others).
+LIBRARY is the file libasperity_c.so.
 """
 
 import ctypes
-import os
 import sys
 from ctypes import POINTER, byref, c_char, c_char_p, c_double, c_int, c_size_t, c_void_p, sizeof
 
@@ -49,10 +46,7 @@ class AsperityError(Exception):
 
 def load(file):
     """The library, each of its functions with argument types and raising AsperityError."""
-    try:
-        library = ctypes.CDLL(file)
-    except OSError as problem:
-        sys.exit(f"{problem}; name the library as argument or in ASPERITY_C_LIBRARY")
+    library = ctypes.CDLL(file)
     pointer = POINTER(c_void_p)
     for name, *arguments in (
             ("library_version", c_char * 16, c_int),
@@ -82,9 +76,7 @@ def array(values):
 
 
 def main():
-    file = sys.argv[1] if len(sys.argv) > 1 else os.environ.get(
-        "ASPERITY_C_LIBRARY", "libasperity_c.so")
-    call = load(file)
+    call = load(sys.argv[1])
     version = (c_char * 16)()
     call("library_version", version, len(version))
     print("asperity", version.value.decode())
