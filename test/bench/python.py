@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 """Calls of the Python package against the same calls from C, in one process and in turn.
 
-usage: test/bench/python.py [--output FOLDER] [--points 100000] [--repetitions 31]
+usage: test/bench/python.py [--output FOLDER] [--points 100000] [--repetitions 101]
 
 For the Python that has the package; the C calls are compiled by CC, or cc. FOLDER/python.md is a table of
-medians with the least and the largest, and of the ratios of calls that followed each other.
+medians with 10 and 90 % quantiles, and of the ratios of calls that followed each other.
 """
 import argparse
 import ctypes
@@ -18,7 +18,7 @@ sys.dont_write_bytecode = True
 import asperity
 import numpy as np
 from asperity import _library
-from processes import heading, show, spread
+from processes import heading, show, spread_text
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 LAW_FIELDS = ("pressure", "stiffness", "area_fraction", "contact_density", "energy", "validity")
@@ -88,6 +88,12 @@ def contact_case(calls, law, n, names):
             lambda: seconds(new_arrays))
 
 
+def spread(values):
+    """Median, and in brackets the 10 and 90 % quantiles."""
+    low, middle, high = np.quantile(values, [0.1, 0.5, 0.9])
+    return spread_text(middle, low, high)
+
+
 def row(label, n, repetitions, case):
     """Median seconds from C, and both ways from Python as multiples of it."""
     for action in case:  # the first of each does not count
@@ -106,7 +112,7 @@ def main():
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--output", default="build/bench", metavar="FOLDER")
     parser.add_argument("--points", type=int, default=100_000)
-    parser.add_argument("--repetitions", type=int, default=31)
+    parser.add_argument("--repetitions", type=int, default=101)
     options = parser.parse_args()
     os.makedirs(options.output, exist_ok=True)
     calls = compile_calls(options.output)

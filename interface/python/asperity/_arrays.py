@@ -67,12 +67,17 @@ class Outputs:
         unknown = set(names) - {field.name for field in known}
         if unknown:
             raise InputError(f"{cls.__name__} has no {', '.join(sorted(unknown))}")
-        made = {}
-        for field in known:
-            if not names or field.name in names or field.default is MISSING:
-                array: npt.NDArray[Any] = np.empty(
-                    _AXES.get(field.name, ()) + shape, _KINDS.get(field.name, np.float64))
-                made[field.name] = _by_columns(field.name, array)
+        wanted = [field.name for field in known
+                  if not names or field.name in names or field.default is MISSING]
+        reals = {name: _AXES.get(name, ()) + shape for name in wanted if name not in _KINDS}
+        # in one block: of many large arrays the system takes each back, page by page
+        block = np.empty(sum(map(math.prod, reals.values())))
+        made: dict[str, npt.NDArray[Any]] = {
+            name: np.empty(shape, _KINDS[name]) for name in wanted if name in _KINDS}
+        end = 0
+        for name, whole in reals.items():
+            start, end = end, end + math.prod(whole)
+            made[name] = _by_columns(name, block[start:end].reshape(whole))
         return cls(**made)
 
     def _addresses(self, shape: tuple[int, ...], *names: str) -> list[int | None]:
