@@ -34,6 +34,7 @@ contains
       call buffer%line('"command": '//json_string(trim(report%name))//',')
       call buffer%line('"properties": {'//inputs(report, .true.)//'},')
       call buffer%line('"settings": {'//inputs(report, .false.)//'},')
+      call buffer%line('"sources": {'//sources(report)//'},')
       if (allocated(report%record_kind)) &
          call buffer%line('"record_kind": '//json_string(report%record_kind)//',')
       call buffer%line('"units": {'//units(report)//'},')
@@ -89,6 +90,22 @@ contains
          end associate
       end do
    end function inputs
+
+   !> Where each value of the input comes from, such as `case.nml:4`, `--sigma` or `default`.
+   pure function sources(report) result(text)
+      type(report_type), intent(in) :: report
+      character(len=:), allocatable :: text
+      integer :: i
+
+      text = ''
+      do i = 1, report%keys%n
+         associate (key => report%keys%rows(i))
+            if (.not. key%is_input()) cycle
+            if (text /= '') text = text//', '
+            text = text//json_string(trim(key%name))//': '//json_string(key%source)
+         end associate
+      end do
+   end function sources
 
    !> Units of columns and of input; one of the same name has the same unit.
    pure function units(report) result(text)

@@ -13,15 +13,22 @@ run curve --csv /dev/stdout --json -
 check '--csv /dev/stdout beside --json -' test "$status" -eq 0
 if command -v python3 >/dev/null; then
    run press --json p.json
-   run shear --json - --displacement 0.1
+   run shear --json - --displacement 0.1 --sigma 0.06
    check 'JSON is JSON' python3 -c '
 import json, sys
 def refuse(text): raise ValueError(text)
 for name in sys.argv[1:]:
     data = json.load(open(name), parse_constant=refuse)
-    assert data["asperity"] and len({len(c) for c in data["data"].values()}) == 1' out json p.json
+    assert data["asperity"] and len({len(c) for c in data["data"].values()}) == 1
+    assert data["sources"].keys() == data["properties"].keys() | data["settings"].keys()' out json p.json
+   check 'JSON: where values come from' python3 -c '
+import json
+sources = json.load(open("out"))["sources"]
+assert [sources[key] for key in ("pair", "eta", "sigma", "displacement", "diameter")] == [
+    "default", "pair transverse-tangential", "--sigma", "--displacement", "default"]'
 else
    skip 'JSON is JSON' 'no python3'
+   skip 'JSON: where values come from' 'no python3'
 fi
 check 'no NaN, no infinity, no D exponent' lacks json '[Nn]a[Nn]|[Ii]nf|[0-9][Dd][+-]'
 
