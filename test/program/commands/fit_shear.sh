@@ -13,8 +13,9 @@ check 'fit shear: three normal stresses' grep -q '^  normal_stress = 0.05, 0.1, 
 check 'fit shear: model beside record' csv curve.csv '
    if (abs(c["shear_force"] - c["model_shear_force"]) > 1e-3) fail(c["shear_force"])'
 check 'fit shear: every row of the record' test "$(rows curve.csv)" -eq "$(rows s.csv)"
-run shear found.nml --pair transverse-tangential
+run shear found.nml
 check 'fit shear: the case runs' is_quiet
+check 'fit shear: the case runs with what was found' grep -Eq '^ *friction_coefficient +0\.42[0 ]+found\.nml:' out
 run "${fit[@]}" s.csv --free friction_coefficient,critical_slip --where normal_stress_nominal=0.1 --fix diameter=61.8
 check 'fit shear: one fix' is_refused 2 '--fix: is given twice'
 

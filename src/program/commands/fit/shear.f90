@@ -240,7 +240,7 @@ contains
       real(wp) :: value
       integer :: i
 
-      commands = 'shear, with a pair or properties of faces besides'
+      commands = 'shear; a pair or properties of faces go into this file'
       do i = 1, size(shear_names)
          value = self%values(i)
          if (is_none(value)) cycle
