@@ -1,0 +1,126 @@
+"""Finds the program, runs it and reads what it found."""
+
+from __future__ import annotations
+
+import json
+import os
+import shutil
+import subprocess
+import tempfile
+from collections.abc import Mapping
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+from .. import __version__
+from .errors import ProgramNotFoundError, of_status
+from .result import Result
+
+VARIABLE = "ASPERITY_PROGRAM"
+_GET_IT = ("It is no part of this package, as it is linked with libraries under the GNU GPL: build it "
+           "from asperity's sources by `./run build`, or install it by cmake, and put its folder on "
+           f"PATH or its path into {VARIABLE}")
+
+File = str | os.PathLike[str]
+
+
+def find_program() -> Path:
+    """Path of the program: that in ASPERITY_PROGRAM, or else the one on PATH.
+
+    Raises:
+        ProgramNotFoundError: there is none, or it is not of the version of this package
+    """
+    named = os.environ.get(VARIABLE)
+    found = shutil.which(named or "asperity")
+    if found is None:
+        place = f"{VARIABLE} = {named} is no program" if named else "no program asperity is on PATH"
+        raise ProgramNotFoundError(f"{place}. {_GET_IT}")
+    version = _version(found)
+    if version != __version__:
+        raise ProgramNotFoundError(f"{found} is {version or 'not asperity'}; this package needs the "
+                                   f"program of version {__version__}. {_GET_IT}")
+    return Path(found)
+
+
+@cache
+def _version(program: str) -> str | None:
+    """Version of a program, None if it is another program."""
+    words = _ended([program, "version"]).stdout.split()
+    return words[1] if len(words) > 1 and words[0] == "asperity" else None
+
+
+def _ended(words: list[str], standard_input: str = "") -> subprocess.CompletedProcess[str]:
+    """A program that has ended. On a terminal alone asperity shows progress."""
+    return subprocess.run(words, input=standard_input, capture_output=True, encoding="utf-8",
+                          errors="replace", check=False)
+
+
+def _words(value: Any) -> list[str]:
+    """The words of a key's value."""
+    if isinstance(value, Mapping):
+        return [",".join(f"{name}={_words(part)[0]}" for name, part in value.items())]
+    if isinstance(value, (str, os.PathLike)):
+        return [os.fspath(value)]
+    if hasattr(value, "__iter__"):
+        parts = list(value)
+        if parts and all(isinstance(part, os.PathLike) for part in parts):
+            return [os.fspath(part) for part in parts]
+        return [",".join(_words(part)[0] for part in parts)]
+    # of numpy's numbers, too
+    return [repr(value.item() if hasattr(value, "item") else value)]
+
+
+def _options(keys: Mapping[str, Any]) -> list[str]:
+    """Options that stand for keys."""
+    options = []
+    for name, value in keys.items():
+        option = name.replace("_", "-")
+        if value is None:
+            continue
+        if isinstance(value, bool):
+            options.append(f"--{option}" if value else f"--no-{option}")
+        elif name == "sweep":
+            for swept, values in value.items():
+                options += ["--sweep", f"{swept}={_words(values)[0]}"]
+        else:
+            options += [f"--{option}", *_words(value)]
+    return options
+
+
+def run(command: str, *files: File, case_text: str = "", **keys: Any) -> Result:
+    """Run a command of the program.
+
+    Args:
+        command: its name, such as "press", "shear" or "curve"
+        *files: what stands after it: a case file, records, height maps
+        case_text: text of a case file, in place of one
+        **keys: keys by their names in case files, and outputs such as csv="loops.csv". A number, a
+            text, True or False, a list, a list of pathlib.Path where a key takes several files, or a
+            dictionary where it takes NAME=VALUE,...; sweep={"sigma": [0.04, 0.06]} runs all
+            combinations. None is a key that is not given. `asperity help COMMAND` explains them all
+
+    Returns:
+        all that the command found, in full precision
+
+    Raises:
+        InputError: what the program refuses, such as a key that it does not know (status 2)
+        ComputationError: a computation failed (status 1)
+        FileError: a file could not be read or written (status 3)
+        ProgramNotFoundError: the program is not there, or of another version
+    """
+    words = [str(find_program()), *command.split(), *(os.fspath(file) for file in files)]
+    if case_text:
+        words.append("-")
+    # in a file, so that standard output has the tables
+    with tempfile.TemporaryDirectory(prefix="asperity-") as folder:
+        answer, case = Path(folder, "answer.json"), Path(folder, "case.nml")
+        if command in ("surface", "fit") and "case" in keys:
+            case = Path(keys["case"])
+        elif command in ("surface", "fit"):
+            keys["case"] = case
+        ended = _ended([*words, *_options(keys), "--json", str(answer)], case_text)
+        if ended.returncode != 0:
+            message = ended.stderr.strip().removeprefix("asperity: error: ")
+            raise of_status(ended.returncode, message or "it says nothing")
+        return Result.from_json(json.loads(answer.read_text(encoding="utf-8")), ended.stdout,
+                                case.read_text(encoding="utf-8") if case.exists() else None)
