@@ -1,6 +1,7 @@
 """Pictures: names, units and the data of lines; how they look is for the eye."""
 
 import sys
+from pathlib import Path
 
 import asperity
 import matplotlib
@@ -11,6 +12,7 @@ from conftest import wood
 from matplotlib import pyplot
 
 matplotlib.use("agg")
+EXAMPLES = Path(__file__).parents[2]/"examples"
 
 
 @pytest.fixture(autouse=True)
@@ -77,6 +79,18 @@ def test_moment_rotation(joint):
     assert labels(ax) == ("rotation (rad)", "moment (kN m)", ["hard", "rough"])
     rough = joint.data.where(model="rough")
     np.testing.assert_array_equal(ax.get_lines()[1].get_data(), [rough["rotation"], rough["moment"]])
+
+
+def test_moment_rotation_of_the_solid():
+    solid = program.solid(EXAMPLES/"solid_joint/coarse.nml", mesh_size=60, amplitudes=[2], cycles=[1],
+                          properties=wood())
+    ax = plot.moment_rotation(solid)
+    assert labels(ax) == ("rotation (rad)", "moment (kN m)", ["hard", "rough"])
+    rough = solid.data.where(model="rough")
+    np.testing.assert_array_equal(ax.get_lines()[1].get_data(), [rough["rotation"], rough["moment"]])
+    assert rough["displacement"].max() == pytest.approx(2.0, rel=1e-12)
+    assert rough["drift"].min() == pytest.approx(-2.0/solid.settings["arm"], rel=1e-12)
+    assert rough["moment"].max() > 0.9*solid.data["moment"].max() > 0.0
 
 
 def test_loops(joint):

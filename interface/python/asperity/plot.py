@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 # What counts rows; columns before them tell one run from another
-_COUNTS = ("time", "step", "cycle", "separation", "closure", "displacement")
+_COUNTS = ("time", "step", "cycle", "increment", "separation", "closure", "displacement")
 _LOOPS = (("displacement", "shear_stress"), ("displacement", "force"), ("rotation", "moment"))
 _SHARE_OF_HARDNESS = 0.2
 
