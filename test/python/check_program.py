@@ -95,7 +95,11 @@ def test_input_and_its_sources():
 
 def test_keys():
     """Switches, several runs, values by names, several files."""
-    assert program.run("shear", shrinking_overlap=False).settings["shrinking_overlap"] is False
+    for no in False, np.False_:
+        assert program.run("shear", shrinking_overlap=no).settings["shrinking_overlap"] is False
+    fixed = program.fit(EXAMPLES/"fit/press.csv", kind="press", free=["eta", "initial_separation"], fix={
+        "pair": "transverse-tangential", "machine_compliance": np.float64(0.004)})
+    assert "machine_compliance=0.004" in fixed.settings["fix"]
     assert program.run("curve", accept_unphysical=True, sigma=None).sources["accept_unphysical"] \
         == "--accept-unphysical"
     swept = program.run("press", sweep={"sigma": [0.04, 0.06], "hardness": [12, 24.0]}).data

@@ -12,6 +12,8 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from .. import __version__
 from .errors import ProgramNotFoundError, of_status
 from .result import Result
@@ -66,8 +68,12 @@ def _words(value: Any) -> list[str]:
         if parts and all(isinstance(part, os.PathLike) for part in parts):
             return [os.fspath(part) for part in parts]
         return [",".join(_words(part)[0] for part in parts)]
-    # of numpy's numbers, too
-    return [repr(value.item() if hasattr(value, "item") else value)]
+    return [repr(_plain(value)).lower()]
+
+
+def _plain(value: Any) -> Any:
+    """One of numpy's numbers as Python has it."""
+    return value.item() if isinstance(value, np.generic) else value
 
 
 def _options(keys: Mapping[str, Any]) -> list[str]:
@@ -77,7 +83,7 @@ def _options(keys: Mapping[str, Any]) -> list[str]:
         option = name.replace("_", "-")
         if value is None:
             continue
-        if isinstance(value, bool):
+        if isinstance(_plain(value), bool):
             options.append(f"--{option}" if value else f"--no-{option}")
         elif name == "sweep":
             for swept, values in value.items():
