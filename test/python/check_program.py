@@ -97,6 +97,9 @@ def test_keys():
     """Switches, several runs, values by names, several files."""
     for no in False, np.False_:
         assert program.run("shear", shrinking_overlap=no).settings["shrinking_overlap"] is False
+    law = asperity.Law(wood())
+    assert program.run("curve", initial_separation=law.separation(1.0)).properties["initial_separation"] \
+        == law.separation(1.0)
     fixed = program.fit(EXAMPLES/"fit/press.csv", kind="press", free=["eta", "initial_separation"], fix={
         "pair": "transverse-tangential", "machine_compliance": np.float64(0.004)})
     assert "machine_compliance=0.004" in fixed.settings["fix"]

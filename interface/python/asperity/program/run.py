@@ -59,6 +59,7 @@ def _ended(words: list[str], standard_input: str = "") -> subprocess.CompletedPr
 
 def _words(value: Any) -> list[str]:
     """The words of a key's value."""
+    value = _plain(value)
     if isinstance(value, Mapping):
         return [",".join(f"{name}={_words(part)[0]}" for name, part in value.items())]
     if isinstance(value, (str, os.PathLike)):
@@ -68,12 +69,12 @@ def _words(value: Any) -> list[str]:
         if parts and all(isinstance(part, os.PathLike) for part in parts):
             return [os.fspath(part) for part in parts]
         return [",".join(_words(part)[0] for part in parts)]
-    return [repr(_plain(value)).lower()]
+    return [repr(value).lower()]
 
 
 def _plain(value: Any) -> Any:
     """One of numpy's numbers as Python has it."""
-    return value.item() if isinstance(value, np.generic) else value
+    return value.item() if isinstance(value, (np.generic, np.ndarray)) and value.ndim == 0 else value
 
 
 def _options(keys: Mapping[str, Any]) -> list[str]:
