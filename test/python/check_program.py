@@ -172,6 +172,18 @@ def test_properties_beside_a_case(tmp_path):
         program.tenon(tmp_path/"rest.nml", properties=wood(), amplitudes=[4], cycles=[1])
 
 
+def test_comparison(tmp_path):
+    """A comparison that departs has status 1 and an answer; it is no exception."""
+    for name, force in ("expected", 2.0), ("same", 2.0), ("other", 2.1):
+        (tmp_path/f"{name}.csv").write_text(f"time (s),force (N)\n0,1\n1,{force}\n", encoding="utf-8")
+    same, other = (program.run("compare", tmp_path/"expected.csv", tmp_path/f"{name}.csv")
+                   for name in ("same", "other"))
+    assert same.passed
+    assert not other.passed
+    assert "other.csv" in other.verdict
+    assert program.run("compare", tmp_path/"expected.csv", tmp_path/"other.csv", tolerance=0.06).passed
+
+
 @pytest.mark.parametrize(("kind", "status", "words", "call"), [
     (asperity.InputError, 2, ("tenon", "--sigmma", "0.3"), lambda: program.tenon(sigmma=0.3)),
     (asperity.InputError, 2, ("tenon", "--length", "0.3"), lambda: program.tenon(length=0.3)),

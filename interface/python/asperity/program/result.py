@@ -93,20 +93,22 @@ class Result:
     """All tables by their names: "data", the main one; most commands have "summary" as well."""
     text: str = field(repr=False)
     """All as a terminal shows it."""
+    passed: bool = True
+    """False where `compare` finds that the result departs (status 1)."""
     verdict: str | None = None
-    """What surface says in the end."""
+    """What surface and compare say in the end."""
     record_kind: str | None = None
     """What hysteresis takes the record for, such as "cyclic"."""
     case: str | None = field(default=None, repr=False)
     """Text of the case file that surface and fit write of what they found."""
 
     @classmethod
-    def from_json(cls, answer: dict[str, Any], text: str, case: str | None = None) -> Result:
+    def from_json(cls, answer: dict[str, Any], text: str, **more: Any) -> Result:
         """The result in a JSON file of the program."""
         known = {name: answer[name] for name in (f.name for f in fields(cls)) if name in answer}
         tables = {name: Table({key: column(cells) for key, cells in found.items()}, answer["units"])
                   for name, found in answer.items() if isinstance(found, dict) and name not in known}
-        return cls(**known, version=answer["asperity"], tables=tables, text=text, case=case)
+        return cls(**known, version=answer["asperity"], tables=tables, text=text, **more)
 
     @property
     def data(self) -> Table:

@@ -126,8 +126,10 @@ def run(command: str, *files: File, case_text: str = "", **keys: Any) -> Result:
         elif command in ("surface", "fit"):
             keys["case"] = case
         ended = _ended([*words, *_options(keys), "--json", str(answer)], case_text)
-        if ended.returncode != 0:
+        # with an answer, 1 is the answer no
+        if ended.returncode != 0 and not (ended.returncode == 1 and answer.exists()):
             message = ended.stderr.strip().removeprefix("asperity: error: ")
             raise of_status(ended.returncode, message or "it says nothing")
         return Result.from_json(json.loads(answer.read_text(encoding="utf-8")), ended.stdout,
-                                case.read_text(encoding="utf-8") if case.exists() else None)
+                                passed=ended.returncode == 0,
+                                case=case.read_text(encoding="utf-8") if case.exists() else None)
