@@ -18,6 +18,8 @@ module asperity_check_settings
       real(wp) :: largest_overclosure = 0.1_wp, largest_gap = 0.1_wp, largest_slip = 0.1_wp
       !> Length of an increment
       real(wp) :: time_increment = 1.0_wp
+      !> Whether a VUINTER takes single precision
+      logical :: single_precision = .false.
       !> A path in place of ours; not allocated components for none
       type(motion_path) :: path
    end type check_settings

@@ -8,6 +8,7 @@ program test_check
    use test_check_source_forms, only: suite_source_forms
    use test_check_source_scan, only: suite_source_scan
    use test_check_source_text, only: suite_source_text
+   use test_check_ours, only: suite_ours
    implicit none
    type(TestSuite) :: suite
 
@@ -18,5 +19,6 @@ program test_check
    call suite%addTest(suite_source_text())
    call suite%addTest(suite_argument_lists())
    call suite%addTest(suite_argument_types())
+   call suite%addTest(suite_ours())
    call run_suite(suite)
 end program test_check

@@ -1,0 +1,82 @@
+!> Rule `first_call`: in its first call of an increment ABAQUS passes DRDISP = 0 and the last
+!> converged RDISP, which must give numbers; and no answer may rest on what that call alone does.
+module asperity_check_trial_first_call
+   use asperity_base_finite, only: is_finite
+   use asperity_base_kinds, only: wp
+   use asperity_base_number_text, only: to_text
+   use asperity_check_driven_call, only: call_routine
+   use asperity_check_driven_drive, only: drive, drive_record, driven_increment, largest_stress, &
+      place_of
+   use asperity_check_driven_layout, only: entry_name, is_input
+   use asperity_check_driven_paths, only: main_path
+   use asperity_check_driven_point, only: motion_to, point_answer, point_motion
+   use asperity_check_driven_routine, only: driven_routine
+   use asperity_check_finding, only: finding_list, rule_first_call, severity_error
+   use asperity_check_settings, only: check_settings
+   implicit none
+   private
+   public :: check_first_call
+
+   !> Tractions of two iterations with the same motion may differ by this, of the largest one
+   real(wp), parameter :: tolerance = 1.0e-9_wp
+
+contains
+
+   !> Run the trial.
+   subroutine check_first_call(routine, settings, findings)
+      !> The routine
+      type(driven_routine), intent(in) :: routine
+      !> What it is driven with
+      type(check_settings), intent(in) :: settings
+      !> Findings are added
+      type(finding_list), intent(inout) :: findings
+      type(drive_record) :: record
+      integer :: i, found_before
+
+      found_before = findings%n
+      call drive(routine, main_path(settings), 1, record)
+      do i = 1, record%n
+         call try_item(routine, record%items(i), largest_stress(record), findings)
+         if (findings%n > found_before) return
+      end do
+      if (record%unusable) call try_item(routine, record%refused, largest_stress(record), findings)
+   end subroutine check_first_call
+
+   subroutine try_item(routine, item, largest, findings)
+      type(driven_routine), intent(in) :: routine
+      type(driven_increment), intent(in) :: item
+      real(wp), intent(in) :: largest
+      type(finding_list), intent(inout) :: findings
+      type(point_answer) :: still, first
+      type(point_motion) :: motion
+      integer :: i, k
+
+      call call_routine(routine, item%start, motion_to(item%start, item%start%rdisp, &
+         item%motion%dtime, kit=0), still)
+      do i = 1, size(routine%layout%slots)
+         associate (slot => routine%layout%slots(i))
+            if (slot%role == is_input) cycle
+            do k = 1, slot%length
+               if (is_finite(still%numbers(slot%number + k - 1))) cycle
+               call findings%add(rule_first_call, severity_error, entry_name(slot, k)// &
+                  ' with DRDISP = 0 at the start of '//place_of(item), 'a number', &
+                  to_text(still%numbers(slot%number + k - 1)), &
+                  'the first call of every increment has DRDISP = 0: the job fails at once')
+               return
+            end do
+         end associate
+      end do
+      motion = item%motion
+      motion%kit = 0
+      call call_routine(routine, item%start, motion, first)
+      if (.not. all(is_finite([first%stress, item%answer%stress]))) return
+      if (all(abs(first%stress - item%answer%stress) <= tolerance*largest)) return
+      k = maxloc(abs(first%stress - item%answer%stress), dim=1)
+      call findings%add(rule_first_call, severity_error, 'STRESS('//to_text(k)//'), '// &
+         place_of(item), 'the same traction in iteration 0 and later, for the same motion', &
+         to_text(first%stress(k), 5)//' MPa with KIT = 0, '//to_text(item%answer%stress(k), 5)// &
+         ' with KIT = 1', 'what the first call alone sets is gone in the next, which begins from '// &
+         'the start again')
+   end subroutine try_item
+
+end module asperity_check_trial_first_call

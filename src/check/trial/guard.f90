@@ -1,0 +1,96 @@
+!> Rule `guard`: nothing is written outside of an argument or to an input, and nothing is read from
+!> outside.
+module asperity_check_trial_guard
+   use asperity_base_kinds, only: wp
+   use asperity_base_number_text, only: to_text
+   use asperity_check_driven_call, only: call_routine
+   use asperity_check_driven_drive, only: drive, drive_record, driven_increment, place_of
+   use asperity_check_driven_layout, only: entry_name, is_input
+   use asperity_check_driven_paths, only: main_path
+   use asperity_check_driven_point, only: point_answer, same_answer
+   use asperity_check_driven_routine, only: driven_routine
+   use asperity_check_finding, only: finding_list, rule_guard, severity_error
+   use asperity_check_settings, only: check_settings
+   implicit none
+   private
+   public :: check_guard, damage_text
+
+contains
+
+   !> Run the trial.
+   subroutine check_guard(routine, settings, findings)
+      !> The routine
+      type(driven_routine), intent(in) :: routine
+      !> What it is driven with
+      type(check_settings), intent(in) :: settings
+      !> Findings are added
+      type(finding_list), intent(inout) :: findings
+      type(drive_record) :: record
+      type(point_answer) :: answer
+      type(driven_routine) :: other
+      integer :: i, slot
+
+      call drive(routine, main_path(settings), 1, record)
+      if (record%stuck .or. record%unusable) call report_writing(record%refused)
+      do i = 1, record%n
+         call report_writing(record%items(i))
+      end do
+      other = routine
+      do slot = 0, size(routine%layout%slots)
+         other%odd_guard = slot
+         do i = 1, record%n
+            associate (item => record%items(i))
+               call call_routine(other, item%start, item%motion, answer)
+               if (same_answer(answer, item%answer)) cycle
+               call findings%add(rule_guard, severity_error, 'what follows '//name_of(slot)//', '// &
+                  place_of(item), 'an answer that depends on the arguments alone', &
+                  'another answer when the memory there holds other numbers', &
+                  'the answer depends on memory that is not the routine''s: it may change from '// &
+                  'run to run')
+            end associate
+            exit
+         end do
+      end do
+
+   contains
+
+      subroutine report_writing(item)
+         type(driven_increment), intent(in) :: item
+
+         if (item%answer%damaged_slot == 0) return
+         call findings%add(rule_guard, severity_error, damage_text(routine, item%answer), &
+            'nothing is written there', 'written to in '//place_of(item), &
+            'memory that is not the routine''s is overwritten: wrong results or a crash elsewhere')
+      end subroutine report_writing
+
+      function name_of(slot) result(name)
+         integer, intent(in) :: slot
+         character(len=:), allocatable :: name
+
+         name = 'nothing'
+         if (slot > 0) name = trim(routine%layout%slots(slot)%name)//', which has '// &
+            to_text(routine%layout%slots(slot)%length)//' numbers'
+      end function name_of
+
+   end subroutine check_guard
+
+   !> What was written to and must not be.
+   function damage_text(routine, answer) result(text)
+      !> The routine
+      type(driven_routine), intent(in) :: routine
+      !> An answer with damage
+      type(point_answer), intent(in) :: answer
+      character(len=:), allocatable :: text
+
+      associate (slot => routine%layout%slots(answer%damaged_slot), k => answer%damaged_entry)
+         text = entry_name(slot, k)
+         if (slot%role == is_input .and. k >= 1 .and. k <= slot%length) then
+            text = text//', an input'
+         else
+            text = text//', outside of '//trim(slot%name)//' with '//to_text(slot%length)// &
+               ' numbers'
+         end if
+      end associate
+   end function damage_text
+
+end module asperity_check_trial_guard
