@@ -9,6 +9,7 @@ program test_check
    use test_check_source_scan, only: suite_source_scan
    use test_check_source_text, only: suite_source_text
    use test_check_ours, only: suite_ours
+   use test_check_rules, only: suite_rules
    implicit none
    type(TestSuite) :: suite
 
@@ -20,5 +21,6 @@ program test_check
    call suite%addTest(suite_argument_lists())
    call suite%addTest(suite_argument_types())
    call suite%addTest(suite_ours())
+   call suite%addTest(suite_rules())
    call run_suite(suite)
 end program test_check

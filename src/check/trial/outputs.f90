@@ -7,11 +7,12 @@ module asperity_check_trial_outputs
       place_of
    use asperity_check_driven_layout, only: argument_slot, entry_name, is_output, same_bits
    use asperity_check_driven_paths, only: main_path
-   use asperity_check_driven_point, only: point_answer, point_start
+   use asperity_check_driven_point, only: point_answer
    use asperity_check_driven_routine, only: driven_routine
    use asperity_check_finding, only: finding_list, rule_unset_output, severity_error, &
       severity_note, severity_warning
    use asperity_check_settings, only: check_settings
+   use asperity_check_trial_left, only: stored_is_set, stress_left
    implicit none
    private
    public :: check_outputs
@@ -161,44 +162,28 @@ contains
          ', first in '//place_of(record%items(first)), trim(group%effect))
    end subroutine report_group
 
-   !> STRESS and SED hold the values of the start, which no answer may be where there is motion: two
-   !> starts, and answers that are just these.
+   !> STRESS and SED hold the values of the start.
    subroutine check_advanced(routine, record, findings)
       type(driven_routine), intent(in) :: routine
       type(drive_record), intent(in) :: record
       type(finding_list), intent(inout) :: findings
-      ! of both signs, in the size of what the routine answers
-      real(wp), parameter :: shares(2) = [0.3719_wp, -0.6143_wp]
-      type(point_start) :: start
-      type(point_answer) :: answers(2)
-      real(wp) :: held(2)
-      integer :: i, j, k, never_set
+      logical :: is_left(3)
+      integer :: i, k
 
-      held = shares*largest_stress(record)
-      if (all(abs(held) <= 0.0_wp)) held = shares
-      never_set = 0
       do i = 1, record%n
          associate (item => record%items(i))
-            do j = 1, 2
-               start = item%start
-               start%stress = held(j)
-               start%sed = held(j)
-               call call_routine(routine, start, item%motion, answers(j))
-            end do
-            do k = 1, routine%ndir
-               if (abs(item%motion%drdisp(k)) <= 0.0_wp) cycle
-               if (same_bits(answers(1)%stress(k), held(1)) &
-                     .and. same_bits(answers(2)%stress(k), held(2))) &
-                  call findings%add(rule_unset_output, severity_error, 'STRESS('//to_text(k)//')', &
-                  'set in every call', 'left as it was at the start, first in '//place_of(item), &
-                  'the traction stays what it was, whatever the faces do')
-            end do
-            if (same_bits(answers(1)%sed, held(1)) .and. same_bits(answers(2)%sed, held(2))) &
-               never_set = never_set + 1
+            is_left = stress_left(routine, item, largest_stress(record))
+            if (.not. any(is_left)) cycle
+            k = findloc(is_left, .true., dim=1)
+            call findings%add(rule_unset_output, severity_error, 'STRESS('//to_text(k)//')', &
+               'set in every call', 'left as it was at the start, first in '//place_of(item), &
+               'the traction stays what it was, whatever the faces do')
+            exit
          end associate
       end do
-      if (never_set == record%n) call findings%add(rule_unset_output, severity_note, 'SED', &
-         'the stored energy at the end of the increment', 'left as it was at the start', &
+      if (.not. stored_is_set(routine, record)) call findings%add(rule_unset_output, &
+         severity_note, 'SED', 'the stored energy at the end of the increment', &
+         'left as it was at the start', &
          'optional: the stored energy of the contact is missing in the model''s output')
    end subroutine check_advanced
 

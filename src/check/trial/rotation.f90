@@ -5,13 +5,15 @@ module asperity_check_trial_rotation
    use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
    use asperity_check_driven_call, only: call_routine
-   use asperity_check_driven_drive, only: drive, drive_record, driven_increment, place_of
+   use asperity_check_driven_drive, only: drive, drive_record, driven_increment, largest_stress, &
+      place_of
    use asperity_check_driven_paths, only: main_path
    use asperity_check_driven_point, only: has_surface, motion_to, next_start, point_answer, &
       point_motion, point_start
    use asperity_check_driven_routine, only: driven_routine
    use asperity_check_finding, only: finding_list, rule_rotation, severity_warning
    use asperity_check_settings, only: check_settings
+   use asperity_check_trial_left, only: stress_left
    implicit none
    private
    public :: check_rotation
@@ -39,6 +41,8 @@ contains
       call drive(routine, main_path(settings), 1, record)
       do i = 1, record%n
          if (.not. has_surface(record%items(i)%motion%rdisp(1))) cycle
+         ! a shear that is never set is another rule's
+         if (any(stress_left(routine, record%items(i), largest_stress(record)))) cycle
          call turn(routine, record%items(i), findings)
          if (findings%n > found_before) return
       end do

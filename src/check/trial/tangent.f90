@@ -6,8 +6,9 @@ module asperity_check_trial_tangent
    use asperity_base_number_text, only: to_text
    use asperity_check_driven_call, only: call_routine
    use asperity_check_driven_drive, only: drive, drive_record, driven_increment, place_of
+   use asperity_check_driven_layout, only: same_bits
    use asperity_check_driven_paths, only: main_path, motion_sizes, sizes_of
-   use asperity_check_driven_point, only: has_surface, point_answer, point_motion
+   use asperity_check_driven_point, only: has_surface, motion_to, point_answer, point_motion
    use asperity_check_driven_routine, only: driven_routine
    use asperity_check_finding, only: finding_list, rule_tangent, severity_error, severity_warning
    use asperity_check_settings, only: check_settings
@@ -28,6 +29,9 @@ module asperity_check_trial_tangent
       real(wp) :: values(3, 3, 3, size(steps)) = 0.0_wp
       !> Whether the routine could answer
       logical :: known(3) = .true.
+      !> Whether the routine sets the entry, as a number where nothing moves; else it is another
+      !> rule's
+      logical :: is_set(3, 3) = .true.
    end type differences_type
 
 contains
@@ -61,6 +65,7 @@ contains
             do k = 1, routine%ndir
                if (.not. differences%known(k)) cycle
                do j = 1, routine%ndir
+                  if (.not. differences%is_set(j, k)) cycle
                   off = excess(item%answer%ddsddr, differences, j, k)
                   wrong(j, k) = off > 0.0_wp
                   if (off <= worst) cycle
@@ -159,9 +164,17 @@ contains
       type(differences_type), intent(out) :: differences
       type(point_motion) :: motion
       type(point_answer) :: left, right
+      type(driven_routine) :: other
       real(wp) :: h
       integer :: k, step
 
+      other = routine
+      other%poison = 2
+      call call_routine(other, item%start, item%motion, left)
+      call call_routine(routine, item%start, motion_to(item%start, item%start%rdisp, &
+         item%motion%dtime, kit=0), right)
+      differences%is_set = same_bits(left%ddsddr, item%answer%ddsddr) &
+         .and. (is_finite(item%answer%ddsddr) .or. is_finite(right%ddsddr))
       do k = 1, routine%ndir
          do step = 1, size(steps)
             h = steps(step)*merge(sizes%overclosure, sizes%slip, k == 1)
