@@ -10,6 +10,7 @@ program test_check
    use test_check_source_text, only: suite_source_text
    use test_check_ours, only: suite_ours
    use test_check_rules, only: suite_rules
+   use test_check_vuinter, only: suite_check_vuinter
    implicit none
    type(TestSuite) :: suite
 
@@ -22,5 +23,6 @@ program test_check
    call suite%addTest(suite_argument_types())
    call suite%addTest(suite_ours())
    call suite%addTest(suite_rules())
+   call suite%addTest(suite_check_vuinter())
    call run_suite(suite)
 end program test_check

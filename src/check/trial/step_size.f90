@@ -19,6 +19,7 @@ module asperity_check_trial_step_size
    real(wp), parameter :: tolerance = 0.05_wp
    !> It must be less than this share of the change before, unless it is that small
    real(wp), parameter :: shrinks = 0.8_wp, small = 1.0e-3_wp
+   character(len=*), parameter :: kinds(2) = [character(len=8) :: 'pressure', 'shear']
 
 contains
 
@@ -58,9 +59,9 @@ contains
          associate (last => change(kind, size(parts)), before => change(kind, :size(parts) - 1))
             if (last <= small*largest(kind)) cycle
             if (last <= tolerance*largest(kind) .and. last <= shrinks*maxval(before)) cycle
-            call findings%add(rule_step_size, severity_error, merge('pressure', 'shear   ', &
-               kind == 1)//' at the end of row '//to_text(worst(kind))//', '//place_of( &
-               coarse%items(coarse%row_end(worst(kind)))), 'tractions that come to an end as '// &
+            call findings%add(rule_step_size, severity_error, trim(kinds(kind))// &
+               ' at the end of row '//to_text(worst(kind))//', '// &
+               place_of(coarse%items(coarse%row_end(worst(kind)))), 'tractions that come to an end as '// &
                'increments get shorter', 'halving them thrice changes STRESS by '// &
                to_text(change(kind, 2), 3)//', '//to_text(change(kind, 3), 3)//' and '// &
                to_text(last, 3)//' MPa, of '//to_text(largest(kind), 3), &

@@ -144,8 +144,8 @@ contains
 
       excess = 1.0_wp
       if (.not. is_finite(found(j, k))) return
-      largest = max(maxval(abs(differences%values(:, k, 3, :))), maxval(abs(found(:, k)), &
-         mask=is_finite(found(:, k))), tiny(largest))
+      largest = max(maxval(abs(differences%values(:, :, 3, :))), maxval(abs(found), &
+         mask=is_finite(found)), tiny(largest))
       do step = 1, size(steps)
          do side = 1, 3
             associate (d => differences%values(j, k, side, step))

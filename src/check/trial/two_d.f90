@@ -41,12 +41,12 @@ contains
       path = main_path(settings)
       path%slip(2, :) = 0.0_wp
       call drive(plane, path, 1, record)
-      if (record%stuck .or. record%unusable) call check_damage(plane, record%refused, findings)
+      call drive(solid, path, 1, full)
       do i = 1, record%n
+         if (is_damaged_too(full, record%items(i)%answer)) cycle
          call check_damage(plane, record%items(i), findings)
       end do
       if (findings%n > found_before) return
-      call drive(solid, path, 1, full)
       do i = 1, record%n
          if (i > full%n) exit
          call check_unset(plane, solid, record%items(i), full%items(i), findings)
@@ -75,6 +75,19 @@ contains
 
       text = to_text(answer%stress(1), 5)//' and '//to_text(answer%stress(2), 5)//' MPa'
    end function text_of
+
+   !> Whether the same argument is written to wrongly in three dimensions, which is another rule's.
+   pure logical function is_damaged_too(full, answer)
+      type(drive_record), intent(in) :: full
+      type(point_answer), intent(in) :: answer
+      integer :: i
+
+      is_damaged_too = .false.
+      do i = 1, full%n
+         is_damaged_too = is_damaged_too .or. full%items(i)%answer%damaged_slot &
+            == answer%damaged_slot
+      end do
+   end function is_damaged_too
 
    subroutine check_damage(routine, item, findings)
       type(driven_routine), intent(in) :: routine
