@@ -108,8 +108,10 @@ contains
       end do
       if (layout%single) then
          units = real(real(units, real32), wp)
-         cells = transfer(real(units, real32), [0.0_wp])
+         allocate (cells(layout%units/2))
+         cells = transfer(real(units, real32), cells)
       else
+         allocate (cells(layout%units))
          cells = units
       end if
    end subroutine lay_out
@@ -127,7 +129,7 @@ contains
       !> Argument that was written to, and the entry: of an input within it, else outside of it;
       !> zero for none
       integer, intent(out) :: slot, offset
-      real(wp), allocatable :: after(:)
+      real(wp) :: after(size(units))
       integer :: i, k, last
 
       if (layout%single) then

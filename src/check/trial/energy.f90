@@ -8,12 +8,12 @@ module asperity_check_trial_energy
    use asperity_check_driven_call, only: call_routine
    use asperity_check_driven_drive, only: drive, drive_record
    use asperity_check_driven_layout, only: same_bits
+   use asperity_check_driven_left, only: stored_is_set
    use asperity_check_driven_paths, only: main_path, motion_sizes, path_of, sizes_of
    use asperity_check_driven_point, only: point_answer
    use asperity_check_driven_routine, only: driven_routine
    use asperity_check_finding, only: finding_list, rule_energy, severity_note, severity_warning
    use asperity_check_settings, only: check_settings
-   use asperity_check_trial_left, only: stored_is_set
    use asperity_replay_motion_path, only: motion_path
    implicit none
    private

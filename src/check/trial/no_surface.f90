@@ -7,12 +7,12 @@ module asperity_check_trial_no_surface
    use asperity_check_driven_drive, only: drive, drive_record, driven_increment, largest_stress, &
       place_of
    use asperity_check_driven_layout, only: entry_name, is_input
+   use asperity_check_driven_left, only: stress_left
    use asperity_check_driven_paths, only: motion_sizes, path_of, sizes_of
    use asperity_check_driven_point, only: has_surface
    use asperity_check_driven_routine, only: driven_routine
    use asperity_check_finding, only: finding_list, rule_no_surface, severity_error
    use asperity_check_settings, only: check_settings
-   use asperity_check_trial_left, only: stress_left
    use asperity_contact_state, only: no_opposite_surface
    use asperity_replay_motion_path, only: motion_path
    implicit none

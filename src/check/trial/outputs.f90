@@ -6,13 +6,13 @@ module asperity_check_trial_outputs
    use asperity_check_driven_drive, only: drive, drive_record, driven_increment, largest_stress, &
       place_of
    use asperity_check_driven_layout, only: argument_slot, entry_name, is_output, same_bits
+   use asperity_check_driven_left, only: stored_is_set, stress_left
    use asperity_check_driven_paths, only: main_path
    use asperity_check_driven_point, only: point_answer
    use asperity_check_driven_routine, only: driven_routine
    use asperity_check_finding, only: finding_list, rule_unset_output, severity_error, &
       severity_note, severity_warning
    use asperity_check_settings, only: check_settings
-   use asperity_check_trial_left, only: stored_is_set, stress_left
    implicit none
    private
    public :: check_outputs

@@ -7,13 +7,13 @@ module asperity_check_trial_rotation
    use asperity_check_driven_call, only: call_routine
    use asperity_check_driven_drive, only: drive, drive_record, driven_increment, largest_stress, &
       place_of
+   use asperity_check_driven_left, only: stress_left
    use asperity_check_driven_paths, only: main_path
    use asperity_check_driven_point, only: has_surface, motion_to, next_start, point_answer, &
       point_motion, point_start
    use asperity_check_driven_routine, only: driven_routine
    use asperity_check_finding, only: finding_list, rule_rotation, severity_warning
    use asperity_check_settings, only: check_settings
-   use asperity_check_trial_left, only: stress_left
    implicit none
    private
    public :: check_rotation

@@ -1,5 +1,5 @@
 !> What a routine leaves as it was at the start of the increment, whatever that is.
-module asperity_check_trial_left
+module asperity_check_driven_left
    use asperity_base_kinds, only: wp
    use asperity_check_driven_call, only: call_routine
    use asperity_check_driven_drive, only: drive_record, driven_increment
@@ -63,4 +63,4 @@ contains
       stored_is_set = .false.
    end function stored_is_set
 
-end module asperity_check_trial_left
+end module asperity_check_driven_left
