@@ -25,6 +25,11 @@ module asperity_check_trial_energy
    !> twice as many increments, where the error is that of the sum
    real(wp), parameter :: tolerance = 0.01_wp, remains = 0.7_wp
 
+   !> Pressed and lifted, in shares of the gap (negative) and of the largest overclosure: rows get
+   !> short where a law begins to act
+   real(wp), parameter :: closures(13) = [-1.0_wp, -0.1_wp, -0.01_wp, -0.001_wp, 0.0_wp, 0.3_wp, &
+      1.0_wp, 0.3_wp, 0.0_wp, -0.001_wp, -0.01_wp, -0.1_wp, -1.0_wp]
+
    !> Sums along a path, N/mm.
    type :: energy_sums
       !> Work of the tractions, and all that was turned over
@@ -50,8 +55,8 @@ contains
       if (.not. energies_are_set(routine, main_path(settings))) return
       sizes = sizes_of(settings)
       found_before = findings%n
-      call check_path('pressed and lifted without slip', 1, path_of(sizes, [-1.0_wp, 0.5_wp, &
-         1.0_wp, 0.5_wp, -1.0_wp, -1.0_wp], [0.0_wp, 0.0_wp, 0.0_wp, 0.0_wp, 0.0_wp, 0.0_wp]))
+      call check_path('pressed and lifted without slip', 1, path_of(sizes, closures, &
+         0.0_wp*closures))
       if (findings%n > found_before) return
       call check_path('slid to and fro under pressure', 3, path_of(sizes, [-1.0_wp, 1.0_wp, &
          1.0_wp, 1.0_wp, 1.0_wp, 1.0_wp], [0.0_wp, 0.0_wp, 0.0_wp, 1.0_wp, -0.6_wp, 0.0_wp]))

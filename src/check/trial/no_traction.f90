@@ -61,7 +61,8 @@ contains
                   call findings%add(rule_no_traction, severity_error, place_of(item), &
                      'a number in '//entry_name(slot, k), &
                      to_text(item%answer%numbers(slot%number + k - 1)), &
-                     'the job fails to converge, or ends')
+                     'the job fails to converge, or ends (if the faces never come so close, '// &
+                     'say how far they move)')
                   return
                end do
             end associate
