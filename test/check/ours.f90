@@ -2,7 +2,7 @@
 module test_check_ours
    use, intrinsic :: iso_fortran_env, only: int64
    use asperity, only: contact_properties, friction_settings, rule_abaqus, rule_dissipative, &
-      slip_backward_euler, slip_exact, stick_summits, unloading_elastic, wp
+      slip_backward_euler, slip_exact, stick_summits, unloading_elastic, unloading_reversible, wp
    use asperity_abaqus_props, only: props_from_properties
    use asperity_abaqus_statev, only: statev_needed
    use asperity_abaqus_uinter_signature, only: uinter_interface
@@ -10,9 +10,9 @@ module test_check_ours
    use asperity_base_number_text, only: to_text
    use asperity_check_finding, only: finding_list
    use asperity_check_settings, only: check_settings
-   use contact_cases, only: pair_properties
+   use contact_cases, only: pair_properties, random_contact
    use friction_cases, only: friction_properties, kinds, random_friction
-   use funit, only: assertEqual, TestMethod, TestSuite
+   use funit, only: anyExceptions, assertEqual, TestMethod, TestSuite
    use random_inputs, only: random_stream
    use run_trials, only: findings_of_uinter, findings_of_vuinter, text_of
    implicit none
@@ -22,6 +22,7 @@ module test_check_ours
    procedure(uinter_interface) :: uinter
    procedure(vuinter_interface) :: vuinter
    integer(int64), parameter :: seed = 31415926_int64
+   integer, parameter :: n_random = 16
 
 contains
 
@@ -33,8 +34,28 @@ contains
       call suite%addTest(TestMethod('memory', test_memory))
       call suite%addTest(TestMethod('friction of every kind', test_friction))
       call suite%addTest(TestMethod('summits that stick each for itself', test_summits))
+      call suite%addTest(TestMethod('random contacts', test_random))
       call suite%addTest(TestMethod('far slip and small steps', test_sizes))
    end function suite_ours
+
+   !> Metals to wood, pressed until the mean planes meet.
+   subroutine test_random()
+      type(random_stream) :: stream
+      type(contact_properties) :: p
+      integer :: i, rule
+
+      stream = random_stream(seed)
+      do i = 1, n_random
+         rule = 1 + mod(i, 2)
+         ! memory with the dissipative rule is not tried: where the pressure rests at its largest,
+         ! DDSDDR(2,1) is between its two sides and neither of them
+         call random_contact(stream, p, rule, 1 + mod(i/2, 2), merge(unloading_elastic, &
+            unloading_reversible, rule == rule_abaqus .and. mod(i/4, 2) == 1))
+         call try(p, 'contact '//to_text(i), slip=p%critical_slip*stream%log_uniform(0.1_wp, &
+            10.0_wp), overclosure=max(p%initial_separation, p%normal%sigma))
+         if (anyExceptions()) return
+      end do
+   end subroutine test_random
 
    !> Both routines without a finding.
    subroutine try(properties, name, slip, overclosure)

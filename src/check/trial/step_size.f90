@@ -13,10 +13,11 @@ module asperity_check_trial_step_size
    public :: check_step_size
 
    !> Increments a row
-   integer, parameter :: parts(4) = [1, 2, 4, 8]
-   !> What the last halving may change, of the largest traction of its kind: right laws of first
-   !> order are at a fiftieth
-   real(wp), parameter :: tolerance = 0.05_wp
+   integer, parameter :: parts(4) = [1, 4, 16, 64]
+   !> What the last quartering may change, of the largest traction of its kind: right laws of first
+   !> order are at a hundredth or below where a row is ten times what they slip before they slide; a
+   !> shear that is by increment and not by time changes by 0.047
+   real(wp), parameter :: tolerance = 0.03_wp
    !> It must be less than this share of the change before, unless it is that small
    real(wp), parameter :: shrinks = 0.8_wp, small = 1.0e-3_wp
    character(len=*), parameter :: kinds(2) = [character(len=8) :: 'pressure', 'shear']
@@ -33,7 +34,7 @@ contains
       type(finding_list), intent(inout) :: findings
       type(motion_path) :: path
       type(drive_record) :: coarse, fine
-      ! of the pressure and of the shear, which may be much smaller; of each halving
+      ! of the pressure and of the shear, which may be much smaller; of each quartering
       real(wp) :: change(2, size(parts)), largest(2), off(2)
       integer :: i, row, kind, worst(2)
 
@@ -62,7 +63,7 @@ contains
             call findings%add(rule_step_size, severity_error, trim(kinds(kind))// &
                ' at the end of row '//to_text(worst(kind))//', '// &
                place_of(coarse%items(coarse%row_end(worst(kind)))), 'tractions that come to an end as '// &
-               'increments get shorter', 'halving them thrice changes STRESS by '// &
+               'increments get shorter', 'quartering them thrice changes STRESS by '// &
                to_text(change(kind, 2), 3)//', '//to_text(change(kind, 3), 3)//' and '// &
                to_text(last, 3)//' MPa, of '//to_text(largest(kind), 3), &
                'results depend on the size of the increments, which ABAQUS chooses')
