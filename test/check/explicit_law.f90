@@ -13,8 +13,8 @@ module explicit_law
    !> The faults
    enum, bind(c)
       enumerator :: no_fault = 0, flux_left, energy_left, stress_left, state_beyond, &
-         first_node_alone, shares_pressure, counts_calls, never_presses, glued, ignores_turn, pulls, &
-         energy_of_increment, ages_by_increment
+         first_node_alone, shares_pressure, counts_calls, never_presses, glued, ignores_turn, &
+         pulls, energy_of_increment, ages_by_increment
    end enum
    public :: no_fault, flux_left, energy_left, stress_left, state_beyond, first_node_alone, &
       shares_pressure, counts_calls, never_presses, glued, ignores_turn, pulls, &

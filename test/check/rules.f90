@@ -7,10 +7,11 @@ module test_check_rules
       rule_rotation, rule_sign, rule_step_size, rule_tangent, rule_two_d, rule_unset_output, &
       severity_error, severity_note, severity_warning
    use asperity_check_settings, only: check_settings
+   use asperity_contact_state, only: no_opposite_surface
    use faulty_law, only: absolute, ages_by_increment, always_cuts, counts_calls, damping_left, &
-      dissipation_left, dissipation_total, divides, energy_of_increment, fault, first_alone, glued, &
-      heat_left, ignores_perturbation, ignores_turn, law, left_in_two_d, never_presses, no_energy, &
-      no_fault, perturbation_moves_state, property_beyond, pulls, remembers_points, &
+      dissipation_left, dissipation_total, divides, energy_of_increment, fault, first_alone, &
+      glued, heat_left, ignores_perturbation, ignores_turn, law, left_in_two_d, never_presses, &
+      no_energy, no_fault, perturbation_moves_state, property_beyond, pulls, remembers_points, &
       shear_left_open, shear_reversed, state_beyond, stored_left, tangent_added, tangent_halved, &
       tangent_left, tangent_sign, tangent_symmetric, three_always, viscous_without_time
    use funit, only: assertEqual, assertFalse, TestMethod, TestSuite
@@ -26,6 +27,7 @@ contains
 
       suite = TestSuite('rules')
       call suite%addTest(TestMethod('a right law is clean', test_right))
+      call suite%addTest(TestMethod('a path of the user', test_path))
       call suite%addTest(TestMethod('unset outputs, graded', test_unset))
       call suite%addTest(TestMethod('guard', test_guard))
       call suite%addTest(TestMethod('tangent', test_tangent))
@@ -82,6 +84,29 @@ contains
          call assertEqual('', text_of(findings), 'NDIR '//to_text(ndir))
       end do
    end subroutine test_right
+
+   !> A path that begins without a surface and loses it again: a right law is clean, and a fault
+   !> that shows there alone is found.
+   subroutine test_path()
+      type(check_settings) :: settings
+      type(finding_list) :: findings
+
+      settings = settings_of(0)
+      settings%path%time = [0.0_wp, 1.0_wp, 2.0_wp, 3.0_wp, 5.0_wp, 6.0_wp, 7.0_wp, 8.0_wp]
+      settings%path%overclosure = [no_opposite_surface, no_opposite_surface, 0.02_wp, 0.05_wp, &
+         0.05_wp, no_opposite_surface, -0.01_wp, 0.03_wp]
+      allocate (settings%path%slip(2, 8), source=0.0_wp)
+      settings%path%slip(1, 4:) = 0.002_wp
+      settings%path%slip(2, 5:) = -0.1_wp
+      fault = no_fault
+      call findings_of_uinter(law, settings, findings)
+      call assertEqual('', text_of(findings))
+      fault = tangent_halved
+      call findings_of_uinter(law, settings, findings)
+      fault = no_fault
+      call assertEqual(1, findings%n)
+      if (findings%n == 1) call assertEqual(rule_tangent, findings%items(1)%rule)
+   end subroutine test_path
 
    subroutine test_unset()
       call expect(tangent_left, 'DDSDDR(1,2) left', rule_unset_output, severity_error)

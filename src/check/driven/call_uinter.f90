@@ -11,18 +11,19 @@ module asperity_check_driven_call_uinter
 
    !> Real arguments in the order of the list
    enum, bind(c)
-      enumerator :: stress = 1, ddsddr, dviscous, dstructural, flux, ddfddt, ddsddt, ddfddr, statev, &
-         sed, sfd, spd, svd, scd, pnewdt, rdisp, drdisp, temp, dtemp, predef, dpred, time, dtime, &
-         freqr, props, coords, alocaldir, drot, area, chrlngth
+      enumerator :: stress = 1, ddsddr, dviscous, dstructural, flux, ddfddt, ddsddt, ddfddr, &
+         statev, sed, sfd, spd, svd, scd, pnewdt, rdisp, drdisp, temp, dtemp, predef, dpred, &
+         time, dtime, freqr, props, coords, alocaldir, drot, area, chrlngth
    end enum
    character(len=*), parameter :: names(chrlngth) = [character(len=11) :: 'STRESS', 'DDSDDR', &
       'DVISCOUS', 'DSTRUCTURAL', 'FLUX', 'DDFDDT', 'DDSDDT', 'DDFDDR', 'STATEV', 'SED', 'SFD', &
-      'SPD', 'SVD', 'SCD', 'PNEWDT', 'RDISP', 'DRDISP', 'TEMP', 'DTEMP', 'PREDEF', 'DPRED', 'TIME', &
-      'DTIME', 'FREQR', 'PROPS', 'COORDS', 'ALOCALDIR', 'DROT', 'AREA', 'CHRLNGTH']
-   integer, parameter :: roles(chrlngth) = [is_advanced, is_output, is_output, is_output, is_output, &
-      is_output, is_output, is_output, is_advanced, is_advanced, is_output, is_output, is_output, &
-      is_output, is_advanced, is_input, is_input, is_input, is_input, is_input, is_input, is_input, &
-      is_input, is_input, is_input, is_input, is_input, is_input, is_input, is_input]
+      'SPD', 'SVD', 'SCD', 'PNEWDT', 'RDISP', 'DRDISP', 'TEMP', 'DTEMP', 'PREDEF', 'DPRED', &
+      'TIME', 'DTIME', 'FREQR', 'PROPS', 'COORDS', 'ALOCALDIR', 'DROT', 'AREA', 'CHRLNGTH']
+   integer, parameter :: roles(chrlngth) = [is_advanced, is_output, is_output, is_output, &
+      is_output, is_output, is_output, is_output, is_advanced, is_advanced, is_output, &
+      is_output, is_output, is_output, is_advanced, is_input, is_input, is_input, is_input, &
+      is_input, is_input, is_input, is_input, is_input, is_input, is_input, is_input, is_input, &
+      is_input, is_input]
 
    !> Field variables that a model has, so that their arrays are not empty
    integer, parameter :: npred = 1

@@ -12,16 +12,16 @@ module asperity_check_driven_call_vuinter
 
    !> Real arguments in the order of the list
    enum, bind(c)
-      enumerator :: sfd = 1, scd, spd, svd, stress, fluxslv, fluxmst, sed, statev, timstep, timglb, &
-         dtimcur, rdisp, drdisp, drot, stiffdflt, conddflt, shape_values, coordslv, coordmst, &
-         alocaldir, props, areaslv, tempslv, dtempslv, predefslv, dpredefslv, tempmst, dtempmst, &
-         predefmst, dpredefmst
+      enumerator :: sfd = 1, scd, spd, svd, stress, fluxslv, fluxmst, sed, statev, timstep, &
+         timglb, dtimcur, rdisp, drdisp, drot, stiffdflt, conddflt, shape_values, coordslv, &
+         coordmst, alocaldir, props, areaslv, tempslv, dtempslv, predefslv, dpredefslv, tempmst, &
+         dtempmst, predefmst, dpredefmst
    end enum
    character(len=*), parameter :: names(dpredefmst) = [character(len=11) :: 'sfd', 'scd', 'spd', &
       'svd', 'stress', 'fluxSlv', 'fluxMst', 'sed', 'statev', 'timStep', 'timGlb', 'dTimCur', &
       'rdisp', 'drdisp', 'drot', 'stiffDflt', 'condDflt', 'shape', 'coordSlv', 'coordMst', &
-      'alocaldir', 'props', 'areaSlv', 'tempSlv', 'dtempSlv', 'preDefSlv', 'dpreDefSlv', 'tempMst', &
-      'dtempMst', 'preDefMst', 'dpreDefMst']
+      'alocaldir', 'props', 'areaSlv', 'tempSlv', 'dtempSlv', 'preDefSlv', 'dpreDefSlv', &
+      'tempMst', 'dtempMst', 'preDefMst', 'dpreDefMst']
    integer, parameter :: roles(dpredefmst) = [is_output, is_output, is_output, is_output, &
       is_advanced, is_output, is_output, is_advanced, is_advanced, is_input, is_input, is_input, &
       is_input, is_input, is_input, is_input, is_input, is_input, is_input, is_input, is_input, &

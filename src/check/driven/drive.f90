@@ -185,8 +185,8 @@ contains
          else
             place = place//', no opposite surface'
          end if
-         if (any(abs(r(2:3)) > 0.0_wp)) place = place//', slip '//to_text(r(2), figures)//' and '// &
-            to_text(r(3), figures)//' mm'
+         if (any(abs(r(2:3)) > 0.0_wp)) place = place//', slip '// &
+            to_text(r(2), figures)//' and '//to_text(r(3), figures)//' mm'
       end associate
    end function place_of
 

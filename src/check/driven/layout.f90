@@ -6,8 +6,8 @@ module asperity_check_driven_layout
    use asperity_base_number_text, only: to_text
    implicit none
    private
-   public :: argument_slot, argument_layout, new_layout, lay_out, read_back, entry_name, same_bits, &
-      cell_of
+   public :: argument_slot, argument_layout, new_layout, lay_out, read_back, entry_name, &
+      same_bits, cell_of
 
    !> What a routine does with an argument: it reads it, sets it, or is given its value at the start
    !> of the increment and sets that of the end

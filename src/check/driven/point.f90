@@ -6,8 +6,8 @@ module asperity_check_driven_point
    use asperity_contact_state, only: no_rotation, no_surface_limit
    implicit none
    private
-   public :: point_start, point_motion, point_answer, motion_to, next_start, is_usable, has_surface, &
-      same_answer
+   public :: point_start, point_motion, point_answer, motion_to, next_start, is_usable, &
+      has_surface, same_answer
 
    !> What is known at the start of an increment.
    type :: point_start

@@ -1,5 +1,5 @@
-!> Rule `energy`: stored energy and dissipation make up the work of the tractions, pressed and lifted
-!> without slip, and slid to and fro at one overclosure. There are no other paths: where the
+!> Rule `energy`: stored energy and dissipation make up the work of the tractions, pressed and
+!> lifted without slip, and slid to and fro at one overclosure. There are no other paths: where the
 !> pressure changes under an elastic slip, some right laws keep no balance.
 module asperity_check_trial_energy
    use asperity_base_finite, only: is_finite
@@ -75,19 +75,21 @@ contains
             sums(i) = sums_along(routine, path, parts(i), from_row)
             if (.not. sums(i)%is_complete .or. .not. sums(i)%turned_over > 0.0_wp) return
             if (.not. is_finite(sums(i)%stored + sums(i)%dissipated)) then
-               call findings%add(rule_energy, severity_warning, name, 'numbers in SED, SFD, SPD, '// &
-                  'SVD and SCD', 'none', 'energies of the model''s output are none')
+               call findings%add(rule_energy, severity_warning, name, &
+                  'numbers in SED, SFD, SPD, SVD and SCD', 'none', &
+                  'energies of the model''s output are none')
                return
             end if
             off(i) = imbalance(sums(i))/sums(i)%turned_over
          end do
          if (off(2) <= tolerance .or. off(2) <= remains*off(1)) return
          associate (s => sums(2))
-            call findings%add(rule_energy, merge(severity_warning, severity_note, s%is_given), name, &
-               to_text(s%work, 4)//' N/mm, the work of the tractions', to_text(s%stored, 4)// &
-               ' N/mm more in SED and '//to_text(s%dissipated, 4)//' in SFD, SPD, SVD and SCD', &
-               'forces are not concerned; energies of the model''s output (ALLSE, ALLFD and the '// &
-               'like) do not balance')
+            call findings%add(rule_energy, merge(severity_warning, severity_note, s%is_given), &
+               name, to_text(s%work, 4)//' N/mm, the work of the tractions', &
+               to_text(s%stored, 4)//' N/mm more in SED and '// &
+               to_text(s%dissipated, 4)//' in SFD, SPD, SVD and SCD', &
+               'forces are not concerned; energies of the model''s output (ALLSE, ALLFD and '// &
+               'the like) do not balance')
          end associate
       end subroutine check_path
 

@@ -75,8 +75,8 @@ contains
       call findings%add(rule_first_call, severity_error, 'STRESS('//to_text(k)//'), '// &
          place_of(item), 'the same traction in iteration 0 and later, for the same motion', &
          to_text(first%stress(k), 5)//' MPa with KIT = 0, '//to_text(item%answer%stress(k), 5)// &
-         ' with KIT = 1', 'what the first call alone sets is gone in the next, which begins from '// &
-         'the start again')
+         ' with KIT = 1', 'what the first call alone sets is gone in the next, which '// &
+         'begins from the start again')
    end subroutine try_item
 
 end module asperity_check_trial_first_call

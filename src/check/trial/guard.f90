@@ -72,8 +72,8 @@ contains
          character(len=:), allocatable :: name
 
          name = 'what stands before the first argument'
-         if (slot > 0) name = 'what follows '//trim(routine%layout%slots(slot)%name)//', which has '// &
-            to_text(routine%layout%slots(slot)%length)//' numbers'
+         if (slot > 0) name = 'what follows '//trim(routine%layout%slots(slot)%name)//', which '// &
+            'has '//to_text(routine%layout%slots(slot)%length)//' numbers'
       end function name_of
 
    end subroutine check_guard

@@ -47,8 +47,8 @@ contains
 
       sizes = sizes_of(settings)
       path = path_of(sizes, [-1.0_wp, -1.0_wp, 0.3_wp, 1.0_wp, 1.0_wp, 1.0_wp, 0.6_wp, -1.0_wp, &
-         -0.9_wp, 0.3_wp, 1.0_wp, 1.0_wp, 1.0_wp], [0.0_wp, 0.0_wp, 0.0_wp, 0.0_wp, 0.0_wp, 0.0_wp, &
-         0.1_wp, 0.2_wp, 0.2_wp, 0.2_wp, 0.2_wp, 0.2_wp, 0.2_wp])
+         -0.9_wp, 0.3_wp, 1.0_wp, 1.0_wp, 1.0_wp], [0.0_wp, 0.0_wp, 0.0_wp, 0.0_wp, 0.0_wp, &
+         0.0_wp, 0.1_wp, 0.2_wp, 0.2_wp, 0.2_wp, 0.2_wp, 0.2_wp, 0.2_wp])
       call drive(routine, path, 1, known)
       path%overclosure(1:2) = no_opposite_surface
       path%overclosure(lost_row:lost_row + 1) = no_opposite_surface
@@ -81,8 +81,9 @@ contains
          expected = known%items(known%row_end(row))%answer%stress(1)
          found = record%items(record%row_end(row))%answer%stress(1)
          if (abs(found - expected) <= tolerance*abs(expected)) return
-         call findings%add(rule_no_surface, severity_error, 'STRESS(1) after a surface was '//how// &
-            ', '//place_of(record%items(record%row_end(row))), to_text(expected, 5)// &
+         call findings%add(rule_no_surface, severity_error, &
+            'STRESS(1) after a surface was '//how//', '// &
+            place_of(record%items(record%row_end(row))), to_text(expected, 5)// &
             ' MPa, as when the point comes from a gap', to_text(found, 5)//' MPa', &
             'contact that begins where no surface was is wrong')
       end subroutine compare

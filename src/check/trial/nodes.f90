@@ -42,15 +42,15 @@ contains
       n = record%n
       if (n == 0) return
       several = routine
-      call new_vuinter_layout(several%layout, routine%ndir, routine%nstatv, size(routine%props), n, &
-         settings%single_precision)
+      call new_vuinter_layout(several%layout, routine%ndir, routine%nstatv, size(routine%props), &
+         n, settings%single_precision)
       allocate (starts(n), motions(n), answers(n))
       largest = 0.0_wp
       do i = 1, n
          largest = max(largest, maxval(abs(record%items(i)%answer%stress)))
       end do
-      ! all increments of the path as nodes of one call, in their order and backwards; a call has one
-      ! time
+      ! all increments of the path as nodes of one call, in their order and backwards; a call has
+      ! one time
       do turn = 1, 2
          do i = 1, n
             k = merge(i, n + 1 - i, turn == 1)
@@ -75,8 +75,8 @@ contains
                   to_text(n)//', '//place_of(item), 'the traction of the node alone, '// &
                   to_text(item%answer%stress(1), 5)//', '//to_text(item%answer%stress(2), 5)// &
                   ' MPa', to_text(a%stress(1), 5)//', '//to_text(a%stress(2), 5)//' MPa', &
-                  'forces of a node depend on what else is in contact, and on how ABAQUS groups '// &
-                  'the nodes')
+                  'forces of a node depend on what else is in contact, and on how ABAQUS '// &
+                  'groups the nodes')
                return
             end associate
          end do

@@ -98,7 +98,8 @@ contains
       integer :: i
 
       groups(1)%names(1) = 'DDSDDR'
-      groups(1)%effect = 'ABAQUS takes what the memory held for a stiffness: no convergence, or chance'
+      groups(1)%effect = 'ABAQUS takes what the memory held for a stiffness: no convergence, '// &
+         'or chance'
       groups(2)%names(1:2) = [character(len=11) :: 'DVISCOUS', 'DSTRUCTURAL']
       groups(2)%severity = severity_warning
       groups(2)%effect = 'required in steady-state dynamics and the like, where chance damps'

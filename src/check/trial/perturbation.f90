@@ -21,8 +21,8 @@ module asperity_check_trial_perturbation
    real(wp), parameter :: share = 1.0e-3_wp
    !> What tractions and stiffnesses may be off, of the largest
    real(wp), parameter :: tolerance = 1.0e-6_wp
-   character(len=*), parameter :: effect = 'frequencies, buckling and steady-state dynamics about '// &
-      'this state are wrong; other procedures are not concerned'
+   character(len=*), parameter :: effect = 'frequencies, buckling and steady-state dynamics '// &
+      'about this state are wrong; other procedures are not concerned'
 
 contains
 

@@ -59,9 +59,10 @@ contains
 
          reported = .not. same_answer(a, b)
          if (.not. reported) return
-         call findings%add(rule_repeat, severity_error, place_of(item), 'the same answer for the '// &
-            'same input, '//when, difference_text(routine, a, b), 'iterations do not converge to '// &
-            'one answer, and results depend on the order of points and on the number of calls')
+         call findings%add(rule_repeat, severity_error, place_of(item), &
+            'the same answer for the same input, '//when, difference_text(routine, a, b), &
+            'iterations do not converge to one answer, and results depend on the order of '// &
+            'points and on the number of calls')
       end function reported
 
    end subroutine check_repeat

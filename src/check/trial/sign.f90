@@ -50,12 +50,14 @@ contains
          call report(deepest, 'more than 0: compression is positive', &
             'faces that touch pull each other together')
       else if (p(deepest) < p(deep) - rounding*largest) then
-         call report(deepest, 'no less than the '//to_text(p(deep), 5)//' MPa before it: pressure '// &
-            'does not fall as faces close', 'faces that are pressed give way')
+         call report(deepest, 'no less than the '// &
+            to_text(p(deep), 5)//' MPa before it: pressure does not fall as faces close', &
+            'faces that are pressed give way')
       else if (p(widest) > 0.0_wp .and. p(widest) > p(shallow) + rounding*largest) then
-         call report(widest, 'no more than the '//to_text(p(shallow), 5)//' MPa at an overclosure '// &
-            'of '//to_text(closures(shallow)*sizes%overclosure, 3)//' mm: RDISP(1) is negative in '// &
-            'a gap', 'faces repel each other from afar')
+         call report(widest, 'no more than the '// &
+            to_text(p(shallow), 5)//' MPa at an overclosure of '// &
+            to_text(closures(shallow)*sizes%overclosure, 3)// &
+            ' mm: RDISP(1) is negative in a gap', 'faces repel each other from afar')
       end if
       call check_shear(routine, sizes, record%items(record%row_end(deepest)), largest, findings)
 
@@ -66,7 +68,8 @@ contains
          character(len=*), intent(in) :: expected, effect
 
          call findings%add(rule_sign, severity_error, 'STRESS(1), '// &
-            place_of(record%items(record%row_end(row))), expected, to_text(p(row), 5)//' MPa', effect)
+            place_of(record%items(record%row_end(row))), expected, to_text(p(row), 5)//' MPa', &
+            effect)
       end subroutine report
 
    end subroutine check_sign
@@ -90,7 +93,8 @@ contains
             position(k) = position(k) + side*first_slip*sizes%slip
             call call_routine(routine, rest, motion_to(rest, position, sizes%dtime, kit=1), answer)
             if (side*answer%stress(k) >= -rounding*largest) cycle
-            call findings%add(rule_sign, severity_error, 'STRESS('//to_text(k)//'), first slip of '// &
+            call findings%add(rule_sign, severity_error, &
+               'STRESS('//to_text(k)//'), first slip of '// &
                to_text(side*first_slip*sizes%slip, 3)//' mm after '//place_of(item), &
                'the sign of the slip', to_text(answer%stress(k), 5)//' MPa', &
                'friction drives the faces on in place of holding them')

@@ -62,8 +62,9 @@ contains
             if (last <= tolerance*largest(kind) .and. last <= shrinks*maxval(before)) cycle
             call findings%add(rule_step_size, severity_error, trim(kinds(kind))// &
                ' at the end of row '//to_text(worst(kind))//', '// &
-               place_of(coarse%items(coarse%row_end(worst(kind)))), 'tractions that come to an end as '// &
-               'increments get shorter', 'quartering them thrice changes STRESS by '// &
+               place_of(coarse%items(coarse%row_end(worst(kind)))), &
+               'tractions that come to an end as increments get shorter', &
+               'quartering them thrice changes STRESS by '// &
                to_text(change(kind, 2), 3)//', '//to_text(change(kind, 3), 3)//' and '// &
                to_text(last, 3)//' MPa, of '//to_text(largest(kind), 3), &
                'results depend on the size of the increments, which ABAQUS chooses')
