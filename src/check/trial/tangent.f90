@@ -98,8 +98,8 @@ contains
       character(len=:), allocatable :: effect
 
       effect = 'Newton''s method converges slowly or not at all'
-      if (.not. on_diagonal) effect = 'slow convergence; where shear depends on pressure and '// &
-         'not the other way round, give that matrix, and UNSYMM on *SURFACE INTERACTION'
+      if (.not. on_diagonal) effect = 'slow convergence: shear depends on pressure and not the '// &
+         'other way round, so give the unsymmetric matrix, and UNSYMM on *SURFACE INTERACTION'
    end function effect_of
 
    !> What the entry should be.
