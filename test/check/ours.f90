@@ -42,15 +42,12 @@ contains
    subroutine test_random()
       type(random_stream) :: stream
       type(contact_properties) :: p
-      integer :: i, rule
+      integer :: i
 
       stream = random_stream(seed)
       do i = 1, n_random
-         rule = 1 + mod(i, 2)
-         ! memory with the dissipative rule is not tried: where the pressure rests at its largest,
-         ! DDSDDR(2,1) is between its two sides and neither of them
-         call random_contact(stream, p, rule, 1 + mod(i/2, 2), merge(unloading_elastic, &
-            unloading_reversible, rule == rule_abaqus .and. mod(i/4, 2) == 1))
+         call random_contact(stream, p, 1 + mod(i, 2), 1 + mod(i/2, 2), merge(unloading_elastic, &
+            unloading_reversible, mod(i/4, 2) == 1))
          call try(p, 'contact '//to_text(i), slip=p%critical_slip*stream%log_uniform(0.1_wp, &
             10.0_wp), overclosure=max(p%initial_separation, p%normal%sigma))
          if (anyExceptions()) return
