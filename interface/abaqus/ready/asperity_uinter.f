@@ -7962,7 +7962,8 @@ contains
                   end if
                   first = before%stiffness(j)
                   energy = 0.5_wp*first*dot_product(domain%stiffness*element%gamma, element%gamma)
-                  if (properties%friction_rule == rule_dissipative .and. k > first) then
+                  if (properties%friction_rule == rule_dissipative .and. k >= first &
+                     .and. k > 0.0_wp) then
                      element%gamma = element%gamma*(first/k)
                      element%gamma_by(:, 1) = -element%gamma*(k_by/k)
                   end if
@@ -8200,7 +8201,9 @@ contains
       associate (r => response, p => response%traction(1), &
             scale => properties%friction_coefficient/properties%critical_slip)
          gamma_by_pressure = 0.0_wp
-         if (properties%friction_rule == rule_dissipative .and. p > start%pressure) then
+         ! at rest as when it rises, as the stiffness of a law with memory is then that of pressing
+         if (properties%friction_rule == rule_dissipative .and. p >= start%pressure &
+            .and. p > 0.0_wp) then
             gamma_by_pressure = -gamma*(start%pressure/p)/p
             gamma = gamma*(start%pressure/p)
          end if
