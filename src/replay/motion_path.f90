@@ -21,6 +21,26 @@ module asperity_replay_motion_path
       real(wp), allocatable :: expected(:, :)
       !> Which of them the path has
       logical :: has_expected(3) = .false.
+   contains
+      procedure :: lengths
    end type motion_path
+
+contains
+
+   !> Lengths of the increments, s. Where the first row is at time zero, the increment that led there
+   !> is as long as the next one, as no increment is without length; 1 s where there is no next one.
+   pure function lengths(path)
+      !> The path, with a row at least
+      class(motion_path), intent(in) :: path
+      real(wp) :: lengths(size(path%time))
+      integer :: n
+
+      n = size(path%time)
+      lengths(2:) = path%time(2:) - path%time(:n - 1)
+      lengths(1) = path%time(1)
+      if (lengths(1) > 0.0_wp) return
+      lengths(1) = 1.0_wp
+      if (n > 1) lengths(1) = lengths(2)
+   end function lengths
 
 end module asperity_replay_motion_path

@@ -18,7 +18,7 @@ module asperity_program_record_file
    use asperity_program_system_strings, only: newline, quoted
    implicit none
    private
-   public :: record_format, read_record
+   public :: record_format, read_record, read_rows, read_text
 
    !> How the file is written, and what of it is read.
    type :: record_format
@@ -56,19 +56,12 @@ contains
       type(test_type), allocatable, intent(out) :: tests(:)
       !> Set when the file cannot be read or is faulty
       type(error_type), allocatable, intent(out) :: error
-      character(len=:), allocatable :: text, reason
+      character(len=:), allocatable :: text
       type(condition_type), allocatable :: conditions(:)
       type(layout_type) :: layout
       integer :: i
 
-      call read_file(path, largest + 1, text, reason)
-      if (allocated(reason)) then
-         call fatal_error(error, path//': cannot be read: '//reason, file_error)
-      else if (len(text) > largest) then
-         call fatal_error(error, path//': is larger than 256 MiB')
-      else if (any(utf_16 == text(:min(2, len(text))))) then
-         call fatal_error(error, path//': is in UTF-16: save it as UTF-8')
-      end if
+      call read_text(path, text, error)
       if (allocated(error)) return
       call find_layout(text, path, format%separator, format%skip_lines, &
          any([(is_name(columns(i)%wanted), i=1, size(columns))]), layout, error)
@@ -90,6 +83,26 @@ contains
       call check_time(layout, columns, error)
    end subroutine read_record
 
+   !> Read the whole file.
+   subroutine read_text(path, text, error)
+      !> Path of the file
+      character(len=*), intent(in) :: path
+      !> What it holds
+      character(len=:), allocatable, intent(out) :: text
+      !> Set when it cannot be read
+      type(error_type), allocatable, intent(out) :: error
+      character(len=:), allocatable :: reason
+
+      call read_file(path, largest + 1, text, reason)
+      if (allocated(reason)) then
+         call fatal_error(error, path//': cannot be read: '//reason, file_error)
+      else if (len(text) > largest) then
+         call fatal_error(error, path//': is larger than 256 MiB')
+      else if (any(utf_16 == text(:min(2, len(text))))) then
+         call fatal_error(error, path//': is in UTF-16: save it as UTF-8')
+      end if
+   end subroutine read_text
+
    !> Whether a column is asked for by name.
    pure logical function is_name(wanted)
       character(len=*), intent(in) :: wanted
@@ -99,11 +112,17 @@ contains
 
    !> Read the line at the place and all that follow.
    pure subroutine read_rows(text, start, decimal, conditions, columns, error)
+      !> The whole file
       character(len=*), intent(in) :: text
+      !> Its first line of numbers
       type(place_type), intent(in) :: start
+      !> Decimal sign, `point` or `comma`
       character(len=*), intent(in) :: decimal
+      !> What rows must fulfil
       type(condition_type), intent(in) :: conditions(:)
+      !> The columns, with name and place; their values are set
       type(record_column), intent(inout) :: columns(:)
+      !> Set, with file and line, when something is no number
       type(error_type), allocatable, intent(out) :: error
       type(place_type) :: place
       real(wp), allocatable :: values(:, :)

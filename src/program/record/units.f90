@@ -71,8 +71,8 @@ module asperity_program_record_units
       unit_type('s', unit_time, 1.0_wp), unit_type('sec', unit_time, 1.0_wp), &
       unit_type('secs', unit_time, 1.0_wp), unit_type('second', unit_time, 1.0_wp), &
       unit_type('seconds', unit_time, 1.0_wp), unit_type('sek', unit_time, 1.0_wp), &
-      unit_type('ms', unit_time, 1.0_wp), unit_type('min', unit_time, 1.0_wp), &
-      unit_type('h', unit_time, 1.0_wp), unit_type('hr', unit_time, 1.0_wp), &
+      unit_type('ms', unit_time, 1.0e-3_wp), unit_type('min', unit_time, 60.0_wp), &
+      unit_type('h', unit_time, 3600.0_wp), unit_type('hr', unit_time, 3600.0_wp), &
       unit_type('mpa', unit_pressure, 1.0_wp), unit_type('kpa', unit_pressure, 1.0e-3_wp), &
       unit_type('pa', unit_pressure, 1.0e-6_wp), unit_type('gpa', unit_pressure, 1.0e3_wp), &
       unit_type('n/mm2', unit_pressure, 1.0_wp), unit_type('n/mm^2', unit_pressure, 1.0_wp), &

@@ -5,9 +5,11 @@
 module asperity_solid_engine_petsc
    use, intrinsic :: ieee_exceptions, only: ieee_all, ieee_set_halting_mode
    use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_double, c_f_pointer, &
-      c_f_procpointer, c_funptr, c_int, c_null_char, c_null_funptr, c_null_ptr, c_ptr
+      c_f_procpointer, c_funptr, c_int, c_null_char, c_null_ptr, c_ptr
    use asperity_base_error, only: computation_error, error_type, fatal_error
    use asperity_base_number_text, only: to_text
+   use asperity_replay_shared_library, only: find_data, find_procedure, open_library, &
+      shared_library
    implicit none
    private
    public :: petsc_library, load_petsc, unload_petsc
@@ -159,20 +161,8 @@ module asperity_solid_engine_petsc
    integer, parameter :: major = 3, first_minor = 18, last_minor = 20
    !> Names a library in place of those
    character(len=*), parameter :: variable = 'ASPERITY_PETSC'
-   !> How dlopen looks for symbols - all at once, and for all libraries, as Open MPI's parts ask for
-   integer(c_int), parameter :: now_and_global = int(z'102', c_int)
 
    interface
-      type(c_ptr) function c_dlopen(path, mode) bind(c, name='dlopen')
-         import :: c_char, c_int, c_ptr
-         character(kind=c_char), intent(in) :: path(*)
-         integer(c_int), value :: mode
-      end function c_dlopen
-      type(c_ptr) function c_dlsym(library, name) bind(c, name='dlsym')
-         import :: c_char, c_ptr
-         type(c_ptr), value :: library
-         character(kind=c_char), intent(in) :: name(*)
-      end function c_dlsym
       integer(c_int) function c_setenv(name, value, overwrites) bind(c, name='setenv')
          import :: c_char, c_int
          character(kind=c_char), intent(in) :: name(*), value(*)
@@ -188,7 +178,8 @@ contains
       type(petsc_library), intent(out) :: petsc
       !> Set on failure
       type(error_type), allocatable, intent(out) :: error
-      type(c_ptr) :: library, handler, world
+      type(shared_library) :: library
+      type(c_ptr) :: handler, world
       type(c_ptr), pointer :: started
       integer(c_int) :: code, version(4)
       logical :: is_whole
@@ -222,27 +213,28 @@ contains
       end if
    end subroutine load_petsc
 
-   !> The library that the environment names, or one that is installed.
+   !> The library that the environment names, or one that is installed, for all others, as Open MPI's
+   !> parts ask for.
    subroutine find_library(library, error)
-      type(c_ptr), intent(out) :: library
+      type(shared_library), intent(out) :: library
       type(error_type), allocatable, intent(out) :: error
-      character(len=:), allocatable :: path
+      character(len=:), allocatable :: path, failure
       integer :: minor, length
 
       call get_environment_variable(variable, length=length)
       if (length > 0) then
          allocate (character(len=length) :: path)
          call get_environment_variable(variable, path)
-         library = c_dlopen(path//c_null_char, now_and_global)
-         if (.not. c_associated(library)) call fatal_error(error, 'environment variable '// &
+         call open_library(path, library, failure, is_global=.true.)
+         if (allocated(failure)) call fatal_error(error, 'environment variable '// &
             variable//' = '//path//' is no library that can be loaded: it is to name '// &
             'libpetsc_real.so of PETSc 3.18 to 3.20')
          return
       end if
       do minor = first_minor, last_minor
-         library = c_dlopen('libpetsc_real.so.'//to_text(major)//'.'//to_text(minor)// &
-            c_null_char, now_and_global)
-         if (c_associated(library)) return
+         call open_library('libpetsc_real.so.'//to_text(major)//'.'//to_text(minor), library, &
+            failure, is_global=.true.)
+         if (.not. allocated(failure)) return
       end do
       call fatal_error(error, 'PETSc is not installed, which solves the equations of the solid '// &
          'joint: apt-get install libpetsc-real3.18 (Debian 12; versions 3.18 to 3.20 serve). '// &
@@ -262,7 +254,7 @@ contains
    !> Find every function by its name.
    subroutine take_functions(petsc, library, handler, world, is_whole)
       type(petsc_library), intent(inout) :: petsc
-      type(c_ptr), intent(in) :: library
+      type(shared_library), intent(in) :: library
       !> Error handler that returns the code and prints nothing
       type(c_ptr), intent(out) :: handler
       !> Where MPI's handle of all ranks is, once PETSc has started
@@ -313,7 +305,7 @@ contains
       type(c_ptr) function address(name)
          character(len=*), intent(in) :: name
 
-         address = c_dlsym(library, name//c_null_char)
+         call find_data(library, name, address)
          is_whole = is_whole .and. c_associated(address)
       end function address
 
@@ -321,7 +313,8 @@ contains
       type(c_funptr) function of(name)
          character(len=*), intent(in) :: name
 
-         of = transfer(address(name), c_null_funptr)
+         call find_procedure(library, name, of)
+         is_whole = is_whole .and. c_associated(of)
       end function of
 
    end subroutine take_functions
