@@ -27,8 +27,8 @@ module asperity_replay_motion_path
 
 contains
 
-   !> Lengths of the increments, s. Where the first row is at time zero, the increment that led there
-   !> is as long as the next one, as no increment is without length; 1 s where there is no next one.
+   !> Lengths of the increments, s. Where the first row is at time zero, the increment that led
+   !> there is as long as the next one, as none is without length; 1 s where there is no next one.
    pure function lengths(path)
       !> The path, with a row at least
       class(motion_path), intent(in) :: path

@@ -213,8 +213,8 @@ contains
       end if
    end subroutine load_petsc
 
-   !> The library that the environment names, or one that is installed, for all others, as Open MPI's
-   !> parts ask for.
+   !> The library that the environment names, or one that is installed; all others find its symbols,
+   !> as Open MPI's parts ask for.
    subroutine find_library(library, error)
       type(shared_library), intent(out) :: library
       type(error_type), allocatable, intent(out) :: error
