@@ -11,7 +11,7 @@ module asperity_replay_abaqus_host
    use asperity_contact_properties, only: contact_properties
    use asperity_contact_state, only: contact_response, contact_state, no_rotation, no_surface_limit
    use asperity_replay_abaqus_record, only: check_outputs, host_record, new_host_record, &
-      poison_outputs
+      optional_outputs, poison_outputs
    implicit none
    private
    public :: host_point, new_host_point, try_increment, accept_increment, refuse_cut, &
@@ -39,7 +39,16 @@ module asperity_replay_abaqus_host
       integer :: increments = 0
       !> Rotation of the slip directions since the start, the product of all DROT
       real(wp) :: rotation(2, 2) = no_rotation
+      !> SFD, SPD, SVD and SCD of all accepted increments, N/mm
+      real(wp) :: dissipation(4) = 0.0_wp
+      !> Which of the optional outputs a call has left unset
+      logical :: unset(size(optional_outputs)) = .false.
    end type host_point
+
+   !> A fresh point, by checked properties or by a list that only its UINTER knows
+   interface new_host_point
+      module procedure point_of_properties, point_of_list
+   end interface new_host_point
 
    real(wp), parameter :: large_pnewdt = 1.0e30_wp
    integer, parameter :: max_discontinuities = 10, max_cutbacks = 30
@@ -47,7 +56,7 @@ module asperity_replay_abaqus_host
 contains
 
    !> A fresh point that calls `routine` with the full property list of `properties`.
-   subroutine new_host_point(point, routine, properties, ndir, props, nstatv, keep_history)
+   subroutine point_of_properties(point, routine, properties, ndir, props, nstatv, keep_history)
       !> Result
       type(host_point), intent(out) :: point
       !> The UINTER to be called
@@ -64,21 +73,43 @@ contains
       logical, intent(in), optional :: keep_history
       integer :: n
 
-      point%routine => routine
-      point%props = props_from_properties(properties)
-      if (present(props)) point%props = props
-      if (present(ndir)) point%ndir = ndir
       n = statev_needed(properties)
       if (present(nstatv)) n = nstatv
-      call new_host_record(point%start, point%ndir, n)
+      if (present(props)) then
+         call point_of_list(point, routine, props, n, ndir, keep_history)
+      else
+         call point_of_list(point, routine, props_from_properties(properties), n, ndir, &
+            keep_history)
+      end if
+   end subroutine point_of_properties
+
+   !> A fresh point that calls `routine` with a property list.
+   subroutine point_of_list(point, routine, props, nstatv, ndir, keep_history)
+      !> Result
+      type(host_point), intent(out) :: point
+      !> The UINTER to be called
+      procedure(uinter_interface) :: routine
+      !> PROPS
+      real(wp), intent(in) :: props(:)
+      !> Length of STATEV
+      integer, intent(in) :: nstatv
+      !> 2 or 3 components; 3 when absent
+      integer, intent(in), optional :: ndir
+      !> Whether accepted increments are kept; they are when absent
+      logical, intent(in), optional :: keep_history
+
+      point%routine => routine
+      point%props = props
+      if (present(ndir)) point%ndir = ndir
+      call new_host_record(point%start, point%ndir, nstatv)
       point%trial = point%start
       if (present(keep_history)) point%keep_history = keep_history
       allocate (point%history(0))
-   end subroutine new_host_point
+   end subroutine point_of_list
 
    !> One iteration: call UINTER from the start of the increment for a trial motion, and again
-   !> while it changes LOPENCLOSE. `point%trial` holds what it returned. `error` is set when an
-   !> output was left unset or the status never settles.
+   !> while it changes LOPENCLOSE. `point%trial` holds what it returned. `error` is set when a
+   !> required output was left unset or the status never settles.
    subroutine try_increment(point, overclosure, slip_increment, dtime, error, rotation, linper)
       !> The point
       type(host_point), intent(inout) :: point
@@ -94,9 +125,8 @@ contains
       real(wp), intent(in), optional :: rotation(2, 2)
       !> 1 in a linear perturbation step, where motions are perturbations
       integer, intent(in), optional :: linper
-      integer :: lopenclose, repeat
+      integer :: lopenclose, perturbation, repeat
       real(wp) :: drot(2, 2)
-      integer :: perturbation
 
       drot = no_rotation
       if (present(rotation)) drot = rotation
@@ -106,6 +136,7 @@ contains
          lopenclose = point%trial%lopenclose
          call call_routine(point, overclosure, slip_increment, dtime, drot, perturbation)
          call check_outputs(point%trial, error)
+         point%unset = point%unset .or. point%trial%unset
          if (allocated(error)) return
          if (point%trial%lopenclose == lopenclose .or. perturbation == 1) return
       end do
@@ -156,6 +187,9 @@ contains
 
       if (present(rotation)) point%rotation = matmul(rotation, point%rotation)
       point%increments = point%increments + 1
+      associate (t => point%trial)
+         point%dissipation = point%dissipation + [t%sfd, t%spd, t%svd, t%scd]
+      end associate
       if (point%keep_history) then
          if (point%increments > size(point%history)) then
             allocate (grown(max(64, 2*size(point%history))))
@@ -169,8 +203,8 @@ contains
       point%trial%calls = 0
    end subroutine accept_increment
 
-   !> A whole increment of prescribed motion: cut back as UINTER asks, then accept. `error` is set
-   !> when it cannot be finished.
+   !> A whole increment of prescribed motion: cut back as UINTER asks, then accept. As in ABAQUS,
+   !> the first iteration has moved nothing yet. `error` is set when it cannot be finished.
    subroutine run_increment(point, overclosure, slip_increment, dtime, error, rotation)
       !> The point
       type(host_point), intent(inout) :: point
@@ -184,7 +218,7 @@ contains
       type(error_type), allocatable, intent(out) :: error
       !> DROT; an increment with rotation is not cut
       real(wp), intent(in), optional :: rotation(2, 2)
-      real(wp) :: done, part, from
+      real(wp) :: done, part, from, to
       integer :: cuts
 
       done = 0.0_wp
@@ -194,13 +228,14 @@ contains
       if (from < no_surface_limit) from = overclosure
       do while (done < 1.0_wp)
          part = min(part, 1.0_wp - done)
-         if (done + part >= 1.0_wp) then
-            call try_increment(point, overclosure, part*slip_increment, part*dtime, error, rotation)
-         else
-            call try_increment(point, from + (done + part)*(overclosure - from), &
-               part*slip_increment, part*dtime, error, rotation)
-         end if
+         to = overclosure
+         if (done + part < 1.0_wp) to = from + (done + part)*(overclosure - from)
+         call try_increment(point, point%start%rdisp(1), 0.0_wp*slip_increment, part*dtime, error)
          if (allocated(error)) return
+         if (point%trial%pnewdt >= 1.0_wp) then
+            call try_increment(point, to, part*slip_increment, part*dtime, error, rotation)
+            if (allocated(error)) return
+         end if
          if (point%trial%pnewdt < 1.0_wp) then
             cuts = cuts + 1
             point%cutbacks = point%cutbacks + 1
@@ -255,9 +290,9 @@ contains
             t%stress, t%ddsddr, t%dviscous, t%dstructural, t%flux, t%ddfddt, &
             t%ddsddt, t%ddfddr, t%statev, t%sed, t%sfd, t%spd, t%svd, t%scd, &
             t%pnewdt, t%rdisp, t%drdisp, zero_2, zero_2, zero_field, zero_field, &
-            t%time, dtime, 0.0_wp, ciname, slname, msname, point%props, zero_3, &
+            t%time, dtime, 0.0_wp, ciname, slname, msname, point%props, zero_3(:point%ndir), &
             axes, drot, 1.0_wp, 1.0_wp, 1, point%ndir, size(t%statev), 1, &
-            size(point%props), 3, 1, point%increments + 1, calls, linper, &
+            size(point%props), point%ndir, 1, point%increments + 1, calls, linper, &
             t%lopenclose, t%lstate, t%lsdi, 0)
       end associate
    end subroutine call_routine

@@ -1,14 +1,15 @@
 !> The host that plays ABAQUS, and UINTER under it: cut-backs, rejected increments, repeated calls,
 !> analytic stick-slip paths, threads and a million random calls.
 module test_replay_abaqus_host
-   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite, ieee_quiet_nan, ieee_value
+   use, intrinsic :: ieee_arithmetic, only: ieee_is_finite, ieee_positive_inf, &
+      ieee_quiet_nan, ieee_value
    use, intrinsic :: iso_fortran_env, only: int64
    use asperity, only: contact_properties, error_type, evaluate_normal_law, no_opposite_surface, &
       normal_response, wp
    use asperity_abaqus_uinter_signature, only: uinter_interface
    use asperity_replay_abaqus_host, only: accept_increment, host_point, new_host_point, &
       run_increment, try_increment
-   use asperity_replay_abaqus_record, only: host_record
+   use asperity_replay_abaqus_record, only: host_record, optional_outputs
    use contact_cases, only: pair_properties
    use funit, only: anyExceptions, assertEqual, assertFalse, assertTrue, TestMethod, TestSuite
    use random_inputs, only: random_stream
@@ -22,10 +23,14 @@ module test_replay_abaqus_host
    integer, parameter :: thread_increments = 2000
    real(wp), parameter :: dtime = 0.1_wp
 
-   !> Outputs that `spoiled` can leave unset, numbered from 1; 0 is no fault
-   integer, parameter :: n_outputs = 11
-   integer, parameter :: fault_cuts = -1, fault_flips = -2
+   !> Faults of `spoiled`: an optional output left unset, by its place; 0 is none; what must be there
+   !> left unset or no number, from -11 down
+   integer, parameter :: n_required = 6
+   integer, parameter :: fault_cuts = -1, fault_flips = -2, fault_notes = -3
    integer :: fault = 0
+   !> What the first calls got: KIT, MCRD; RDISP and DRDISP
+   integer :: noted_calls(2, 4) = 0, noted = 0
+   real(wp) :: noted_motion(4, 4) = 0.0_wp
 
 contains
 
@@ -39,7 +44,9 @@ contains
       call suite%addTest(TestMethod('same start values, same bits', test_same_bits))
       call suite%addTest(TestMethod('a rejected increment leaves no trace', test_rejected))
       call suite%addTest(TestMethod('cut back on PNEWDT', test_cut_back))
-      call suite%addTest(TestMethod('an output left unset is found', test_unset))
+      call suite%addTest(TestMethod('an output left unset or no number is named', test_unset))
+      call suite%addTest(TestMethod('an optional output left unset is noted', test_optional))
+      call suite%addTest(TestMethod('the first call of an increment', test_first_call))
       call suite%addTest(TestMethod('history keeps every increment', test_history))
       call suite%addTest(TestMethod('two threads give the serial bits', test_threads))
       call suite%addTest(TestMethod('turned slip directions', test_rotation))
@@ -179,15 +186,29 @@ contains
       call assertTrue(allocated(error), 'cut for ever is an error')
    end subroutine test_cut_back
 
-   !> A routine that leaves any output unset, or never settles on open or closed, must be caught.
+   !> A routine that leaves a required output unset, computes what is no number, or never settles on
+   !> open or closed must be caught, and the output named.
    subroutine test_unset()
       type(host_point) :: point
       type(error_type), allocatable :: error
+      character(len=*), parameter :: said(n_required) = [character(len=31) :: &
+         'UINTER left DDSDDR(3,1) unset', 'UINTER left DDSDDR unset', &
+         'UINTER computed STRESS(2), ', 'UINTER computed SED, ', &
+         'UINTER computed DDSDDR(1,2), ', 'UINTER computed FLUX(2), ']
+      integer :: i
 
-      do fault = 0, n_outputs
+      fault = 0
+      call new_host_point(point, spoiled, pair_properties())
+      call try_increment(point, 0.1_wp, [0.0_wp, 0.0_wp], dtime, error)
+      call assertFalse(allocated(error), 'no fault')
+      call assertFalse(any(point%unset), 'nothing unset')
+      do i = 1, n_required
+         fault = -10 - i
          call new_host_point(point, spoiled, pair_properties())
          call try_increment(point, 0.1_wp, [0.0_wp, 0.0_wp], dtime, error)
-         call assertTrue(allocated(error) .eqv. fault > 0, 'output unset')
+         call assertTrue(allocated(error), said(i))
+         if (allocated(error)) call assertEqual(1, index(error%message, trim(said(i))), &
+            error%message)
       end do
       fault = fault_flips
       call new_host_point(point, spoiled, pair_properties())
@@ -195,6 +216,49 @@ contains
       call assertTrue(allocated(error), 'LOPENCLOSE keeps changing')
       if (allocated(error)) call assertEqual(1, index(error%message, 'LOPENCLOSE keeps changing'))
    end subroutine test_unset
+
+   !> An optional output that is left unset, even in one entry, is noted, counts as zero and changes
+   !> nothing else.
+   subroutine test_optional()
+      type(host_point) :: whole, point
+      type(error_type), allocatable :: error
+      real(wp) :: totals(4)
+      integer :: i
+
+      fault = 0
+      call new_host_point(whole, spoiled, pair_properties())
+      call run_increment(whole, 0.1_wp, [0.0_wp, 1.0_wp], dtime, error)
+      call assertTrue(whole%dissipation(1) > 0.0_wp, 'it slips')
+      do fault = 1, size(optional_outputs)
+         call new_host_point(point, spoiled, pair_properties())
+         call run_increment(point, 0.1_wp, [0.0_wp, 1.0_wp], dtime, error)
+         call assertFalse(allocated(error), optional_outputs(fault))
+         call assertTrue(all(point%unset .eqv. [(i == fault, i=1, size(optional_outputs))]), &
+            optional_outputs(fault))
+         call assertEqual(whole%start%stress, point%start%stress, 0.0_wp, 'STRESS')
+         totals = whole%dissipation
+         where (fault == [6, 7, 8, 9]) totals = 0.0_wp
+         call assertEqual(totals, point%dissipation, 0.0_wp, optional_outputs(fault))
+      end do
+   end subroutine test_optional
+
+   !> In the first call of an increment nothing has moved; in two dimensions COORDS has two entries.
+   subroutine test_first_call()
+      type(host_point) :: point
+      type(error_type), allocatable :: error
+
+      fault = 0
+      call new_host_point(point, spoiled, pair_properties(), 2)
+      call run_increment(point, 0.1_wp, [0.3_wp], dtime, error)
+      fault = fault_notes
+      noted = 0
+      call run_increment(point, 0.12_wp, [0.1_wp], 2.0_wp*dtime, error)
+      call assertEqual(2, noted, 'calls')
+      call assertEqual([0, 2, 1, 2], reshape(noted_calls(:, :2), [4]), 'KIT, MCRD')
+      call assertEqual([0.1_wp, 0.3_wp, 0.0_wp, 0.0_wp], noted_motion(:, 1), 0.0_wp, 'first')
+      call assertEqual([0.12_wp, 0.4_wp, 0.02_wp, 0.1_wp], noted_motion(:, 2), 1.0e-15_wp, &
+         'second')
+   end subroutine test_first_call
 
    subroutine test_history()
       type(host_point) :: point
@@ -209,8 +273,8 @@ contains
       call assertEqual(0.1_wp, point%history(100)%rdisp(1), 1.0e-15_wp, 'RDISP')
       call assertEqual(1.3_wp, point%history(130)%rdisp(2), 1.0e-12_wp, 'accumulated slip')
       call assertEqual(13.0_wp, point%history(130)%time(1), 1.0e-12_wp, 'time')
-      call assertEqual(2, point%history(1)%calls, 'LOPENCLOSE changed once, so two calls')
-      call assertEqual(1, point%history(130)%calls, 'settled')
+      call assertEqual(4, point%history(1)%calls, 'LOPENCLOSE changed twice, so two calls each')
+      call assertEqual(2, point%history(130)%calls, 'settled')
    end subroutine test_history
 
    !> Each thread has a pair of its own; both at once give the bits that each gives alone.
@@ -344,9 +408,10 @@ contains
       real(wp), intent(in) :: area, chrlngth
       integer, intent(inout) :: lopenclose, lstate, lsdi
 
-      real(wp) :: poison
+      real(wp) :: poison, nan
 
       poison = sfd
+      nan = ieee_value(1.0_wp, ieee_quiet_nan)
       call uinter( &
          stress, ddsddr, dviscous, dstructural, flux, ddfddt, ddsddt, ddfddr, statev, &
          sed, sfd, spd, svd, scd, pnewdt, rdisp, drdisp, temp, dtemp, predef, dpred, &
@@ -358,28 +423,40 @@ contains
          if (norm2(drdisp(2:)) > 0.2_wp) pnewdt = 0.25_wp
       case (fault_flips)
          lopenclose = mod(kit, 2)
+      case (fault_notes)
+         noted = noted + 1
+         noted_calls(:, noted) = [kit, mcrd]
+         noted_motion(:, noted) = [rdisp, drdisp]
       case (1)
-         ddsddr(ndir, 1) = poison
-      case (2)
          dviscous(1, 1) = poison
-      case (3)
+      case (2)
          dstructural(1, ndir) = poison
-      case (4)
-         flux(2) = poison
-      case (5)
+      case (3)
          ddfddt(2, 1) = poison
-      case (6)
+      case (4)
          ddsddt(ndir, 2) = poison
-      case (7)
+      case (5)
          ddfddr(2, ndir) = poison
-      case (8)
+      case (6)
          sfd = poison
-      case (9)
+      case (7)
          spd = poison
-      case (10)
+      case (8)
          svd = poison
-      case (11)
+      case (9)
          scd = poison
+      case (-11)
+         ddsddr(ndir, 1) = poison
+      case (-12)
+         ddsddr = poison
+      case (-13)
+         stress(2) = nan
+      case (-14)
+         sed = nan
+      case (-15)
+         ddsddr(1, 2) = -nan
+      case (-16)
+         flux(2) = ieee_value(1.0_wp, ieee_positive_inf)
       case default
          continue
       end select
