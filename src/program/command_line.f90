@@ -39,6 +39,8 @@ module asperity_program_command_line
       type(key_list) :: keys
    end type command_line_type
 
+   !> How names of case files end
+   character(len=*), parameter :: case_ending = '.nml'
    !> Standard input as an argument, and as a file
    character(len=*), parameter :: dash = '-', standard_input = '/dev/stdin'
    character(len=*), parameter :: help_words(*) = [character(len=6) :: 'help', '--help', '-h']
@@ -244,8 +246,12 @@ contains
       character(len=*), intent(in) :: path
       type(error_type), allocatable, intent(out) :: error
       integer :: i, last
+      logical :: is_case
 
-      if (line%command%takes_case) then
+      is_case = line%command%takes_case
+      ! a command that reads another file as well knows a case by its ending
+      if (any(line%keys%rows(:line%keys%n)%is_argument)) is_case = is_case .and. ends_as_case(path)
+      if (is_case) then
          if (line%keys%case_path /= '') then
             call fatal_error(error, quoted(path)//': there is already the case file '// &
                quoted(line%keys%case_path)//', only one is taken')
@@ -284,5 +290,13 @@ contains
          end if
       end associate
    end subroutine take_file
+
+   !> Whether a file is a case by its name.
+   pure logical function ends_as_case(path)
+      character(len=*), intent(in) :: path
+
+      ends_as_case = index(path, case_ending, back=.true.) == len(path) - len(case_ending) + 1 &
+         .and. len(path) > len(case_ending)
+   end function ends_as_case
 
 end module asperity_program_command_line

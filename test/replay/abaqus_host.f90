@@ -23,8 +23,8 @@ module test_replay_abaqus_host
    integer, parameter :: thread_increments = 2000
    real(wp), parameter :: dtime = 0.1_wp
 
-   !> Faults of `spoiled`: an optional output left unset, by its place; 0 is none; what must be there
-   !> left unset or no number, from -11 down
+   !> Faults of `spoiled`: an optional output left unset, by its place; 0 is none; what must be
+   !> there left unset or no number, from -11 down
    integer, parameter :: n_required = 6
    integer, parameter :: fault_cuts = -1, fault_flips = -2, fault_notes = -3
    integer :: fault = 0

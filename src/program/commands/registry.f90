@@ -9,6 +9,7 @@ module asperity_program_commands_registry
    use asperity_program_commands_hysteresis_command, only: hysteresis_command
    use asperity_program_commands_pairs, only: pairs_command
    use asperity_program_commands_press, only: press_command
+   use asperity_program_commands_replay_command, only: replay_command
    use asperity_program_commands_shear, only: shear_command
    use asperity_program_commands_solid_command, only: solid_command
    use asperity_program_commands_surface_command, only: surface_command
@@ -21,7 +22,7 @@ module asperity_program_commands_registry
    public :: command_entry, list_commands, find_command, all_keys, owners
 
    !> How many there are
-   integer, parameter, public :: n_commands = 13
+   integer, parameter, public :: n_commands = 14
 
    !> A command in a list.
    type :: command_entry
@@ -48,7 +49,8 @@ contains
       allocate (fit_command :: list(10)%command)
       allocate (surface_command :: list(11)%command)
       allocate (pairs_command :: list(12)%command)
-      allocate (compare_command :: list(13)%command)
+      allocate (replay_command :: list(13)%command)
+      allocate (compare_command :: list(14)%command)
       do i = 1, size(list)
          call list(i)%command%describe()
       end do

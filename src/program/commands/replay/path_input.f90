@@ -156,7 +156,7 @@ contains
          if (j == of_overclosure) where (values(:, j) < no_surface_limit) &
             values(:, j) = no_opposite_surface
          call check_size(path_name, trim(names(j)), pack(values(:, j), &
-            abs(values(:, j) - no_opposite_surface) > 0.0_wp), error)
+            j /= of_overclosure .or. values(:, j) > no_surface_limit), error)
          if (allocated(error)) return
       end do
       path%time = values(:, of_time)
