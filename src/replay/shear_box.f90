@@ -17,6 +17,7 @@ module asperity_replay_shear_box
    use asperity_law_normal_law, only: normal_response
    use asperity_replay_abaqus_host, only: accept_increment, host_point, new_host_point, &
       refuse_cut, try_increment
+   use asperity_replay_motion_path, only: motion_path
    use asperity_replay_normal, only: law_at
    use asperity_replay_shear_settings, only: box_path, check_shear_settings, current_area, &
       default_displacement, overlap_area, shear_settings
@@ -65,7 +66,7 @@ contains
 
    !> Replay a shear test. The first step is the seated box at rest. `error` is set when a setting
    !> is not allowed, balance is not found or UINTER broke its contract.
-   subroutine run_shear_box(settings, properties, steps, error)
+   subroutine run_shear_box(settings, properties, steps, error, failed)
       !> Specimen, load and path
       type(shear_settings), intent(in) :: settings
       !> Checked properties
@@ -74,6 +75,8 @@ contains
       type(shear_step), allocatable, intent(out) :: steps(:)
       !> Set on failure
       type(error_type), allocatable, intent(out) :: error
+      !> The motion up to what was tried last, where an increment failed; no rows elsewhere
+      type(motion_path), intent(out), optional :: failed
       type(host_point) :: point
       real(wp), allocatable :: turns(:), path(:)
       integer :: i
@@ -101,12 +104,31 @@ contains
       do i = 1, size(path)
          call balance(point, settings, properties, path(i), seconds_per_minute &
             *abs(path(i) - path(max(i - 1, 1)))/settings%rate, error)
-         if (allocated(error)) return
+         if (allocated(error)) then
+            if (present(failed)) call keep_motion(failed, steps(:i - 1), point)
+            return
+         end if
          steps(i) = step_of(point, settings, properties, path(i))
          if (i > 1) call add_energies(steps(i), steps(i - 1), point)
          call accept_increment(point)
       end do
    end subroutine run_shear_box
+
+   !> The motion of the increments that are done and of the last trial.
+   pure subroutine keep_motion(path, steps, point)
+      type(motion_path), intent(out) :: path
+      type(shear_step), intent(in) :: steps(:)
+      type(host_point), intent(in) :: point
+      integer :: n
+
+      n = size(steps) + 1
+      associate (asked => point%trial)
+         path%time = [steps%time, asked%time(1)]
+         path%overclosure = [steps%overclosure, asked%rdisp(1)]
+         allocate (path%slip(2, n), path%expected(3, n), source=0.0_wp)
+         path%slip(1, :) = [steps%slip, asked%rdisp(2)]
+      end associate
+   end subroutine keep_motion
 
    !> Find overclosure and slip so that the pressure carries the weight and the slip plus the
    !> specimens' shear is the displacement of the box: Newton with the tangent of UINTER. The slip

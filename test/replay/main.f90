@@ -4,6 +4,7 @@ program test_replay
    use run_suites, only: run_suite
    use test_replay_abaqus_host, only: suite_replay_host
    use test_replay_memory, only: suite_memory
+   use test_replay_path, only: suite_replay_path
    use test_replay_press, only: suite_press
    use test_replay_shear_box, only: suite_shear_box
    use test_replay_sizes, only: suite_sizes
@@ -19,6 +20,7 @@ program test_replay
 
    suite = TestSuite('replay')
    call suite%addTest(suite_replay_host())
+   call suite%addTest(suite_replay_path())
    call suite%addTest(suite_press())
    call suite%addTest(suite_shear_box())
    call suite%addTest(suite_sizes())

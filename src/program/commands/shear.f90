@@ -16,6 +16,7 @@ module asperity_program_commands_shear
    use asperity_program_commands_faces_heights_remark, only: remark_surface_heights
    use asperity_program_commands_faces_type, only: faces_type
    use asperity_program_commands_plots, only: draw_shear
+   use asperity_program_commands_replay_failed_point, only: keep_failed_point
    use asperity_program_commands_shear_keys, only: declare_shear
    use asperity_program_commands_sweep_runs, only: run_sweep
    use asperity_program_input_key_list, only: key_list
@@ -23,6 +24,7 @@ module asperity_program_commands_shear
    use asperity_program_report_table, only: column_status, column_validity, new_table, table_type
    use asperity_program_report_units, only: joule
    use asperity_program_system_progress, only: progress_type
+   use asperity_replay_motion_path, only: motion_path
    use asperity_replay_shear_box, only: run_shear_box, shear_settings, shear_step
    implicit none
    private
@@ -110,6 +112,7 @@ contains
       type(history_type) :: runs(size(self%normal_stress)), beside(size(self%normal_stress))
       type(shear_settings) :: settings
       type(progress_type) :: progress
+      type(motion_path) :: failed
       integer :: i, rows
 
       if (self%sweep /= '') then
@@ -124,8 +127,11 @@ contains
       do i = 1, size(runs)
          call progress%show(i - 1, size(runs), 'normal stresses')
          settings%normal_stress = self%normal_stress(i)
-         call run_shear_box(settings, self%properties, runs(i)%steps, error)
-         if (allocated(error)) exit
+         call run_shear_box(settings, self%properties, runs(i)%steps, error, failed)
+         if (allocated(error)) then
+            call keep_failed_point(error, failed, self%properties, 'the box')
+            exit
+         end if
          if (.not. (self%has_summits() .and. report%is_drawn())) cycle
          call run_shear_box(settings, without_summits(self%properties), beside(i)%steps, error)
          if (allocated(error)) exit

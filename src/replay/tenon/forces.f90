@@ -37,6 +37,8 @@ module asperity_replay_tenon_forces
       type(tenon_forces) :: forces
       !> Evaluations so far
       integer :: iterations = 0
+      !> The point that could not be evaluated, zero for none
+      integer :: refused = 0
    end type tenon_increment
 
 contains
@@ -62,7 +64,10 @@ contains
             associate (trial => joint%trial(i))
                call evaluate_point(model, joint%start(i), joint%position + lever, trial, &
                   by_weight, error)
-               if (allocated(error)) return
+               if (allocated(error)) then
+                  joint%refused = i
+                  return
+               end if
                if (trial%weight <= 0.0_wp .or. trial%state%pressure <= 0.0_wp) cycle
                call point_force(model, i, trial, by_weight, force, by_position)
             end associate

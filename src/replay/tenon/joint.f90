@@ -7,6 +7,7 @@ module asperity_replay_tenon_joint
    use asperity_replay_tenon_equilibrium, only: balance_tenon
    use asperity_replay_tenon_forces, only: holding_stiffness, tenon_forces, tenon_increment
    use asperity_replay_tenon_geometry, only: tenon_at_rest
+   use asperity_replay_tenon_motions, only: add_motions, start_motions, tenon_motions
    implicit none
    private
    public :: joint_state, rest_joint, turn_joint
@@ -27,6 +28,8 @@ module asperity_replay_tenon_joint
       real(wp) :: work = 0.0_wp, axial_work = 0.0_wp, holding_work = 0.0_wp
       !> How often the step was halved
       integer :: halvings = 0
+      !> Motions of all points, where they are kept
+      type(tenon_motions), allocatable :: motions
    end type joint_state
 
    !> A step is halved at most so often
@@ -44,6 +47,7 @@ contains
 
       joint%at%start = tenon_at_rest(joint%at%model)
       joint%at%trial = joint%at%start
+      if (allocated(joint%motions)) call start_motions(joint%motions, size(joint%at%start))
       joint%at%rests = .true.
       call balance_tenon(joint%at, found, error)
       joint%at%rests = .false.
@@ -54,7 +58,8 @@ contains
          return
       end if
       joint%forces = joint%at%forces
-      call accept(joint)
+      call accept(joint, error)
+      if (allocated(error)) return
       ! work is counted from here, what is stored stays
       joint%ledger = tenon_ledger(stored=joint%ledger%stored, normal=joint%ledger%normal)
    end subroutine rest_joint
@@ -87,8 +92,8 @@ contains
             if (allocated(error)) return
             if (found) then
                call book_load(joint)
-               call accept(joint)
-               if (part >= 1.0_wp) return
+               call accept(joint, error)
+               if (part >= 1.0_wp .or. allocated(error)) return
                part = min(1.0_wp, 2.0_wp*part)
                halvings = max(halvings - 1, 0)
             else
@@ -129,10 +134,12 @@ contains
    end subroutine book_load
 
    !> What was tried becomes the start of what follows.
-   subroutine accept(joint)
+   subroutine accept(joint, error)
       type(joint_state), intent(inout) :: joint
+      type(error_type), allocatable, intent(out) :: error
 
       associate (at => joint%at)
+         if (allocated(joint%motions)) call add_motions(joint%motions, at, error)
          call book_increment(at%model, at%start, at%trial, joint%ledger)
          at%start = at%trial
          at%from = at%position

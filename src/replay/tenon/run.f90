@@ -6,16 +6,28 @@ module asperity_replay_tenon_run
    use asperity_base_memory, only: check_work
    use asperity_base_number_text, only: to_text
    use asperity_contact_properties, only: contact_properties
+   use asperity_replay_motion_path, only: motion_path
    use asperity_replay_tenon_check_settings, only: check_tenon_settings
    use asperity_replay_tenon_geometry, only: new_tenon_model
    use asperity_replay_tenon_joint, only: joint_state, rest_joint, turn_joint
    use asperity_replay_tenon_load_path, only: tenon_programme
+   use asperity_replay_tenon_motions, only: add_motions, failed_motion
    use asperity_replay_tenon_points, only: record_points, tenon_point
    use asperity_replay_tenon_settings, only: tenon_settings
    use asperity_replay_tenon_step, only: step_of, tenon_step
    implicit none
    private
-   public :: run_tenon, tenon_progress
+   public :: run_tenon, failed_point, tenon_progress
+
+   !> A contact point at which a step failed.
+   type :: failed_point
+      !> Its number, zero when no step failed at a point
+      integer :: point = 0
+      !> Its motion up to what was tried last, an increment a second
+      type(motion_path) :: path
+      !> Its properties
+      type(contact_properties) :: properties
+   end type failed_point
 
    !> Pull-out over length above which a warning is due, and above which a run stops
    real(wp), parameter, public :: tenon_warned_pull_out = 0.25_wp, tenon_largest_pull_out = 0.5_wp
@@ -33,7 +45,7 @@ contains
 
    !> Replay the joint. `steps` is allocated from 0; after a failure it ends with the last good
    !> step, so that the displacements up to the next one replay the failure.
-   subroutine run_tenon(settings, faces, sides, steps, error, record_at, points, progress)
+   subroutine run_tenon(settings, faces, sides, steps, error, record_at, points, progress, failed)
       !> Joint and programme
       type(tenon_settings), intent(in) :: settings
       !> Contact of the upper and lower face and the shoulders, and of the two sides
@@ -48,6 +60,8 @@ contains
       type(tenon_point), allocatable, intent(out), optional :: points(:)
       !> Told after every step
       procedure(tenon_progress), optional :: progress
+      !> Where a step of a joint through UINTER failed; memory is taken for it
+      type(failed_point), intent(out), optional :: failed
       type(joint_state) :: joint
       type(tenon_step), allocatable :: done(:)
       real(wp), allocatable :: path(:)
@@ -63,6 +77,7 @@ contains
       call tenon_programme(settings, path, cycle_of)
       call check_work(to_text(size(path))//' steps', &
          2_int64*int(storage_size(steps)/8, int64)*size(path), error)
+      if (present(failed)) allocate (joint%motions)
       if (.not. allocated(error)) call rest_joint(joint, error)
       if (.not. allocated(error)) deallocate (steps)
       allocate (done(0:ubound(path, 1)))
@@ -72,6 +87,7 @@ contains
          if (allocated(error)) then
             error%message = 'step '//to_text(i)//', displacement '//to_text(path(i), 6)//' mm: '// &
                error%message
+            if (present(failed)) call find_failed(joint, failed)
             exit
          end if
          done(i) = step_of(joint, i, cycle_of(i), path(i))
@@ -87,6 +103,18 @@ contains
          steps(:) = done(:i - 1)
       end if
    end subroutine run_tenon
+
+   !> The point at which an increment failed.
+   subroutine find_failed(joint, failed)
+      type(joint_state), intent(inout) :: joint
+      type(failed_point), intent(inout) :: failed
+      type(error_type), allocatable :: no_memory
+
+      if (.not. allocated(joint%motions%values)) return
+      call add_motions(joint%motions, joint%at, no_memory)
+      if (.not. allocated(no_memory)) call failed_motion(joint%motions, joint%at, failed%path, &
+         failed%properties, failed%point)
+   end subroutine find_failed
 
    !> `error` is set when the tenon is half out.
    pure subroutine check_pull_out(joint, number, displacement, error)

@@ -207,3 +207,17 @@ parts,statev_1,statev_2
    refuses 'replay: a library without UINTER' 2 'other.so: has no UINTER: none of its symbols' \
       replay path.csv --uinter other.so
 fi
+
+# A box that finds no balance leaves its motion and its properties
+rm -f failed_point.*
+run shear --normal-stress 1.2 --displacement 3 --displacement-increment 2 --shear-compliance 0.1 \
+   --critical-slip 1e-4 --static-friction-coefficient 4 --decay-slip 2e-3 --pressure-exponent 2.9 \
+   --reference-pressure 0.2 --accept-unphysical
+check 'replay: what fails in the shear box is kept' is_refused 1 \
+   'no balance found at displacement = 1.5 mm; .*; asperity replay failed_point.nml replays the motion of the box$'
+run replay failed_point.nml --csv r4.csv
+check 'replay: and replayed' is_quiet
+check 'replay: from the weight of the box on' csv r4.csv \
+   'if (NR == 2 && (far(c["pressure"], 1.2, 1e-12) || c["shear_1"] != 0)) fail(c["pressure"])'
+check 'replay: as it was' sh -c 'cut -d, -f1-4 r4.csv | cmp - failed_point.csv'
+rm -f failed_point.*

@@ -17,7 +17,8 @@ module asperity_program_commands_tenon_command
    use asperity_program_commands_tenon_compare_models, only: check_moment, joint_type, &
       run_joint, steps_to_record
    use asperity_program_commands_tenon_face_rows, only: joint_face_rows
-   use asperity_program_commands_tenon_failure, only: keep_failed_step
+   use asperity_program_commands_tenon_failure, only: keep_failed_step, &
+      keep_point_of_step
    use asperity_program_commands_tenon_history, only: follow_history, history_type, read_history
    use asperity_program_commands_tenon_joint_keys, only: declare_replay_case, tenon_case
    use asperity_program_commands_tenon_page, only: joint_page
@@ -171,7 +172,7 @@ contains
          call run_joint(self%case, rough, joints(rough), error, record, show_rough)
       call clear_steps()
       if (allocated(error)) then
-         call keep_failure(path, joints, report, error)
+         call keep_failure(self%case, path, joints, report, error)
          return
       end if
       call tell_times(self%case, joints)
@@ -229,8 +230,9 @@ contains
       call tell_terminal(text(:len(text) - 1))
    end subroutine tell_times
 
-   !> Keep what replays the step that failed.
-   subroutine keep_failure(path, joints, report, error)
+   !> Keep what replays the step that failed, and the contact point at which it did.
+   subroutine keep_failure(case, path, joints, report, error)
+      type(tenon_case), intent(in) :: case
       real(wp), intent(in) :: path(0:)
       type(joint_type), intent(in) :: joints(:)
       type(report_type), intent(in) :: report
@@ -243,6 +245,7 @@ contains
       ! none failed when all are there, and a joint at rest needs no displacements
       if (failed > 0 .and. failed <= ubound(path, 1)) &
          call keep_failed_step(error, report%keys, path(1:failed))
+      if (allocated(joints(rough)%steps)) call keep_point_of_step(error, case)
    end subroutine keep_failure
 
    !> Refuse steps that the programme has not, and steps that are not in order.
