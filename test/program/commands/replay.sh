@@ -63,6 +63,7 @@ check 'replay: same stresses in the plane' sh -c 'cut -d, -f4,5 r3.csv | head -n
 run replay r.csv --csv r2.csv --json r2.json
 check 'replay: its own result' is_quiet
 check 'replay: byte by byte' cmp r.csv r2.csv
+check 'replay: the verdict' has out 'Verdict: pass: 3 columns in 10 rows within 1.0E-6 of the largest value of each.'
 check 'replay: nothing departs' has r2.json '"found"'
 check 'replay: by no bit' test "$(sed -n 's/^"off_over_allowed": \[\(.*\)\].*/\1/p' r2.json | tr -d ' ')" = \
    0.0000000000000000E+000,0.0000000000000000E+000,0.0000000000000000E+000
@@ -70,6 +71,7 @@ awk -F, -v OFS=, 'NR == 6 { $6 *= 1 + 1e-5 } { print }' r.csv >off.csv
 run replay off.csv
 check 'replay: a departure ends with 1' test "$status" -eq 1
 check 'replay: and is named' grep -q 'the result departs from what off.csv expects, in shear_1$' err
+check 'replay: and in the verdict' has out 'Verdict: departs from what is expected in shear_1.'
 check 'replay: with its row' has out 'shear_1 departs from row 5 on, at 5.0 s'
 run replay off.csv --tolerance 1e-4
 check 'replay: within a larger tolerance' is_quiet

@@ -1,10 +1,12 @@
 !> A replay beside the tractions that its path expects.
 module asperity_program_commands_replay_expected
    use asperity_base_kinds, only: wp
+   use asperity_base_number_text, only: to_text
    use asperity_program_commands_compare_departures, only: departure_of, departure_type
    use asperity_program_commands_compare_history, only: history_type
    use asperity_program_commands_compare_words, only: departures_table, remark_departures
    use asperity_program_report_report, only: named_table, report_type
+   use asperity_program_system_strings, only: string_type
    use asperity_replay_motion_path, only: motion_path, traction_names
    use asperity_replay_path_replay, only: path_step
    implicit none
@@ -27,6 +29,7 @@ contains
       character(len=:), allocatable, intent(out) :: departs
       type(history_type) :: expected
       type(departure_type), allocatable :: departures(:)
+      type(string_type) :: line
       real(wp), allocatable :: found(:, :)
       logical :: is_row(size(steps))
       integer :: i, n
@@ -55,6 +58,11 @@ contains
       report%more = [named_table('departures', 'Beside what is expected', &
          departures_table(departures))]
       call remark_departures(report, departures, expected, found)
+      line%text = 'pass: '//to_text(n)//' columns in '//to_text(size(steps))//' rows within '// &
+         to_text(tolerance)//' of the largest value of each.'
+      if (departs /= '') line%text = 'departs from what is expected in '//departs//'.'
+      allocate (report%verdict(1))
+      report%verdict(1) = line
    end subroutine compare_with_expected
 
 end module asperity_program_commands_replay_expected
