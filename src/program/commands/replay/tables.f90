@@ -98,14 +98,17 @@ contains
       !> The table
       type(table_type), intent(in) :: table
       character(len=name_length), allocatable :: names(:)
-      integer :: i
+      integer :: i, n
 
-      allocate (names(0))
+      allocate (names(table%set))
+      n = 0
       do i = 1, table%set
          if (index(table%columns(i)%name, 'statev_') == 1) exit
          if (any(table%columns(i)%name == hidden)) cycle
-         names = [names, [character(len=name_length) :: table%columns(i)%name]]
+         n = n + 1
+         names(n) = table%columns(i)%name
       end do
+      names = names(:n)
    end function shown_columns
 
    !> What UINTER left unset, and where it asked for shorter increments.
