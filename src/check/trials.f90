@@ -26,7 +26,7 @@ module asperity_check_trials
    use asperity_check_trial_two_d, only: check_two_d
    implicit none
    private
-   public :: run_uinter_trial, run_vuinter_trial, drive_outputs
+   public :: run_uinter_trial, run_vuinter_trial, drive_uinter_outputs, drive_vuinter_outputs
 
    !> Trials, the first of which only drives the routine along its path
    enum, bind(c)
@@ -129,7 +129,7 @@ contains
    end subroutine run_trial
 
    !> All outputs of a UINTER along its path, for comparison with those of another build.
-   subroutine drive_outputs(routine, settings, values)
+   subroutine drive_uinter_outputs(routine, settings, values)
       !> The UINTER
       procedure(uinter_interface) :: routine
       !> What it is driven with
@@ -137,10 +137,33 @@ contains
       !> All numbers after each accepted call, one after the other
       real(wp), allocatable, intent(out) :: values(:)
       type(driven_routine) :: driven
+
+      call new_uinter(driven, routine, settings, usual_ndir(settings))
+      call drive_outputs(driven, settings, values)
+   end subroutine drive_uinter_outputs
+
+   !> All outputs of a VUINTER along its path, for comparison with those of another build.
+   subroutine drive_vuinter_outputs(routine, settings, values)
+      !> The VUINTER
+      procedure(vuinter_interface) :: routine
+      !> What it is driven with
+      type(check_settings), intent(in) :: settings
+      !> All numbers after each accepted call, one after the other
+      real(wp), allocatable, intent(out) :: values(:)
+      type(driven_routine) :: driven
+
+      call new_vuinter(driven, routine, settings, usual_ndir(settings), nodes=1)
+      call drive_outputs(driven, settings, values)
+   end subroutine drive_vuinter_outputs
+
+   !> All outputs along the path.
+   subroutine drive_outputs(driven, settings, values)
+      type(driven_routine), intent(in) :: driven
+      type(check_settings), intent(in) :: settings
+      real(wp), allocatable, intent(out) :: values(:)
       type(drive_record) :: record
       integer :: i, n
 
-      call new_uinter(driven, routine, settings, usual_ndir(settings))
       call drive(driven, main_path(settings), 1, record)
       n = driven%layout%numbers
       allocate (values(n*record%n))

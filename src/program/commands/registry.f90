@@ -1,5 +1,6 @@
 !> The commands of the program, in the order of its help.
 module asperity_program_commands_registry
+   use asperity_program_commands_check_command, only: check_command
    use asperity_program_commands_command, only: command_type
    use asperity_program_commands_compare_command, only: compare_command
    use asperity_program_commands_curve, only: curve_command
@@ -22,7 +23,7 @@ module asperity_program_commands_registry
    public :: command_entry, list_commands, find_command, all_keys, owners
 
    !> How many there are
-   integer, parameter, public :: n_commands = 14
+   integer, parameter, public :: n_commands = 15
 
    !> A command in a list.
    type :: command_entry
@@ -51,6 +52,7 @@ contains
       allocate (pairs_command :: list(12)%command)
       allocate (replay_command :: list(13)%command)
       allocate (compare_command :: list(14)%command)
+      allocate (check_command :: list(15)%command)
       do i = 1, size(list)
          call list(i)%command%describe()
       end do

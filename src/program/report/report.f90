@@ -51,6 +51,10 @@ module asperity_program_report_report
       !> Pictures where they are asked for, and the title of a sheet of all of them
       type(figure_type), allocatable :: pictures(:)
       character(len=:), allocatable :: picture_title
+      !> Lines that the terminal shows in the place of a table, none when not allocated; what is too
+      !> long goes on behind so many blanks
+      type(string_type), allocatable :: paragraphs(:)
+      integer :: paragraph_indent = 0
       !> A page in HTML where it is asked for: its text before each picture and after the last
       type(string_type), allocatable :: page(:)
       !> Input for other programs, none when not allocated

@@ -50,6 +50,12 @@ contains
       end if
       if (allocated(report%more)) call add_more(buffer, report, width)
       if (report%shows_table) call add_main_table(buffer, report, width)
+      if (allocated(report%paragraphs)) then
+         do i = 1, size(report%paragraphs)
+            call buffer%line(wrapped(report%paragraphs(i)%text, width, report%paragraph_indent))
+         end do
+         if (size(report%paragraphs) > 0) call buffer%line()
+      end if
       if (report%table%find('validity') > 0) then
          call add_validity(buffer, report, width)
       end if
