@@ -177,7 +177,7 @@ contains
          'are not tried.')
       if (.not. subject%is_callable) call report%add_remark('With other arguments than '// &
          'ABAQUS'' it is not called.')
-      if (subject%has_uexternaldb) call report%add_remark('UEXTERNALDB of the same file is '// &
+      if (subject%calls_uexternaldb) call report%add_remark('UEXTERNALDB of the same file is '// &
          'called at start and end of analysis, step and increment.')
       n = size(subject%messages)
       do i = 1, min(n, most_shown)

@@ -10,16 +10,17 @@ module asperity_program_commands_check_library
    use asperity_program_commands_routine_stubs, only: stub_names
    use asperity_program_system_child_command, only: run_command
    use asperity_program_system_child_folder, only: temporary_folder
-   use asperity_program_system_strings, only: newline, shell_word, split_lines, starts_with, &
-      string_type
+   use asperity_program_system_strings, only: shell_word, split_lines, starts_with, string_type
    implicit none
    private
    public :: library_symbols, read_symbols, find_statics, find_commons
 
    !> What a library has.
    type :: library_symbols
-      !> It has a UINTER, a VUINTER; it calls a utility of ABAQUS that can be stood in for
-      logical :: has_uinter = .false., has_vuinter = .false., calls_utilities = .false.
+      !> It has a UINTER, a VUINTER, a UEXTERNALDB; it calls a utility of ABAQUS that can be stood
+      !> in for
+      logical :: has_uinter = .false., has_vuinter = .false., has_uexternaldb = .false., &
+         calls_utilities = .false.
       !> Variables that last from call to call, with their bytes; COMMON blocks
       type(string_type), allocatable :: statics(:), commons(:)
       integer, allocatable :: bytes(:)
@@ -37,11 +38,11 @@ module asperity_program_commands_check_library
 contains
 
    !> Read the symbols of a library. `error` is set when it is none.
-   subroutine read_symbols(folder, path, symbols, error)
+   subroutine read_symbols(folder, path, name, symbols, error)
       !> Where files go
       type(temporary_folder), intent(inout) :: folder
-      !> Path of the library
-      character(len=*), intent(in) :: path
+      !> Absolute path of the library, and as messages have it
+      character(len=*), intent(in) :: path, name
       !> What it has
       type(library_symbols), intent(out) :: symbols
       !> Set on failure
@@ -55,8 +56,8 @@ contains
          ' 2>/dev/null; nm -D --format=posix '//shell_word(path), output, status, error)
       if (allocated(error)) return
       if (status /= 0) then
-         call fatal_error(error, path//': nm of the GNU binutils finds no symbols of a shared '// &
-            'library in it: '//output(:index(output//newline, newline) - 1))
+         call fatal_error(error, name//': nm of the GNU binutils finds no symbols of a shared '// &
+            'library in it')
          return
       end if
       call split_lines(output, lines)
@@ -83,6 +84,7 @@ contains
             symbols%has_uinter = .true.
          if (any(lower_case(name) == [character(len=8) :: 'vuinter', 'vuinter_'])) &
             symbols%has_vuinter = .true.
+         if (name == 'uexternaldb_') symbols%has_uexternaldb = .true.
       case ('U')
          if (any(name == stub_names)) symbols%calls_utilities = .true.
       case ('B', 'b', 'C', 'D', 'd', 'S', 's')

@@ -36,8 +36,8 @@ module asperity_program_commands_check_subject
       logical :: single = .false.
       !> It may be called: its arguments are ABAQUS'
       logical :: is_callable = .true.
-      !> The file calls UEXTERNALDB its own
-      logical :: has_uexternaldb = .false.
+      !> UEXTERNALDB of the same file is called
+      logical :: calls_uexternaldb = .false.
       !> Paths of its library, and of that of ABAQUS' utilities, empty for none
       character(len=:), allocatable :: library, utilities
       !> What the compiler warns of
@@ -79,10 +79,11 @@ contains
          call prepare_source(subject, folder, findings, error)
          if (allocated(error) .or. .not. subject%is_callable) return
       end if
-      call read_symbols(folder, subject%library, symbols, error)
+      call read_symbols(folder, subject%library, subject%path, symbols, error)
       if (.not. allocated(error) .and. ending == '.so') call choose_routine(subject, &
          symbols%has_uinter, symbols%has_vuinter, error)
       if (allocated(error)) return
+      subject%calls_uexternaldb = symbols%has_uexternaldb .and. subject%routine == 'uinter'
       call find_commons(symbols, subject%messages, findings)
       call find_statics(symbols, findings)
       if (.not. symbols%calls_utilities) return
@@ -111,7 +112,6 @@ contains
       if (allocated(error)) return
       subject%source_path = resolved_path(subject%path)
       subject%form_options = trim(gfortran_options(source%form, source%text))
-      subject%has_uexternaldb = has_external(found, 'uexternaldb')
       call check_argument_list(subject%routine, routine%arguments, source%place(routine%line), &
          findings)
       subject%is_callable = .not. has_list_error(findings)

@@ -39,12 +39,13 @@ contains
          different = count([(numbers(i)%text /= others(i)%text, i=1, n)])
          if (size(numbers) == size(others)) then
             ! behind the last line break is no number
-            found = to_text(different)//' of '//to_text(n - 1)//' outputs along the path change'
+            found = to_text(different)//' of '//to_text(n - 1)//' outputs along the path '// &
+               'change when it holds another number'
          else
-            found = 'the routine comes less far along the path'
+            found = 'the path ends early when it holds another number'
          end if
       else
-         found = 'the run does not come to its end'
+         found = 'the run does not come to its end when it holds another number'
       end if
       place = ''
       n = 0
@@ -58,7 +59,7 @@ contains
       end do
       if (place == '') place = 'a variable that the compiler does not name'
       call findings%add(rule_uninitialised, severity_error, place, 'outputs that do not depend on '// &
-         'what a variable holds before it is set', found//' with what it holds', &
+         'what a variable holds before it is set', found, &
          'Results change with the compiler, its options and what ran before.')
    end subroutine judge_builds
 

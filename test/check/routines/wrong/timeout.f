@@ -1,0 +1,47 @@
+! check: --properties 2 --nstatv 1 --time-limit 1
+! finds: timeout error
+! Iterates until a number is exactly zero
+      SUBROUTINE UINTER(STRESS,DDSDDR,DVISCOUS,DSTRUCTURAL,FLUX,DDFDDT,
+     1 DDSDDT,DDFDDR,STATEV,SED,SFD,SPD,SVD,SCD,PNEWDT,RDISP,DRDISP,
+     2 TEMP,DTEMP,PREDEF,DPRED,TIME,DTIME,FREQR,CINAME,SLNAME,MSNAME,
+     3 PROPS,COORDS,ALOCALDIR,DROT,AREA,CHRLNGTH,NODE,NDIR,NSTATV,
+     4 NPRED,NPROPS,MCRD,KSTEP,KINC,KIT,LINPER,LOPENCLOSE,LSTATE,
+     5 LSDI,LPRINT)
+      INCLUDE 'ABA_PARAM.INC'
+      DIMENSION STRESS(NDIR),DDSDDR(NDIR,NDIR),DVISCOUS(NDIR,NDIR),
+     1 DSTRUCTURAL(NDIR,NDIR),FLUX(2),DDFDDT(2,2),DDSDDT(NDIR,2),
+     2 DDFDDR(2,NDIR),STATEV(NSTATV),RDISP(NDIR),DRDISP(NDIR),TEMP(2),
+     3 DTEMP(2),PREDEF(2,NPRED),DPRED(2,NPRED),TIME(2),PROPS(NPROPS),
+     4 COORDS(MCRD),ALOCALDIR(MCRD,MCRD),DROT(2,2)
+      CHARACTER*80 CINAME,SLNAME,MSNAME
+      STIFF = PROPS(1)
+C     Nothing but the pressure
+      STRESS = 0.D0
+      DDSDDR = 0.D0
+      DVISCOUS = 0.D0
+      DSTRUCTURAL = 0.D0
+      FLUX = 0.D0
+      DDFDDT = 0.D0
+      DDSDDT = 0.D0
+      DDFDDR = 0.D0
+      SFD = 0.D0
+      SPD = 0.D0
+      SVD = 0.D0
+      SCD = 0.D0
+C     A perturbation step is about the last state
+      IF (LINPER .EQ. 0) THEN
+         STATEV(1) = 0.D0
+         IF (RDISP(1) .GT. 0.D0) STATEV(1) = 1.D0
+         LOPENCLOSE = NINT(STATEV(1))
+      END IF
+      DDSDDR(1,1) = STIFF*STATEV(1)
+      STRESS(1) = DDSDDR(1,1)*RDISP(1)
+      SED = 0.5D0*STRESS(1)*RDISP(1)
+C     The residual never becomes exactly zero
+      X = 1.D0
+      DO WHILE (X*X - STIFF .NE. 0.D0)
+         X = 0.5D0*(X + STIFF/X)
+      END DO
+      PNEWDT = MIN(PNEWDT, 1.D0 + X)
+      RETURN
+      END
