@@ -11,8 +11,8 @@ if ! command -v gfortran >/dev/null; then
 fi
 export FC=gfortran
 
-# head FILE WORD: what a line `! WORD: ...` at the head of a routine says
-head_of() { sed -n "1,5s/^! $2: *//p" "$1"; }
+# head_of FILE WORD: what a comment `! WORD: ...` at the head of a routine says
+head_of() { sed -n "1,5s/^[!C] $2: *//p" "$1"; }
 
 # check_file NAME FILE OPTION...: check a file, with all that comes of it in results/NAME.*
 check_file() {
@@ -75,7 +75,7 @@ for file in asperity_uinter.f90 asperity_uinter.f asperity_vuinter.f90 asperity_
    check "check: $file is clean" clean "own-$file"
 done
 # every rule has a routine with its fault
-cat "$routines"/wrong/* | sed -n 's/^! finds: *//p' >faults
+cat "$routines"/wrong/* | sed -n 's/^[!C] finds: *//p' >faults
 for rule in $(of_json results/wrong-prints.f.json rules rule); do
    check "check: rule $rule has a wrong routine" grep -q "^$rule " faults
 done

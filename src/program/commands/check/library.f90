@@ -29,7 +29,7 @@ module asperity_program_commands_check_library
    !> Beginnings of names that compiler and linker keep for themselves
    character(len=*), parameter :: own(*) = [character(len=22) :: '_DYNAMIC', '_GLOBAL_OFFSET_TABLE_', &
       '__TMC_END__', '__do_global_dtors_aux', '__dso_handle', '__frame_dummy_init', 'completed.', &
-      '_edata', '_end', '__bss_start', '_fini', '_init', '.', '__unnamed', '_ITM', '__JCR']
+      '_edata', '_end', '__bss_start', '_fini', '_init', '.', 'jumptable.', '_ITM', '__JCR']
    !> Variables that a finding names
    integer, parameter :: names_shown = 5
    !> How gfortran warns of two lengths of a block

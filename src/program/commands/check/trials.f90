@@ -96,7 +96,7 @@ contains
       !> Compare two builds in which variables hold different numbers before they are set.
       subroutine compare_builds()
          type(child_limits) :: filled
-         type(child_outcome) :: first, second
+         type(child_outcome) :: first, again, second
          type(message_type), allocatable :: messages(:)
 
          call progress%show(size(names), size(names), 'trials: uninitialised')
@@ -104,8 +104,14 @@ contains
          filled = limits
          filled%fill = fills(1)
          call run_child(folder, job, filled, first)
+         call run_child(folder, job, filled, again)
+         if (any([first%ending, again%ending] == child_interrupted)) call fatal_error(error, &
+            'interrupted')
+         ! what changes by itself is no matter of variables
+         if (first%ending /= child_finished .or. again%ending /= child_finished) return
+         if (first%text /= again%text) return
          call build_others(subject, folder, job%library, error)
-         if (allocated(error) .or. first%ending /= child_finished) return
+         if (allocated(error)) return
          filled%fill = fills(2)
          call run_child(folder, job, filled, second)
          if (second%ending == child_interrupted) call fatal_error(error, 'interrupted')
