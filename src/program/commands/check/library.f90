@@ -173,8 +173,8 @@ contains
       call findings%add(rule_statics, severity_warning, names, &
          'no variable that lasts from call to call (SAVE, DATA, in a module): what a point '// &
          'remembers belongs in STATEV', to_text(sum(symbols%bytes))//' bytes that may be written', &
-         'All points, attempts at an increment and threads share them: one that is given up is '// &
-         'not undone, and with several threads results change from run to run.')
+         'all points, attempts at an increment and threads share them: an attempt that is given '// &
+         'up is not undone, and with several threads results change from run to run')
    end subroutine find_statics
 
    !> COMMON blocks, and those that the compiler finds to have several lengths.
@@ -196,14 +196,14 @@ contains
          call findings%add(rule_common, severity_error, 'COMMON /'// &
             messages(i)%text(first:last)//'/', 'one length in all subroutines', &
             messages(i)%text(index(messages(i)%text, '(', back=.true.):)//' at '// &
-            messages(i)%place, 'Subroutines take the same memory for different variables.')
+            messages(i)%place, 'subroutines take the same memory for different variables')
       end do
       messages = pack(messages, .not. taken)
       do i = 1, size(symbols%commons)
          call findings%add(rule_common, severity_warning, 'COMMON '//symbols%commons(i)%text, &
             'no COMMON: what a point remembers belongs in STATEV', 'a COMMON block', &
-            'All points, attempts at an increment and threads share it: an attempt that is given '// &
-            'up is not undone, and with several threads results change from run to run.')
+            'all points, attempts at an increment and threads share it: an attempt that is given '// &
+            'up is not undone, and with several threads results change from run to run')
       end do
    end subroutine find_commons
 

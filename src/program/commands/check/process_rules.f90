@@ -54,27 +54,27 @@ contains
       case (child_finished)
          if (size(lines) > 0) call findings%add(rule_prints, severity_note, 'standard output', &
             'nothing printed', to_text(count_lines(lines))//' lines in trial '//trial// &
-            ', the first '//quoted(cut(lines(1)%text)), 'Each call of each point prints: the '// &
-            '.dat or .log file grows and the analysis is slow.')
+            ', the first '//quoted(cut(lines(1)%text)), 'each call of each point prints: the '// &
+            '.dat or .log file grows and the analysis is slow')
          call judge_files(outcome, trial, is_explicit, findings)
       case (child_stopped)
          if (outcome%code /= ended_status) call findings%add(rule_crash, severity_error, &
             place_of(lines, path, trial), 'a return from every call', &
             'STOP, EXIT or an error of Fortran in trial '//trial//': exit status '// &
-            to_text(outcome%code)//said(lines), 'ABAQUS ends without a message of its own.')
+            to_text(outcome%code)//said(lines), 'ABAQUS ends without a message of its own')
       case (child_killed)
          if (outcome%code == sigxfsz) then
             call findings%add(rule_prints, severity_error, 'trial '//trial, 'nothing printed', &
-               'ended by '//signal_name(outcome%code), 'The disk fills.')
+               'ended by '//signal_name(outcome%code), 'the disk fills')
          else
             call findings%add(rule_crash, severity_error, place_of(lines, path, trial), &
                'a return from every call', 'ended in trial '//trial//' by '// &
-               signal_name(outcome%code), 'ABAQUS ends with a system error.')
+               signal_name(outcome%code), 'ABAQUS ends with a system error')
          end if
       case (child_late)
          call findings%add(rule_timeout, severity_error, 'trial '//trial, 'an end within '// &
             to_text(limits%seconds)//' s (--time-limit)', 'no end', &
-            'ABAQUS hangs, or takes as long at every call.')
+            'ABAQUS hangs, or takes as long at every call')
       case default
          return
       end select
@@ -100,7 +100,7 @@ contains
          call findings%add(rule_crash, severity_error, 'message of the routine in trial '//trial, &
             'no error at these properties and this path', &
             lines(i)%text(index(lines(i)%text, ' ') + 1:), &
-            trim(merge('ABAQUS ends the job.    ', 'ABAQUS counts an error. ', level == level_end)))
+            trim(merge('ABAQUS ends the job   ', 'ABAQUS counts an error', level == level_end)))
          return
       end do
    end subroutine judge_messages
@@ -128,11 +128,11 @@ contains
             if (unit > 0 .and. .not. allowed) then
                call findings%add(rule_prints, severity_warning, 'unit '//to_text(unit), &
                   'units of user routines: '//units, 'written to in trial '//trial, &
-                  'ABAQUS may use the unit for a file of its own.')
+                  'ABAQUS may use the unit for a file of its own')
             else
                call findings%add(rule_prints, severity_note, 'file '//name, 'no file', &
-                  'written in trial '//trial, 'Each call of each point writes: the file grows and '// &
-                  'the analysis is slow.')
+                  'written in trial '//trial, 'each call of each point writes: the file grows and '// &
+                  'the analysis is slow')
             end if
          end associate
       end do

@@ -72,7 +72,7 @@ contains
          call fatal_error(error, subject%path//': there is no such file', file_error)
          return
       end if
-      ending = lower_case(subject%path(scan(subject%path, './', back=.true.):))
+      ending = lower_case(subject%path(max(scan(subject%path, './', back=.true.), 1):))
       if (ending == '.so') then
          subject%library = resolved_path(subject%path)
       else
@@ -185,22 +185,31 @@ contains
       character(len=*), intent(in) :: place
       type(finding_list), intent(inout) :: findings
       type(error_type), allocatable, intent(out) :: error
-      character(len=:), allocatable :: command, caller, alone, called
-      integer :: status
+      character(len=:), allocatable :: caller, alone, called
 
-      command = 'LC_ALL=C '//subject%compiler%words//' '//type_options//' '// &
-         subject%form_options//' -I'//shell_word(folder%path)//' -I'// &
-         shell_word(subject%source_path(:scan(subject%source_path, '/', back=.true.)))// &
-         ' -o /dev/null '
       call caller_of(subject%routine, source%form, real_kind(subject), caller)
-      call write_file(folder%path//'/called.f', source%text//caller, error)
+      call ask_for_types(subject, folder, source%text, alone, error)
       if (.not. allocated(error)) &
-         call run_command(folder, command//shell_word(subject%source_path), alone, status, error)
-      if (.not. allocated(error)) call run_command(folder, command// &
-         shell_word(folder%path//'/called.f'), called, status, error)
+         call ask_for_types(subject, folder, source%text//caller, called, error)
       if (.not. allocated(error)) &
          call check_argument_types(subject%routine, alone, called, place, findings)
    end subroutine check_types
+
+   !> What the compiler says of the types in a text.
+   subroutine ask_for_types(subject, folder, text, said, error)
+      type(check_subject), intent(in) :: subject
+      type(temporary_folder), intent(inout) :: folder
+      character(len=*), intent(in) :: text
+      character(len=:), allocatable, intent(out) :: said
+      type(error_type), allocatable, intent(out) :: error
+      integer :: status
+
+      call write_file(folder%path//'/types.f', text, error)
+      if (.not. allocated(error)) call run_command(folder, 'LC_ALL=C '//subject%compiler%words// &
+         ' '//type_options//' '//subject%form_options//' -I'//shell_word(folder%path)//' -I'// &
+         shell_word(subject%source_path(:scan(subject%source_path, '/', back=.true.)))// &
+         ' -o /dev/null '//shell_word(folder%path//'/types.f'), said, status, error)
+   end subroutine ask_for_types
 
    !> Build the routine again, with other numbers in variables that nothing is given to.
    subroutine build_others(subject, folder, library, error)

@@ -60,7 +60,7 @@ contains
       if (place == '') place = 'a variable that the compiler does not name'
       call findings%add(rule_uninitialised, severity_error, place, 'outputs that do not depend on '// &
          'what a variable holds before it is set', found, &
-         'Results change with the compiler, its options and what ran before.')
+         'results change with the compiler, its options and what ran before')
    end subroutine judge_builds
 
 end module asperity_program_commands_check_uninitialised
