@@ -40,6 +40,8 @@ contains
       type(string_type), allocatable :: lines(:), part(:)
       integer :: i, rule, severity
 
+      ! gfortran warns of its bounds otherwise
+      allocate (lines(0))
       call split_lines(text, lines)
       do i = 1, size(lines)
          call split_lines(escaped(lines(i)%text, mark, newline), part)

@@ -48,6 +48,8 @@ contains
       type(finding_list), intent(inout) :: findings
       type(string_type), allocatable :: lines(:)
 
+      ! gfortran warns of its bounds otherwise
+      allocate (lines(0))
       call split_lines(outcome%output, lines)
       call judge_messages(outcome, folder, trial, findings)
       select case (outcome%ending)

@@ -37,6 +37,8 @@ contains
       type(message_type), allocatable :: found(:)
       integer :: at, i, kind, n
 
+      ! gfortran warns of its bounds otherwise
+      allocate (lines(0))
       call split_lines(output, lines)
       allocate (found(size(lines)))
       n = 0
