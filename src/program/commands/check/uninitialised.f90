@@ -33,6 +33,8 @@ contains
 
       if (second%ending == child_finished) then
          if (second%text == first%text) return
+         ! gfortran warns of their bounds otherwise
+         allocate (numbers(0), others(0))
          call split_lines(first%text, numbers)
          call split_lines(second%text, others)
          n = min(size(numbers), size(others))
