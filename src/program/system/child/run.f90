@@ -71,7 +71,7 @@ module asperity_program_system_child_run
       integer :: ending = child_finished
       !> Exit status or number of the signal
       integer :: code = 0
-      !> Its result; why it could not be started
+      !> Its result, empty when it did not come to it; why it could not be started
       character(len=:), allocatable :: text
       !> What it wrote to standard output and standard error, the first part of it
       character(len=:), allocatable :: output
@@ -111,6 +111,8 @@ contains
       character(len=:), allocatable :: reason
       integer(c_int) :: child, status
 
+      outcome%text = ''
+      outcome%output = ''
       status = int(run_shell('cd '//shell_word(folder%path)//' && { chmod -R u+rwX work; '// &
          'rm -rf work result output; } 2>/dev/null'), c_int)
       status = c_mkdir(folder%path//'/work'//c_null_char, all_rights)
@@ -119,6 +121,7 @@ contains
       if (child < 0) then
          outcome%ending = child_refused
          outcome%text = last_reason()
+         allocate (outcome%files(0))
          return
       end if
       if (child == 0) call be_child(folder, job, limits)
@@ -129,7 +132,10 @@ contains
       if (allocated(reason)) outcome%output = ''
       if (outcome%ending == child_finished) then
          call read_file(folder%path//'/result', result_read, outcome%text, reason)
-         if (allocated(reason)) outcome%ending = child_stopped
+         if (allocated(reason)) then
+            outcome%ending = child_stopped
+            outcome%text = ''
+         end if
       end if
       call list_files(folder, outcome%files)
    end subroutine run_child
