@@ -166,9 +166,11 @@ contains
       integer :: i
 
       text = ''
-      do i = size(lines), 1, -1
-         if (lines(i)%text /= '' .and. (text == '' .or. index(lines(i)%text, 'runtime error') > 0)) &
-            text = ', '//cut(lines(i)%text)
+      do i = 1, size(lines)
+         if (text == '' .and. lines(i)%text /= '') text = ', '//cut(lines(i)%text)
+         if (index(lines(i)%text, 'runtime error') == 0) cycle
+         text = ', '//cut(lines(i)%text)
+         return
       end do
    end function said
 

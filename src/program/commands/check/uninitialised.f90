@@ -57,12 +57,25 @@ contains
          n = n + 1
          if (n > shown) exit
          if (place /= '') place = place//'; '
-         place = place//messages(i)%place//': '//messages(i)%text
+         place = place//messages(i)%place//': '//in_words(messages(i)%text)
       end do
       if (place == '') place = 'a variable that the compiler does not name'
       call findings%add(rule_uninitialised, severity_error, place, 'outputs that do not depend on '// &
          'what a variable holds before it is set', found, &
          'results change with the compiler, its options and what ran before')
    end subroutine judge_builds
+
+   !> A warning without its option, and without what gfortran calls an array of unknown bounds.
+   pure function in_words(warning) result(text)
+      character(len=*), intent(in) :: warning
+      character(len=:), allocatable :: text
+      integer :: last
+
+      text = warning
+      last = index(text, ' [-W')
+      if (last > 0) text = text(:last - 1)
+      last = index(text, "' ")
+      if (text(:min(len(text), 4)) == "'MEM" .and. last > 0) text = 'an array'//text(last + 1:)
+   end function in_words
 
 end module asperity_program_commands_check_uninitialised
