@@ -1,6 +1,7 @@
 !> `asperity check`: a user routine of ABAQUS' contact, driven and judged.
 module asperity_program_commands_check_command
    use asperity_base_error, only: computation_error, error_type, fatal_error
+   use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
    use asperity_check_finding, only: finding_list, n_rules, rule_argument_list, rule_common, &
       rule_statics, severity_error
@@ -47,11 +48,11 @@ contains
       self%name = 'check'
       self%summary = 'faults of a UINTER or VUINTER, without ABAQUS'
       self%usage = 'ROUTINE.f|.for|.f90|.so --properties P1,P2,... --nstatv N [options]'
-      self%purpose = 'Drive a user routine of your own (UINTER or VUINTER) as ABAQUS would, and '// &
-         'say what is wrong: argument list, outputs left unset, memory written that is not its '// &
-         'own, tangent against differences, history lost or advanced at every call, variables '// &
-         'that are not set, and more. It is compiled by gfortran and runs in child processes, '// &
-         'in a temporary folder; it is your code that runs, with your rights.'
+      self%purpose = 'Drive a user routine of your own (UINTER or VUINTER) as ABAQUS would, '// &
+         'and say what is wrong: argument list, outputs left unset, memory written that is not '// &
+         'its own, tangent against differences, history lost or advanced at every call, '// &
+         'variables that are not set, and more. It is compiled by gfortran and runs in child '// &
+         'processes, in a temporary folder; it is your code that runs, with your rights.'
       self%headings(2) = 'The routine and how it is driven'
       self%takes_case = .false.
    end subroutine describe
@@ -101,20 +102,20 @@ contains
       if (self%file == '') then
          call fatal_error(error, 'no routine is given: asperity check '//self%usage, subject='file')
       else if (all(self%settings%ndir /= [0, 2, 3])) then
-         call fatal_error(error, 'ndir = '//to_text(self%settings%ndir)//' is not allowed: 2, 3, '// &
-            'or 0 for both', subject='ndir')
+         call fatal_error(error, 'ndir = '//to_text(self%settings%ndir)//' is not allowed: 2, '// &
+            '3, or 0 for both', subject='ndir')
       else if (self%settings%nstatv < 0) then
          call fatal_error(error, 'nstatv = '//to_text(self%settings%nstatv)//' is not allowed: '// &
             'at least 0', subject='nstatv')
       end if
       if (.not. allocated(error)) call check_positive('largest_overclosure', &
-         self%settings%largest_overclosure > 0.0, error)
+         self%settings%largest_overclosure > 0.0_wp, error)
       if (.not. allocated(error)) call check_positive('largest_gap', &
-         self%settings%largest_gap > 0.0, error)
+         self%settings%largest_gap > 0.0_wp, error)
       if (.not. allocated(error)) call check_positive('largest_slip', &
-         self%settings%largest_slip > 0.0, error)
+         self%settings%largest_slip > 0.0_wp, error)
       if (.not. allocated(error)) call check_positive('time_increment', &
-         self%settings%time_increment > 0.0, error)
+         self%settings%time_increment > 0.0_wp, error)
       if (.not. allocated(error)) call check_positive('time_limit', &
          self%limits%seconds > 0, error)
       if (.not. allocated(error)) call check_positive('memory_limit', &
@@ -172,9 +173,9 @@ contains
       type(report_type), intent(inout) :: report
       integer :: i, n
 
-      if (subject%source_path == '') call report%add_remark('A shared library does not tell the '// &
-         'list of its arguments, and cannot be compiled again: argument_list and uninitialised '// &
-         'are not tried.')
+      if (subject%source_path == '') call report%add_remark('A shared library does not tell '// &
+         'the list of its arguments, and cannot be compiled again: argument_list and '// &
+         'uninitialised are not tried.')
       if (.not. subject%is_callable) call report%add_remark('With other arguments than '// &
          'ABAQUS'' it is not called.')
       if (subject%calls_uexternaldb) call report%add_remark('UEXTERNALDB of the same file is '// &

@@ -27,8 +27,9 @@ module asperity_program_commands_check_library
    end type library_symbols
 
    !> Beginnings of names that compiler and linker keep for themselves
-   character(len=*), parameter :: own(*) = [character(len=22) :: '_DYNAMIC', '_GLOBAL_OFFSET_TABLE_', &
-      '__TMC_END__', '__do_global_dtors_aux', '__dso_handle', '__frame_dummy_init', 'completed.', &
+   character(len=*), parameter :: own(*) = [character(len=22) :: '_DYNAMIC', &
+      '_GLOBAL_OFFSET_TABLE_', '__TMC_END__', '__do_global_dtors_aux', '__dso_handle', &
+      '__frame_dummy_init', 'completed.', &
       '_edata', '_end', '__bss_start', '_fini', '_init', '.', 'jumptable.', '_ITM', '__JCR']
    !> Variables that a finding names
    integer, parameter :: names_shown = 5
@@ -173,8 +174,8 @@ contains
       call findings%add(rule_statics, severity_warning, names, &
          'no variable that lasts from call to call (SAVE, DATA, in a module): what a point '// &
          'remembers belongs in STATEV', to_text(sum(symbols%bytes))//' bytes that may be written', &
-         'all points, attempts at an increment and threads share them: an attempt that is given '// &
-         'up is not undone, and with several threads results change from run to run')
+         'all points, attempts at an increment and threads share them: an attempt that is '// &
+         'given up is not undone, and with several threads results change from run to run')
    end subroutine find_statics
 
    !> COMMON blocks, and those that the compiler finds to have several lengths.
@@ -202,8 +203,8 @@ contains
       do i = 1, size(symbols%commons)
          call findings%add(rule_common, severity_warning, 'COMMON '//symbols%commons(i)%text, &
             'no COMMON: what a point remembers belongs in STATEV', 'a COMMON block', &
-            'all points, attempts at an increment and threads share it: an attempt that is given '// &
-            'up is not undone, and with several threads results change from run to run')
+            'all points, attempts at an increment and threads share it: an attempt that is '// &
+            'given up is not undone, and with several threads results change from run to run')
       end do
    end subroutine find_commons
 

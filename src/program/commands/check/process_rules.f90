@@ -123,7 +123,9 @@ contains
          associate (name => outcome%files(i)%text)
             if (name == '' .or. name == messages_file) cycle
             unit = 0
+            status = 0
             if (starts_with(name, 'fort.')) read (name(6:), *, iostat=status) unit
+            if (status /= 0) unit = 0
             allowed = unit == 7 .or. (unit >= 15 .and. unit <= 18) .or. unit > 100
             if (is_explicit) allowed = (unit >= 16 .and. unit <= 18) .or. &
                (unit > 100 .and. mod(unit, 10) >= 5)
@@ -133,8 +135,8 @@ contains
                   'ABAQUS may use the unit for a file of its own')
             else
                call findings%add(rule_prints, severity_note, 'file '//name, 'no file', &
-                  'written in trial '//trial, 'each call of each point writes: the file grows and '// &
-                  'the analysis is slow')
+                  'written in trial '//trial, 'each call of each point writes: the file grows '// &
+                  'and the analysis is slow')
             end if
          end associate
       end do

@@ -7,7 +7,7 @@ module asperity_program_commands_check_subject
    use asperity_check_argument_types, only: caller_of, check_argument_types, type_options
    use asperity_check_finding, only: finding_list, rule_argument_list, severity_error
    use asperity_check_source_form, only: gfortran_options
-   use asperity_check_source_includes, only: double_kind, include_names, include_text, single_kind
+   use asperity_check_source_includes, only: double_kind, single_kind
    use asperity_check_source_scan, only: has_external, scan_source, source_scan
    use asperity_check_source_text, only: read_source, source_text
    use asperity_check_source_units, only: source_routine
@@ -87,7 +87,7 @@ contains
       call find_commons(symbols, subject%messages, findings)
       call find_statics(symbols, findings)
       if (.not. symbols%calls_utilities) return
-      if (ending == '.so') call find_compiler(folder, subject%compiler, error)
+      if (ending == '.so') call find_compiler(folder, real_kind(subject), subject%compiler, error)
       if (.not. allocated(error)) &
          call build_stubs(folder, subject%compiler, subject%utilities, error)
    end subroutine prepare_subject
@@ -115,8 +115,7 @@ contains
       call check_argument_list(subject%routine, routine%arguments, source%place(routine%line), &
          findings)
       subject%is_callable = .not. has_list_error(findings)
-      call find_compiler(folder, subject%compiler, error)
-      if (.not. allocated(error)) call write_includes(subject, folder, error)
+      call find_compiler(folder, real_kind(subject), subject%compiler, error)
       if (.not. allocated(error)) call build_routine(folder, subject%compiler, subject%path, &
          subject%form_options, fill_zeros, subject%library, subject%messages, error)
       if (allocated(error) .or. .not. subject%is_callable) return
@@ -150,23 +149,6 @@ contains
       has_list_error = any([(findings%items(i)%rule == rule_argument_list .and. &
          findings%items(i)%severity == severity_error, i=1, findings%n)])
    end function has_list_error
-
-   !> Write what ABAQUS' user subroutines include, in capitals and in small letters.
-   subroutine write_includes(subject, folder, error)
-      type(check_subject), intent(in) :: subject
-      type(temporary_folder), intent(in) :: folder
-      type(error_type), allocatable, intent(out) :: error
-      character(len=:), allocatable :: text
-      integer :: i
-
-      do i = 1, size(include_names)
-         text = trim(include_text(trim(include_names(i)), real_kind(subject)))
-         call write_file(folder%path//'/'//trim(include_names(i)), text, error)
-         if (allocated(error)) return
-         call write_file(folder%path//'/'//trim(lower_case(include_names(i))), text, error)
-         if (allocated(error)) return
-      end do
-   end subroutine write_includes
 
    !> Kind of the reals that ABAQUS passes.
    pure function real_kind(subject) result(kind)

@@ -69,7 +69,8 @@ contains
       real(wp), allocatable :: values(:)
       character(len=:), allocatable :: failure
 
-      if (self%utilities /= '') call open_library(self%utilities, library, failure, is_global=.true.)
+      if (self%utilities /= '') &
+         call open_library(self%utilities, library, failure, is_global=.true.)
       nullify (uinter, vuinter)
       if (self%is_explicit) then
          call load_vuinter(self%library, vuinter, error)

@@ -60,8 +60,8 @@ contains
          place = place//messages(i)%place//': '//in_words(messages(i)%text)
       end do
       if (place == '') place = 'a variable that the compiler does not name'
-      call findings%add(rule_uninitialised, severity_error, place, 'outputs that do not depend on '// &
-         'what a variable holds before it is set', found, &
+      call findings%add(rule_uninitialised, severity_error, place, 'outputs that do not depend '// &
+         'on what a variable holds before it is set', found, &
          'results change with the compiler, its options and what ran before')
    end subroutine judge_builds
 

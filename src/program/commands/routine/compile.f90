@@ -1,7 +1,9 @@
 !> User routines compiled by gfortran to shared libraries, in a temporary folder.
 module asperity_program_commands_routine_compile
    use asperity_base_error, only: error_type, fatal_error, file_error
+   use asperity_base_letter_case, only: lower_case
    use asperity_base_number_text, only: to_text
+   use asperity_check_source_includes, only: include_names, include_text
    use asperity_program_commands_routine_messages, only: compiler_messages, message_type, &
       said_error, said_warning
    use asperity_program_commands_routine_stubs, only: stubs_text
@@ -34,28 +36,32 @@ module asperity_program_commands_routine_compile
    !> Fortran as ABAQUS' compilers take it, locals on the stack as ABAQUS has them, and everything
    !> left out that the user routines of the file do not come to. At -O1 what is never written is
    !> no variable
-   character(len=*), parameter :: options = ' -O1 -g -fPIC -shared -frecursive -std=legacy -fdec '// &
-      '-fdata-sections -ffunction-sections -Wl,--gc-sections -Wl,--version-script='
+   character(len=*), parameter :: options = ' -O1 -g -fPIC -shared -frecursive -std=legacy '// &
+      '-fdec -fdata-sections -ffunction-sections -Wl,--gc-sections -Wl,--version-script='
    !> What compilers are asked to say
-   character(len=*), parameter :: warnings = ' -fno-diagnostics-show-caret -fmax-errors=20 -Wall '// &
-      '-Wno-unused -Wno-unused-dummy-argument -Wno-tabs -Wno-conversion '
+   character(len=*), parameter :: warnings = ' -fno-diagnostics-show-caret -fmax-errors=20 '// &
+      '-Wall -Wno-unused -Wno-unused-dummy-argument -Wno-tabs -Wno-conversion '
    !> The user routines that are called
-   character(len=*), parameter :: exported = '{ global: uinter_; vuinter_; uexternaldb_; local: *; };'
+   character(len=*), parameter :: exported = &
+      '{ global: uinter_; vuinter_; uexternaldb_; local: *; };'
    !> Errors that a message shows
    integer, parameter :: errors_shown = 3
 
 contains
 
-   !> The compiler. `error` is set when there is none.
-   subroutine find_compiler(folder, compiler, error)
+   !> The compiler, and what ABAQUS' user subroutines include, in capitals and in small letters.
+   !> `error` is set when there is none.
+   subroutine find_compiler(folder, real_kind, compiler, error)
       !> Where its files go
       type(temporary_folder), intent(inout) :: folder
+      !> Kind of reals: `double_kind` or `single_kind` of asperity_check_source_includes
+      character(len=*), intent(in) :: real_kind
       !> The compiler
       type(routine_compiler), intent(out) :: compiler
       !> Set on failure
       type(error_type), allocatable, intent(out) :: error
       character(len=:), allocatable :: output
-      integer :: length, status
+      integer :: i, length, status
 
       call get_environment_variable('FC', length=length)
       compiler%words = repeat(' ', length)
@@ -70,7 +76,16 @@ contains
          call fatal_error(error, 'FC = '//compiler%words//' is not gfortran, whose options are '// &
             'needed; set FC=gfortran')
       end if
-      if (.not. allocated(error)) call write_file(folder%path//'/exported', exported//newline, error)
+      if (.not. allocated(error)) &
+         call write_file(folder%path//'/exported', exported//newline, error)
+      do i = 1, size(include_names)
+         associate (name => include_names(i))
+            if (.not. allocated(error)) call write_file(folder%path//'/'//trim(name), &
+               trim(include_text(trim(name), real_kind)), error)
+            if (.not. allocated(error)) call write_file(folder%path//'/'//trim(lower_case(name)), &
+               trim(include_text(trim(name), real_kind)), error)
+         end associate
+      end do
    end subroutine find_compiler
 
    !> Compile a source to a shared library. Nothing is written but in the folder.
@@ -97,8 +112,8 @@ contains
       library = folder%path//'/routine_'//to_text(fill)//'.so'
       call run_command(folder, 'LC_ALL=C '//compiler%words//options// &
          shell_word(folder%path//'/exported')//warnings//trim(fill_options(fill))//' '// &
-         trim(form_options)//' -I'//shell_word(folder%path)//' '//shell_word(resolved_path(path))// &
-         ' -o '//shell_word(library), output, status, error)
+         trim(form_options)//' -I'//shell_word(folder%path)//' '//shell_word(resolved_path(path)) &
+         //' -o '//shell_word(library), output, status, error)
       if (allocated(error)) return
       call compiler_messages(output, resolved_path(path), messages)
       if (status == 0) then

@@ -5,8 +5,8 @@ module asperity_program_system_child_posix
    implicit none
    private
    public :: signal_set, time_span, c_chdir, c_dup2, c_exit, c_fork, c_kill, c_mallopt, c_mkdir, &
-      c_mkdtemp, c_setpgid, c_setrlimit, c_sigaddset, c_sigemptyset, c_sigprocmask, c_sigtimedwait, &
-      c_waitpid
+      c_mkdtemp, c_setpgid, c_setrlimit, c_sigaddset, c_sigemptyset, c_sigprocmask, &
+      c_sigtimedwait, c_waitpid
 
    !> Signals: 1024 bits
    type, bind(c) :: signal_set

@@ -232,7 +232,8 @@ contains
       character(len=:), allocatable :: text, reason
       integer :: status
 
-      status = run_shell('cd '//shell_word(folder%path)//' && LC_ALL=C ls -A work >files 2>/dev/null')
+      status = run_shell('cd '//shell_word(folder%path)//' && LC_ALL=C ls -A work '// &
+         '>files 2>/dev/null')
       call read_file(folder%path//'/files', output_read, text, reason)
       if (allocated(reason) .or. status /= 0) text = ''
       call split_lines(text, names)
