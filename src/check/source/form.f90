@@ -25,14 +25,15 @@ contains
       !> Set when neither the source nor its path tells
       type(error_type), allocatable, intent(out) :: error
       character(len=:), allocatable :: ending
-      integer :: finish, start
+      integer :: length, start
 
       start = 1
       do while (start <= len(text))
-         finish = start - 1 + index(text(start:)//newline, newline)
-         form = form_by_directive(text(start:finish - 1))
+         length = index(text(start:), newline) - 1
+         if (length < 0) length = len(text) - start + 1
+         form = form_by_directive(text(start:start - 1 + length))
          if (form /= '') return
-         start = finish + 1
+         start = start + length + 1
       end do
       ending = lower_case(path(max(scan(path, './', back=.true.), 1):))
       if (any(fixed_endings == ending)) then

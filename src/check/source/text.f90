@@ -64,7 +64,7 @@ contains
       type(error_type), allocatable, intent(inout) :: error
       character(len=:), allocatable :: inner, path
       type(source_scan) :: found
-      integer :: at, i, number, start
+      integer :: at, i, length, number, start
 
       if (level > most_levels) then
          call fatal_error(error, source%path//' includes files that include each other '// &
@@ -85,7 +85,9 @@ contains
             call insert(source, trim(found%includes(i)%name), inner, level + 1, error)
          if (allocated(error)) return
          ! the line itself
-         start = start + index(text(start:)//newline, newline)
+         length = index(text(start:), newline)
+         if (length == 0) length = len(text) - start + 1
+         start = start + length
          at = at + 1
       end do
       call append(source, text, number, huge(at), at, start)

@@ -52,14 +52,15 @@ contains
       character(len=*), intent(in) :: text
       !> Without their ends
       type(string_type), allocatable, intent(out) :: lines(:)
-      integer :: finish, i, start
+      integer :: i, length, start
 
       allocate (lines(count([(text(i:i) == newline, i=1, len(text))]) + min(len(text), 1)))
       start = 1
       do i = 1, size(lines)
-         finish = start - 1 + index(text(start:)//newline, newline)
-         lines(i)%text = text(start:finish - 1)
-         start = finish + 1
+         length = index(text(start:), newline) - 1
+         if (length < 0) length = len(text) - start + 1
+         lines(i)%text = text(start:start - 1 + length)
+         start = start + length + 1
       end do
    end subroutine split_lines
 

@@ -85,7 +85,7 @@ module asperity_program_system_child_run
    integer(c_long), parameter :: megabyte = 1048576_c_long
    !> Largest file that a child may write, MB, and how much of its output is read
    integer(c_long), parameter :: largest_file = 64_c_long
-   integer, parameter :: output_read = 65536, result_read = huge(1)
+   integer, parameter :: output_read = 1048576, result_read = huge(1)
    !> How much longer than its time of the processor a child may take
    integer, parameter :: waiting_factor = 10
    integer(c_int), parameter :: sigkill = 9_c_int, sigpipe = 13_c_int, sigxcpu = 24_c_int, &
