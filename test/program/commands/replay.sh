@@ -120,7 +120,9 @@ refuses 'replay: NSTATV of ours' 2 '--nstatv: is for --uinter' replay path.csv -
 refuses 'replay: four components' 2 '--ndir: ndir = 4 is not allowed: 2 or 3' replay path.csv --ndir 4
 refuses 'replay: no tolerance' 2 '--tolerance: tolerance = 0.0 is not' replay path.csv --tolerance 0
 refuses 'replay: no library' 3 'none.so: there is no such file' replay path.csv --uinter none.so
-refuses 'replay: no library but a text' 2 'path.csv: cannot be loaded as a shared library: ' replay path.csv --uinter path.csv
+cp path.csv text.so
+refuses 'replay: no library but a text' 2 'text.so: ' replay path.csv --uinter text.so
+refuses 'replay: no source but a text' 2 'path.csv' replay path.csv --uinter path.csv
 
 # A penalty law by another hand: K = PROPS(1), mu = PROPS(2), elastic slip until G = PROPS(3) times
 # it is mu p; STATEV: elastic slip, accepted increments. PROPS(4) is a fault
@@ -206,8 +208,37 @@ parts,statev_1,statev_2
    check 'replay: cut for ever' is_refused 1 'plane.csv, row 1, .*: UINTER asks to cut the increment for ever'
    sed 's/subroutine uinter/subroutine umat/' penalty.f >other.f
    "$compiler" -shared -fPIC other.f -o other.so 2>/dev/null
-   refuses 'replay: a library without UINTER' 2 'other.so: has no UINTER: none of its symbols' \
+   refuses 'replay: a library without UINTER' 2 'other.so has no subroutine UINTER' \
       replay path.csv --uinter other.so
+   # a library that takes its process down
+   sed 's/fault = props(4)/fault = props(4)\n      if (kinc .eq. 3) stop 7/' penalty.f >stops.f
+   "$compiler" -shared -fPIC stops.f -o stops.so 2>/dev/null
+   stops() { run replay plane.csv --uinter "$1" --properties 100,0.3,50,0 --nstatv 2 "${@:2}"; }
+   stops stops.so
+   check 'replay: a STOP is named' is_refused 1 'stops.so: .*STOP, EXIT or an error of Fortran in trial replay: exit status 7'
+   sed 's/fault = props(4)/fault = props(4)\n      print *, kinc/' penalty.f >prints.f
+   "$compiler" -shared -fPIC prints.f -o prints.so 2>/dev/null
+   stops prints.so --csv u4.csv
+   check 'replay: what it prints is no output of the program' sh -c 'cmp u.csv u4.csv && test ! -s err'
+   check 'replay: and is remarked' has out 'lines in trial replay, the first'
+fi
+if ! gfortran --version >/dev/null 2>&1 || [ ! -s u.csv ]; then
+   skip 'replay: a source' 'there is no gfortran'
+else
+   run replay plane.csv --uinter penalty.f --properties 100,0.3,50,0 --nstatv 2 --csv u5.csv
+   check 'replay: the source in place of the library' sh -c 'cut -d, -f1-4,14- u.csv >a; cut -d, -f1-4,14- u5.csv >b
+      test "$1" -eq 0 && cut -d, -f5 u.csv | cmp - c && cmp a b' - "$status" <<<"$(cut -d, -f5 u5.csv >c)"
+   sed 's/lprint)/lprint,extra)/' penalty.f >longer.f
+   refuses 'replay: another argument list' 2 'longer.f: .*' \
+      replay plane.csv --uinter longer.f --properties 100,0.3,50,0 --nstatv 2
+   sed "s/fault = props(4)/fault = props(4)\n      if (kinc .eq. 2) call xit/" penalty.f >ends.f
+   run replay plane.csv --uinter ends.f --properties 100,0.3,50,0 --nstatv 2
+   check 'replay: XIT is named' is_refused 1 'ends.f: message of the routine in trial replay: XIT was called'
+   check 'replay: nothing is left behind' sh -c '! ls abaqus_messages fort.* 2>/dev/null'
+   # asperity's own UINTER as ABAQUS compiles it
+   run replay r.csv --uinter "$root/interface/abaqus/ready/asperity_uinter.f" --nstatv 20 \
+      --properties 0.5,0.31,206,297,3.141592653589793,0.1477,24.53,0.4,0.0593 --tolerance 1e-12
+   check 'replay: the file for ABAQUS answers as the program' has out 'Verdict: pass: 3 columns in 10 rows'
 fi
 
 # A box that finds no balance leaves its motion and its properties

@@ -1,6 +1,5 @@
 !> `asperity replay`: a given motion of a contact point through a UINTER.
 module asperity_program_commands_replay_command
-   use, intrinsic :: ieee_exceptions, only: ieee_all, ieee_set_halting_mode
    use, intrinsic :: iso_fortran_env, only: int64
    use asperity_abaqus_props, only: properties_from_props
    use asperity_abaqus_uinter_signature, only: uinter_interface
@@ -8,18 +7,21 @@ module asperity_program_commands_replay_command
    use asperity_base_kinds, only: wp
    use asperity_base_memory, only: check_work
    use asperity_base_number_text, only: to_text
+   use asperity_check_finding, only: finding_list
    use asperity_contact_properties, only: contact_properties
    use asperity_program_commands_command, only: command_type
    use asperity_program_commands_faces_friction_keys, only: declare_friction
    use asperity_program_commands_faces_type, only: faces_type
    use asperity_program_commands_replay_expected, only: compare_with_expected
+   use asperity_program_commands_replay_foreign, only: replay_foreign
    use asperity_program_commands_replay_path_input, only: read_path
    use asperity_program_commands_replay_plot, only: draw_replay
    use asperity_program_commands_replay_tables, only: add_remarks, replay_table, shown_columns
-   use asperity_program_commands_routine_load, only: load_uinter
    use asperity_program_input_key_list, only: key_list
    use asperity_program_report_report, only: report_type, turning_points
+   use asperity_program_system_strings, only: starts_with
    use asperity_replay_abaqus_host, only: host_point, new_host_point
+   use asperity_replay_abaqus_record, only: optional_outputs
    use asperity_replay_motion_path, only: motion_path
    use asperity_replay_path_replay, only: path_step, replay_path
    implicit none
@@ -29,7 +31,7 @@ module asperity_program_commands_replay_command
    !> Replays paths.
    type, extends(command_type) :: replay_command
       private
-      !> Paths of the motion, and of the library of another UINTER, empty for ours
+      !> Paths of the motion, and of another UINTER, empty for ours
       character(len=:), allocatable :: path, uinter
       !> PROPS and whether they are given, length of STATEV, components
       real(wp), allocatable :: props(:)
@@ -64,7 +66,7 @@ contains
       self%summary = 'a given motion of a contact point through any UINTER'
       self%usage = 'PATH.csv [CASE.nml] [options]'
       self%purpose = 'Lead a contact point along a motion as ABAQUS would, through asperity''s '// &
-         'UINTER or that of a shared library. The path has columns time, overclosure, slip_1 '// &
+         'UINTER or another. The path has columns time, overclosure, slip_1 '// &
          'and slip_2, a row at the end of each increment; pressure, shear_1 and shear_2, where '// &
          'it has them, are what is expected, and the command ends with status 1 when the '// &
          'result departs. What it writes by --csv is such a path.'
@@ -90,8 +92,8 @@ contains
       call keys%text('path', self%path, 'CSV file of the motion, as PATH.csv without an option')
       call keys%reads('path', is_argument=.true.)
       call keys%text('uinter', self%uinter, &
-         'shared library of another UINTER than asperity''s')
-      call keys%reads('library', is_argument=.false.)
+         'another UINTER than asperity''s: Fortran source or shared library (.so)')
+      call keys%reads('routine', is_argument=.false.)
       call keys%list('properties', self%props, '', 'PROPS of the user routine')
       self%has_props = keys%given()
       call keys%whole('nstatv', self%nstatv, 'length of STATEV of the user routine')
@@ -146,18 +148,23 @@ contains
       !> Set on failure
       type(error_type), allocatable, intent(out) :: error
       type(motion_path) :: path
-      type(host_point) :: point
       type(path_step), allocatable :: steps(:)
+      type(finding_list) :: findings
+      logical :: unset(size(optional_outputs))
 
       call read_path(self%path, path, error)
       if (.not. allocated(error)) call check_components(self, path, error)
-      if (.not. allocated(error)) call new_point(self, point, error)
+      if (.not. allocated(error)) call check_work(to_text(size(path%time))//' increments', &
+         (bytes_of_row + bytes_of_variable*self%nstatv)*size(path%time, kind=int64), error)
       if (allocated(error)) return
-      call check_work(to_text(size(path%time))//' increments', (bytes_of_row + bytes_of_variable &
-         *size(point%start%statev))*size(path%time, kind=int64), error)
-      if (.not. allocated(error)) call replay_path(path, point, steps, error)
+      if (self%uinter == '') then
+         call replay_own(self, path, steps, unset, error)
+      else
+         call replay_foreign(self%uinter, path, self%props, self%nstatv, self%ndir, steps, unset, &
+            findings, error)
+      end if
       if (allocated(error)) then
-         error%message = self%path//', '//error%message
+         if (starts_with(error%message, 'row ')) error%message = self%path//', '//error%message
          return
       end if
       report%table = replay_table(path, steps, self%ndir, is_ours=self%uinter == '')
@@ -169,7 +176,7 @@ contains
       report%shown_columns = shown_columns(report%table)
       report%first_rows = [1, size(steps) + 1]
       report%important = turning_points(path%overclosure) .or. turning_points(path%slip(1, :))
-      call add_remarks(report, steps, point%unset)
+      call add_remarks(report, steps, unset, findings)
       call compare_with_expected(report, path, steps, self%tolerance, self%departs)
       if (report%is_drawn()) call draw_replay(report, path)
    end subroutine run
@@ -195,26 +202,23 @@ contains
          self%path//': has slip_2, which is not zero and needs ndir = 3', subject='ndir')
    end subroutine check_components
 
-   !> The point with its UINTER.
-   subroutine new_point(self, point, error)
+   !> The path through asperity's UINTER.
+   subroutine replay_own(self, path, steps, unset, error)
       type(replay_command), intent(in) :: self
-      type(host_point), intent(out) :: point
+      type(motion_path), intent(in) :: path
+      type(path_step), allocatable, intent(out) :: steps(:)
+      logical, intent(out) :: unset(:)
       type(error_type), allocatable, intent(out) :: error
-      procedure(uinter_interface), pointer :: routine
+      type(host_point) :: point
 
-      if (self%uinter == '' .and. .not. self%has_props) then
-         call new_host_point(point, uinter, self%properties, self%ndir, keep_history=.false.)
-      else if (self%uinter == '') then
+      if (self%has_props) then
          call new_host_point(point, uinter, self%properties, self%ndir, self%props, &
             keep_history=.false.)
       else
-         call load_uinter(self%uinter, routine, error)
-         if (allocated(error)) return
-         ! what others compute may raise any floating-point flag
-         call ieee_set_halting_mode(ieee_all, .false.)
-         call new_host_point(point, routine, self%props, self%nstatv, self%ndir, &
-            keep_history=.false.)
+         call new_host_point(point, uinter, self%properties, self%ndir, keep_history=.false.)
       end if
-   end subroutine new_point
+      call replay_path(path, point, steps, error)
+      unset = point%unset
+   end subroutine replay_own
 
 end module asperity_program_commands_replay_command

@@ -3,6 +3,7 @@ module asperity_program_commands_replay_tables
    use asperity_abaqus_statev, only: state_from_statev
    use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
+   use asperity_check_finding, only: finding_list
    use asperity_contact_state, only: contact_state
    use asperity_program_input_key, only: name_length
    use asperity_program_report_report, only: report_type
@@ -112,13 +113,15 @@ contains
    end function shown_columns
 
    !> What UINTER left unset, and where it asked for shorter increments.
-   pure subroutine add_remarks(report, steps, unset)
+   pure subroutine add_remarks(report, steps, unset, findings)
       !> Remarks are added
       type(report_type), intent(inout) :: report
       !> What UINTER answered
       type(path_step), intent(in) :: steps(:)
       !> Which of the optional outputs it has left unset
       logical, intent(in) :: unset(:)
+      !> What else was found
+      type(finding_list), intent(in) :: findings
       character(len=:), allocatable :: list
       integer :: i, listed
 
@@ -128,6 +131,12 @@ contains
       end do
       if (list /= '') call report%add_remark('UINTER left unset, which counts as zero here: '// &
          list(3:)//'. ABAQUS needs some of them in some procedures (asperity check).')
+      do i = 1, findings%n
+         associate (finding => findings%items(i))
+            call report%add_remark('UINTER, '//finding%place//': '//finding%found//'. '// &
+               finding%effect)
+         end associate
+      end do
       list = ''
       listed = 0
       do i = 1, size(steps)
