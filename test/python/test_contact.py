@@ -178,8 +178,15 @@ def test_time():
 
 
 @pytest.mark.parametrize(("arguments", "message"), [
-    (([0.1], np.zeros((2, 2))), r"overclosure has the shape \(1,\); it must be \(2,\)"),
-    (([0.1, 0.1], np.zeros(2)), r"slip_increment has the shape \(2,\); it must be \(2, 2\)"),
+    (([0.1]*3, np.zeros((2, 2))), r"overclosure has the shape \(3,\); it must be \(2,\)"),
+    (([0.1, 0.1], 0.0), r"slip_increment has the shape \(\); it must be \(2, 2\)"),
+    (([0.1, 0.1], np.zeros((1, 2))), r"slip_increment has the shape \(1, 2\); it must be \(2, 2\)"),
+    (([0.1, 0.1], np.zeros((2, 2)), 1.0), "rotation has the shape"),
+    (([0.1, 0.1], np.zeros((2, 2)), np.ones(4)), "rotation has the shape"),
+    (([0.1, 0.1j], np.zeros((2, 2))), "overclosure has the type complex128; it must be real numbers"),
+    (([0.1, None], np.zeros((2, 2))), "overclosure has the type object"),
+    (([0.1, [0.1, 0.2]], np.zeros((2, 2))), "overclosure is no array"),
+    (([0.1, 0.1], np.zeros((2, 2)), None, "1"), "time_increment = '1' is not allowed: it must be a number"),
     (([0.1, np.nan], np.zeros((2, 2))), "overclosure"),
     (([0.1, 0.1], np.full((2, 2), np.inf)), "slip_increment"),
     (([0.1, 0.1], np.zeros((2, 2)), np.zeros((2, 2, 3))), "rotation has the shape"),
@@ -197,22 +204,69 @@ def test_refusals(law, arguments, message):
 
 def test_states_that_no_update_leaves(law):
     contact = asperity.Contact(law, 3)
-    states = contact.states
+    with pytest.raises(ValueError, match="read-only"):
+        contact.states["status"][1] = asperity.Status.OPEN  # which would change no point
+    states = contact.states.copy()
     states["status"][1] = 9
     with pytest.raises(asperity.InputError, match=r"status = 9 of state\[1\]"):
         contact.states = states
     with pytest.raises(asperity.InputError, match="states has the shape"):
         contact.states = states[:2]
+    kinds = [(name, states.dtype[name]) for name in states.dtype.names]
+    for other in np.zeros(3), None, states.astype([*kinds[:-1], ("wear", kinds[-1][1])]):
+        with pytest.raises(asperity.InputError, match="states has the type"):
+            contact.states = other
     assert not contact.states["status"].any()
 
 
 def test_numbers_of_points(law):
-    with pytest.raises(asperity.InputError, match="n = -1"):
-        asperity.Contact(law, -1)
+    for shape in -1, (2, -1), (-2, -1):
+        with pytest.raises(asperity.InputError, match="numbers of points are zero or more"):
+            asperity.Contact(law, shape)
     with pytest.raises(asperity.InputError, match="too many"):
         asperity.Contact(law, 2**31)
-    with pytest.raises(TypeError):
-        asperity.Contact(law, 1.5)
+    for shape in 1.5, (2.0, 3), None:
+        with pytest.raises(TypeError):
+            asperity.Contact(law, shape)
+    contact = asperity.Contact(law, [2, np.int64(3)])
+    assert contact.shape == (2, 3)
+    # arrays of another shape would be written past their end
+    with pytest.raises(AttributeError):
+        contact.shape = (2,)
+
+
+def test_what_is_no_law_or_answer(law):
+    for other in None, wood():
+        with pytest.raises(TypeError, match="it must be a Law"):
+            asperity.Contact(other, 3)
+    contact = asperity.Contact(law, 3)
+    for out in {}, asperity.LawValues.empty(3), np.empty((3, 3)):
+        with pytest.raises(TypeError, match=r"it must be made by Response.empty\(\)"):
+            contact.update(0.1, [0.0, 0.0], out=out)
+    assert repr(contact).startswith("<Contact of the shape (3,): Law(Properties(")
+
+
+def test_one_value_for_all_points(law):
+    """A number, a slip, a rotation, and lengths of 1."""
+    turn = np.array([[0.8, -0.6], [0.6, 0.8]])
+    whole = asperity.Contact(law, (2, 3)).update(
+        np.full((2, 3), 0.1), np.multiply.outer([0.1, 0.05], np.ones((2, 3))),
+        np.multiply.outer(turn, np.ones((2, 3))))
+    for closure, slip, rotation in (
+            (0.1, [0.1, 0.05], turn),
+            (np.array(0.1, np.longdouble), np.reshape([0.1, 0.05], (2, 1, 1)), turn[:, :, None, None]),
+            (np.full((2, 1), 0.1), np.reshape([0.1, 0.05]*3, (3, 2)).T[:, None, :], turn)):
+        response = asperity.Contact(law, (2, 3)).update(closure, slip, rotation)
+        np.testing.assert_array_equal(response.traction, whole.traction)
+        np.testing.assert_array_equal(response.tangent, whole.tangent)
+    assert asperity.Contact(law, ()).update(0.1, [0.1, 0.05], turn).traction.tolist() \
+        == whole.traction[:, 0, 0].tolist()
+
+
+def test_copies_share_the_law(law):
+    contact = asperity.Contact(law, 2)
+    assert copy.copy(contact).law is law
+    assert copy.deepcopy(contact).law is law
 
 
 def test_handles_end(law):

@@ -92,6 +92,8 @@ def test_memory():
     assert values.pressure[-1] < 0.1*values.pressure[0]
     with pytest.raises(asperity.InputError, match="retraction has the shape"):
         law.evaluate_unloading(closest, r[:3])
+    np.testing.assert_array_equal(law.evaluate_unloading(0.08, r).pressure, values.pressure)
+    np.testing.assert_array_equal(law.evaluate_unloading([[0.08], [0.1]], r).pressure[0], values.pressure)
     with pytest.raises(asperity.InputError, match="unloading"):
         asperity.Law(wood()).evaluate_unloading(closest, r)
 
@@ -148,7 +150,29 @@ def test_properties_are_values():
     assert law.pressure(0.1) == asperity.Law(given).pressure(0.1)
 
 
+def test_properties_of_arrays():
+    """Numbers of numpy and lists are values as Python's own are."""
+    plain = wood(eta=200.0, sigma=0.05, compiled=True, stick="summits", stick_elements=6, shear_modulus=60.0,
+                 friction_pressures=(1.0, 2.0), friction_factors=(1.0, 0.9))
+    other = wood(eta=np.int64(200), sigma=np.array(0.05), compiled=np.True_, stick="summits",
+                 stick_elements=np.int32(6), shear_modulus=60, friction_pressures=[1, 2],
+                 friction_factors=np.array([1.0, 0.9]))
+    assert other == plain
+    assert hash(other) == hash(plain)
+    assert repr(other) == repr(plain)
+    assert asperity.Law(other).pressure(0.1) == asperity.Law(plain).pressure(0.1)
+
+
 @pytest.mark.parametrize(("changes", "message"), [
+    ({"sigma": "0.05"}, "sigma = '0.05' is not allowed: it must be a number"),
+    ({"sigma": None}, "sigma = None"),
+    ({"sigma": np.array([0.05])}, "sigma = array"),
+    ({"sigma": 0.05 + 1j}, "sigma = .* it must be a number"),
+    ({"compiled": "no"}, "compiled = 'no' is not allowed: it must be True or False"),
+    ({"stick_elements": 2**40}, "stick_elements = 1099511627776 is not allowed"),
+    ({"stick_elements": 8.0}, "stick_elements = 8.0 is not allowed: it must be a whole number"),
+    ({"friction_pressures": ("a",)}, "friction_pressures has the type"),
+    ({"stick": ["summits"]}, "it must be one of critical_slip, summits"),
     ({"sigma": -1.0}, "sigma = -1"),
     ({"sigma": float("nan")}, "sigma = NaN"),
     ({"friction_rule": "coulomb"}, "friction_rule = 'coulomb' is not allowed: it must be one of "
@@ -161,6 +185,31 @@ def test_properties_are_values():
 def test_refusals(changes, message):
     with pytest.raises(asperity.InputError, match=message):
         asperity.Law(wood(**changes))
+
+
+@pytest.mark.parametrize("values", [
+    np.array([0.1 + 1.0j]), "0.1", [0.1, None], np.array(["2020-01-01"], "M8[D]"), [[0.1], [0.1, 0.2]]])
+def test_what_is_no_number(law, values):
+    for evaluate in law.evaluate, law.pressure, law.separation:
+        with pytest.raises(asperity.InputError):
+            evaluate(values)
+
+
+def test_what_is_no_property():
+    for other in None, {"sigma": 0.05}:
+        with pytest.raises(TypeError, match="it must be Properties"):
+            asperity.Law(other)
+    with pytest.raises(asperity.InputError, match="hardness = '2' is not allowed"):
+        asperity.Face(young_modulus=1.0, poisson_ratio=0.3, hardness="2")
+
+
+def test_pickles_of_another_version():
+    """A property that this version does not know is refused, not forgotten."""
+    made, arguments = wood().__reduce__()[:2]
+    made.keywords["wear_rate"] = 0.1
+    assert arguments == ()
+    with pytest.raises(TypeError, match="wear_rate"):
+        made()
 
 
 def test_names_that_are_not_there():

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import operator
+from collections.abc import Sequence
 from dataclasses import MISSING, fields
 from typing import Any, TypeVar
 
@@ -21,9 +22,17 @@ _MOST_POINTS = 2**31 - 1
 NOT_ASKED: Any = None
 
 
-def as_shape(shape: int | tuple[int, ...]) -> tuple[int, ...]:
-    """The shape of a number of points."""
-    return shape if isinstance(shape, tuple) else (operator.index(shape),)
+def as_shape(shape: int | Sequence[int]) -> tuple[int, ...]:
+    """The shape of a number of points.
+
+    Raises:
+        InputError: a length below zero
+    """
+    lengths = tuple(map(operator.index, shape)) if isinstance(shape, Sequence) \
+        else (operator.index(shape),)
+    if any(length < 0 for length in lengths):
+        raise InputError(f"shape = {shape} is not allowed: numbers of points are zero or more")
+    return lengths
 
 
 def count(shape: tuple[int, ...]) -> int:
@@ -34,12 +43,62 @@ def count(shape: tuple[int, ...]) -> int:
     return points
 
 
-def given(name: str, values: npt.ArrayLike, shape: tuple[int, ...] | None = None) -> FloatArray:
-    """An input as the library reads it: the array itself where it is contiguous float64."""
-    array: FloatArray = np.require(values, np.float64, ["C", "A"])
+def given(name: str, values: npt.ArrayLike, shape: tuple[int, ...] | None = None,
+          components: int = 0) -> FloatArray:
+    """An input as the library reads it: the array itself where it is contiguous float64.
+
+    Args:
+        name: for messages
+        values: the input
+        shape: what it must have. After the axes of components one value stands for all points, and
+            so does a length of 1 for a longer axis
+        components: number of axes of components, which come first
+
+    Raises:
+        InputError: no real numbers, or another shape
+    """
+    try:
+        array = np.asarray(values)
+    except ValueError as problem:
+        raise InputError(f"{name} is no array: {problem}") from problem
+    if not np.can_cast(array.dtype, np.float64, "same_kind"):
+        raise InputError(f"{name} has the type {array.dtype}; it must be real numbers")
     if shape is not None and array.shape != shape:
-        raise InputError(f"{name} has the shape {array.shape}; it must be {shape}")
-    return array
+        wanted = shape[components:]
+        points = array.shape[components:] or (1,)*len(wanted)
+        if array.shape[:components] != shape[:components] or len(points) != len(wanted) or any(
+                length not in (1, most) for length, most in zip(points, wanted, strict=True)):
+            raise InputError(f"{name} has the shape {array.shape}; it must be {shape}")
+        array = np.broadcast_to(array.reshape(shape[:components] + points), shape)
+    return np.require(array, np.float64, ["C", "A"])
+
+
+def number(name: str, value: Any) -> float:
+    """One real number.
+
+    Raises:
+        InputError: it is none
+    """
+    if not isinstance(value, float):
+        array = np.asarray(value)
+        if array.ndim > 0 or not np.can_cast(array.dtype, np.float64, "same_kind"):
+            raise InputError(f"{name} = {value!r} is not allowed: it must be a number")
+    return float(value)
+
+
+def whole(name: str, value: Any) -> int:
+    """One whole number that C's int holds.
+
+    Raises:
+        InputError: it is none
+    """
+    try:
+        found = operator.index(value)
+    except TypeError:
+        found = 2**31
+    if not -2**31 <= found < 2**31:
+        raise InputError(f"{name} = {value!r} is not allowed: it must be a whole number below 2**31")
+    return found
 
 
 # Axes of components that come before those of the points, and what is not a real number
@@ -52,7 +111,7 @@ class Outputs:
     and those with None only where there is an array."""
 
     @classmethod
-    def empty(cls: type[Made], shape: int | tuple[int, ...], *names: str) -> Made:
+    def empty(cls: type[Made], shape: int | Sequence[int], *names: str) -> Made:
         """Arrays for `out=`, of points of a shape.
 
         Args:
@@ -60,7 +119,7 @@ class Outputs:
             *names: what is asked for besides what is always given; without names, everything
 
         Raises:
-            InputError: a name that is none of them
+            InputError: a name that is none of them, or a length below zero
         """
         shape = as_shape(shape)
         known = fields(cls)  # type: ignore[arg-type]
@@ -79,6 +138,20 @@ class Outputs:
             start, end = end, end + math.prod(whole)
             made[name] = _by_columns(name, block[start:end].reshape(whole))
         return cls(**made)
+
+    @classmethod
+    def _or_new(cls: type[Made], out: Made | None, shape: tuple[int, ...]) -> Made:
+        """What is written to: `out`, or new arrays of everything.
+
+        Raises:
+            TypeError: `out` is of another class
+        """
+        if out is None:
+            return cls.empty(shape)
+        if not isinstance(out, cls):
+            raise TypeError(f"out is of the class {type(out).__name__}; it must be made by "
+                            f"{cls.__name__}.empty()")
+        return out
 
     def _addresses(self, shape: tuple[int, ...], *names: str) -> list[int | None]:
         """Where the library finds arrays, by their names; None for what was not asked for.

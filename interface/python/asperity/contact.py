@@ -5,6 +5,7 @@ from __future__ import annotations
 import ctypes
 import weakref
 from ctypes import byref
+from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import IntEnum, IntFlag
 from typing import Any
@@ -13,7 +14,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _library
-from ._arrays import NOT_ASKED, FloatArray, IntArray, Outputs, as_shape, count, given
+from ._arrays import NOT_ASKED, FloatArray, IntArray, Outputs, as_shape, count, given, number
 from .errors import InputError
 from .law import Law
 
@@ -80,7 +81,7 @@ class Contact:
     reference, or by close(), or at the end of a `with` block.
     """
 
-    def __init__(self, law: Law, shape: int | tuple[int, ...]) -> None:
+    def __init__(self, law: Law, shape: int | Sequence[int]) -> None:
         """Make fresh points.
 
         Args:
@@ -90,11 +91,11 @@ class Contact:
         Raises:
             InputError: a number of points that is not allowed
         """
-        self.law = law
-        """The law."""
-        self.shape = as_shape(shape)
-        """The shape of the points."""
-        self._n = count(self.shape)
+        if not isinstance(law, Law):
+            raise TypeError(f"law is of the class {type(law).__name__}; it must be a Law")
+        self._law = law
+        self._shape = as_shape(shape)
+        self._n = count(self._shape)
         self._handle = ctypes.c_void_p()
         _library.call("states_new", byref(self._handle), self._n)
         self.close = weakref.finalize(self, _library.free, "states_free", self._handle)
@@ -109,6 +110,19 @@ class Contact:
     def __reduce__(self) -> Any:
         return _restored, (self.law, self.shape, self.states)
 
+    def __repr__(self) -> str:
+        return f"<Contact of the shape {self.shape}: {self.law}>"
+
+    @property
+    def law(self) -> Law:
+        """The law."""
+        return self._law
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """The shape of the points."""
+        return self._shape
+
     def update(self, overclosure: npt.ArrayLike, slip_increment: npt.ArrayLike,
                rotation: npt.ArrayLike | None = None, time_increment: float = 0.0,
                out: Response | None = None) -> Response:
@@ -116,7 +130,8 @@ class Contact:
         energy) + dissipation + plastic dissipation - pressure coupling.
 
         Args:
-            overclosure: (...) at the end, mm; NO_OPPOSITE_SURFACE where there is none
+            overclosure: (...) at the end, mm; NO_OPPOSITE_SURFACE where there is none. Here and
+                below one value stands for all points: a number, (2,) or (2, 2)
             slip_increment: (2, ...), relative tangential motion of the increment, mm
             rotation: (2, 2, ...), rotation[row, column] of the slip directions in the increment,
                 w = R v; copied unless rotation.swapaxes(0, 1) is contiguous
@@ -130,14 +145,17 @@ class Contact:
             InputError: numbers that are not finite, arrays that do not fit; nothing has changed then
         """
         closure = given("overclosure", overclosure, self.shape)
-        slip = given("slip_increment", slip_increment, (2, *self.shape))
+        slip = given("slip_increment", slip_increment, (2, *self.shape), 1)
         turn = None
         if rotation is not None:
-            turn = given("rotation", np.swapaxes(rotation, 0, 1), (2, 2, *self.shape))
-        out = Response.empty(self.shape) if out is None else out
+            turn = np.asarray(rotation)
+            turn = given("rotation", turn.swapaxes(0, 1) if turn.ndim > 1 else turn,
+                         (2, 2, *self.shape), 2)
+        out = Response._or_new(out, self.shape)
         _library.call("states_update", self.law._handle, self._handle, self._n,
                       closure.ctypes.data, slip.ctypes.data,
-                      None if turn is None else turn.ctypes.data, time_increment,
+                      None if turn is None else turn.ctypes.data,
+                      number("time_increment", time_increment),
                       *out._addresses(
                           self.shape, "traction", "tangent", "tangential_energy", "dissipation",
                           "plastic_dissipation", "pressure_coupling", "validity"))
@@ -145,15 +163,20 @@ class Contact:
 
     @property
     def states(self) -> npt.NDArray[np.void]:
-        """What the points remember, a copy of STATE_TYPE: contact.states["status"] and so on. To
-        set it restarts a run, which goes on bit by bit; what no update can have left is refused."""
+        """What the points remember, a read-only copy of STATE_TYPE: contact.states["status"] and so
+        on. To set it restarts a run, which goes on bit by bit; what no update can have left is
+        refused."""
         states = np.zeros(self.shape, STATE_TYPE)
         _library.call("states_get", self._handle, 0, self._n, states.ctypes.data)
+        # to write to it would change no point
+        states.flags.writeable = False
         return states
 
     @states.setter
     def states(self, states: npt.NDArray[np.void]) -> None:
-        states = np.require(states, STATE_TYPE, ["C", "A"])
+        states = np.require(states, None, ["C", "A"])
+        if states.dtype != STATE_TYPE:
+            raise InputError(f"states has the type {states.dtype}; it must be asperity.STATE_TYPE")
         if states.shape != self.shape:
             raise InputError(f"states has the shape {states.shape}; it must be {self.shape}")
         _library.call("states_set", self._handle, 0, self._n, states.ctypes.data)

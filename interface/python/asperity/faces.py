@@ -7,6 +7,7 @@ from dataclasses import dataclass, fields
 from typing import Literal
 
 from . import _library
+from ._arrays import number
 from .errors import InputError
 
 Section = Literal["transverse", "tangential", "radial"]
@@ -21,7 +22,7 @@ def code_of(name: str, word: str, words: dict[str, int]) -> int:
     Raises:
         InputError: there is no such word
     """
-    if word not in words:
+    if not isinstance(word, str) or word not in words:
         raise InputError(f"{name} = {word!r} is not allowed: it must be one of {', '.join(words)}")
     return words[word]
 
@@ -42,6 +43,10 @@ class Face:
     """Poisson's ratio of strain in the face for pressure on it, -0.99 to 0.99."""
     hardness: float
     """Hardness, MPa."""
+
+    def __post_init__(self) -> None:
+        for field in fields(self):
+            object.__setattr__(self, field.name, number(field.name, getattr(self, field.name)))
 
     @classmethod
     def from_paper(cls, surface: str, section: Section) -> Face:

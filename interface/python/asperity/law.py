@@ -13,6 +13,7 @@ import numpy.typing as npt
 
 from . import _library
 from ._arrays import NOT_ASKED, FloatArray, IntArray, Outputs, count, given
+from .errors import InputError
 from .properties import Properties
 
 
@@ -46,8 +47,8 @@ class UnloadingValues(LawValues):
 class Law:
     """Normal law, friction and the datum of the overclosure of one pair of faces.
 
-    It never changes, so any number of threads may use one. It is freed with its last reference, or
-    by close(), or at the end of a `with` block.
+    It never changes, so any number of threads may use one, and a copy is the law itself. It is freed
+    with its last reference, or by close(), or at the end of a `with` block.
     """
 
     def __init__(self, properties: Properties) -> None:
@@ -56,6 +57,9 @@ class Law:
         Raises:
             InputError: a property that is not allowed, by its name
         """
+        if not isinstance(properties, Properties):
+            raise TypeError(f"properties is of the class {type(properties).__name__}; it must be "
+                            "Properties, such as Properties.from_pair() makes")
         self._handle = ctypes.c_void_p()
         self._given = properties
         _library.call("law_new", byref(self._handle), byref(properties.as_struct()))
@@ -70,6 +74,12 @@ class Law:
 
     def __reduce__(self) -> Any:
         return Law, (self._given,)
+
+    def __copy__(self) -> Law:
+        return self
+
+    def __deepcopy__(self, memo: dict[int, Any]) -> Law:
+        return self
 
     def __repr__(self) -> str:
         return f"Law({self._given!r})"
@@ -94,7 +104,7 @@ class Law:
             InputError: a separation that is not finite, or arrays that do not fit
         """
         d = given("separation", separation)
-        out = LawValues.empty(d.shape) if out is None else out
+        out = LawValues._or_new(out, d.shape)
         _library.call("law_evaluate", self._handle, count(d.shape), d.ctypes.data,
                       *out._addresses(d.shape, "pressure", "stiffness", "area_fraction",
                                      "contact_density", "energy", "validity"))
@@ -106,8 +116,9 @@ class Law:
 
         Args:
             closest_separation: mm, of any shape
-            retraction: separation less the closest one, mm, of the same shape; with zero or less
-                the face is as close as never before
+            retraction: separation less the closest one, mm, of the same shape or one that numpy
+                broadcasts to it, or it to that; with zero or less the face is as close as never
+                before
             out: arrays of that shape to write to, by UnloadingValues.empty()
 
         Returns:
@@ -117,8 +128,14 @@ class Law:
             InputError: a law without memory, numbers that are not finite, arrays that do not fit
         """
         d = given("closest_separation", closest_separation)
-        r = given("retraction", retraction, d.shape)
-        out = UnloadingValues.empty(d.shape) if out is None else out
+        r = given("retraction", retraction)
+        if d.shape != r.shape:
+            try:
+                d, r = map(np.ascontiguousarray, np.broadcast_arrays(d, r))
+            except ValueError as problem:
+                raise InputError(f"retraction has the shape {r.shape}; closest_separation has "
+                                 f"{d.shape}") from problem
+        out = UnloadingValues._or_new(out, d.shape)
         _library.call("law_evaluate_unloading", self._handle, count(d.shape), d.ctypes.data,
                       r.ctypes.data, *out._addresses(
                           d.shape, "pressure", "stiffness", "area_fraction", "contact_density",
@@ -127,7 +144,8 @@ class Law:
 
     def pressure(self, separation: npt.ArrayLike) -> FloatArray:
         """Pressures at separations alone, MPa; see evaluate()."""
-        return self.evaluate(separation, LawValues.empty(np.shape(separation), "pressure")).pressure
+        d = given("separation", separation)
+        return self.evaluate(d, LawValues.empty(d.shape, "pressure")).pressure
 
     def separation(self, pressure: npt.ArrayLike) -> FloatArray:
         """Separations at which the law gives pressures, when the face was never closer.

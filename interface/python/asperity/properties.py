@@ -5,9 +5,13 @@ from __future__ import annotations
 import ctypes
 from ctypes import byref
 from dataclasses import dataclass, fields, replace
+from functools import partial
 from typing import Any, Literal
 
+import numpy as np
+
 from . import _library
+from ._arrays import given, number, whole
 from .errors import InputError
 from .faces import HARDNESS_RULES, ROUGHNESS_RULES, Face, code_of
 
@@ -55,8 +59,8 @@ _DEFAULT = _filled("init")
 class Properties:
     """Properties of a pair of faces, in N, mm and MPa, with the names of case files.
 
-    They never change; dataclasses.replace(properties, ...) makes others. What is not allowed is
-    found when a law is made of them.
+    They never change; dataclasses.replace(properties, ...) makes others. What is no number is
+    refused here, a number or a word that is not allowed when a law is made of them.
     """
 
     eta: float
@@ -125,6 +129,27 @@ class Properties:
     """Up to 8 pressures, MPa, rising, at which friction_factors stand."""
     friction_factors: tuple[float, ...] = _DEFAULT["friction_factors"]
     """Factors on all coefficients there; straight in between, constant outside."""
+
+    def __post_init__(self) -> None:
+        """Numbers of numpy and lists become Python's own, so that properties compare and hash."""
+        for name, kind in _library.PropertiesStruct._fields_:
+            if name in ("size", "friction_points") or name in WORDS:
+                continue
+            value = getattr(self, name)
+            if name in _POINTS:
+                value = tuple(given(name, value, (np.size(value),)).tolist())
+            elif name in _SWITCHES:
+                if not isinstance(value, (bool, int, np.bool_)) or value not in (0, 1):
+                    raise InputError(f"{name} = {value!r} is not allowed: it must be True or False")
+                value = bool(value)
+            else:
+                value = (number if kind is ctypes.c_double else whole)(name, value)
+            object.__setattr__(self, name, value)
+
+    def __reduce__(self) -> Any:
+        """By names, so that another version refuses a property that it does not know."""
+        return partial(Properties, **{field.name: getattr(self, field.name)
+                                      for field in fields(self)}), ()
 
     def __repr__(self) -> str:
         """What differs from its default."""
