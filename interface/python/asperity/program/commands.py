@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import re
 from collections.abc import Iterable, Mapping
 from dataclasses import MISSING, fields, replace
@@ -11,13 +12,14 @@ from typing import Any, Literal
 from ..errors import InputError
 from ..law import Law
 from ..properties import Properties
+from .errors import FileError
 from .result import Result
 from .run import File, run
 
 
 def surface(*files: File, material: str | None = None, route: Literal["nayak", "paper"] | None = None,
             verify: bool | None = None, short_cutoff: float | None = None,
-            long_cutoff: float | None = None, perpendicular: Iterable[File] | None = None,
+            long_cutoff: float | None = None, perpendicular: File | Iterable[File] | None = None,
             **keys: Any) -> Result:
     """A height map, or profiles, to the parameters of the law.
 
@@ -102,9 +104,9 @@ def hysteresis(*records: File, where: Mapping[str, Any] | None = None,
                force_column=force_column, quantity=quantity, **keys)
 
 
-def fit(*records: File, kind: Literal["press", "shear", "joint"], free: Iterable[str],
+def fit(*records: File, kind: Literal["press", "shear", "joint"], free: str | Iterable[str],
         fix: Mapping[str, Any] | None = None, start: Mapping[str, float] | None = None,
-        model: File | None = None, hold_out: Iterable[File] | None = None, **keys: Any) -> Result:
+        model: File | None = None, hold_out: File | Iterable[File] | None = None, **keys: Any) -> Result:
     """Parameters of the law, of friction or of a joint, from records.
 
     Args:
@@ -125,13 +127,13 @@ def fit(*records: File, kind: Literal["press", "shear", "joint"], free: Iterable
         InputError: also where the record cannot tell the parameters
         ComputationError: the search does not converge
     """
-    return run("fit", *records, kind=kind, free=list(free), fix=fix, start=start, model=model,
+    return run("fit", *records, kind=kind, free=free, fix=fix, start=start, model=model,
                hold_out=_paths(hold_out), **keys)
 
 
 def law_properties(found: Result | File, pair: str | None = None, **keys: Any) -> Properties:
-    """Properties for a law of what surface() or fit() found, of the faces that shear() or tenon() ran
-    with, or of a case file.
+    """Properties for a law of what surface() or fit() found, of the faces that a command ran with, or
+    of a case file.
 
     Args:
         found: the result, or the path of a case file
@@ -140,11 +142,12 @@ def law_properties(found: Result | File, pair: str | None = None, **keys: Any) -
 
     Raises:
         InputError: the case does not give all properties, and neither pair nor keys do
+        FileError: the case file cannot be read
     """
     if isinstance(found, Result) and found.case is None:
-        return replace(_as_properties(found), **keys)
+        return _as_properties(found, pair, **keys)
     if isinstance(found, Result) or pair is not None:
-        case = found.case if isinstance(found, Result) else Path(found).read_text(encoding="utf-8")
+        case = found.case if isinstance(found, Result) else _text(found)
         if pair is not None:
             # as an option it would replace what the case gives
             case = re.sub(r"^\s*&asperity", rf"\g<0> pair = '{pair}'", str(case), count=1,
@@ -164,14 +167,25 @@ _ALWAYS = (*_NEEDED, "friction_rule", "slip_integration", "accept_unphysical", "
            "plastic_ratio", "height_distribution")
 
 
-def _as_properties(found: Result) -> Properties:
-    """The properties that a command ran with."""
+def _text(file: File) -> str:
+    try:
+        return Path(file).read_text(encoding="utf-8", errors="replace")
+    except OSError as problem:
+        raise FileError(f"{os.fspath(file)}: cannot be read: {problem.strerror}") from problem
+
+
+def _as_properties(found: Result, pair: str | None = None, **keys: Any) -> Properties:
+    """The properties that a command ran with, those of a pair where it had none, and keys."""
     values = dict(found.properties)
     points = values.pop("friction_points", [])
     values |= {"friction_pressures": tuple(points[::2]), "friction_factors": tuple(points[1::2])}
+    if pair is not None:
+        values = vars(Properties.from_pair(pair)) | values
+    values |= keys
     lacking = [name for name in _NEEDED if name not in values]
     if lacking:
-        raise InputError(f"{found.command} ran without {' and '.join(lacking)}")
+        raise InputError(f"{found.command} ran without {' and '.join(lacking)}: give them by name, or "
+                         "by a pair of the paper")
     return Properties(**{f.name: values[f.name] for f in fields(Properties) if f.name in values})
 
 
@@ -180,6 +194,8 @@ def _joint(command: str, case: tuple[File, ...], properties: Properties | None,
     """Run a joint with properties in place of those of the case."""
     if properties is None:
         return run(command, *case, **keys)
+    if not isinstance(properties, Properties):
+        raise TypeError(f"properties is of the class {type(properties).__name__}; it must be Properties")
     properties = replace(properties, compiled=False)
     wanted = Law(properties).properties
     properties = replace(properties, initial_separation=wanted.initial_separation)
@@ -188,6 +204,8 @@ def _joint(command: str, case: tuple[File, ...], properties: Properties | None,
     points = zip(given.pop("friction_pressures", ()), given.pop("friction_factors", ()), strict=True)
     if properties.friction_pressures:
         given["friction_points"] = [part for point in points for part in point]
+    if twice := sorted(given.keys() & keys.keys()):
+        raise InputError(f"{', '.join(twice)} is given beside the properties, which have it: take it out")
     found = run(command, *case, **given, **keys)
     if "sweep" not in keys:
         ran_with = Law(_as_properties(found)).properties
@@ -199,5 +217,7 @@ def _joint(command: str, case: tuple[File, ...], properties: Properties | None,
     return found
 
 
-def _paths(files: Iterable[File] | None) -> list[Path] | None:
+def _paths(files: File | Iterable[File] | None) -> list[Path] | None:
+    if isinstance(files, (str, os.PathLike)):
+        files = [files]
     return None if files is None else [Path(file) for file in files]

@@ -16,6 +16,8 @@ class ProgramNotFoundError(AsperityError, FileNotFoundError):
 def of_status(status: int, message: str) -> AsperityError:
     """The exception that stands for an exit status of the program."""
     known = {1: ComputationError, 2: InputError, 3: FileError}
+    if status < 0:
+        return ComputationError(f"the program was ended by signal {-status}: {message}")
     if status not in known:
         return ComputationError(f"the program ended with status {status}: {message}")
     return known[status](message)

@@ -79,13 +79,13 @@ class Result:
     """The command, such as "tenon"."""
     version: str
     """Version of the program."""
-    properties: dict[str, Any]
+    properties: dict[str, Any] = field(repr=False)
     """Properties of the faces that it ran with, in N, mm and MPa, by the names of case files."""
-    settings: dict[str, Any]
+    settings: dict[str, Any] = field(repr=False)
     """The other keys that it ran with."""
-    sources: dict[str, str]
+    sources: dict[str, str] = field(repr=False)
     """Where each of these comes from, such as "default", "--sigma" or "case.nml:4"."""
-    units: dict[str, str]
+    units: dict[str, str] = field(repr=False)
     """Units of all keys and columns."""
     remarks: list[str]
     """What is to be said of the results."""
@@ -113,12 +113,17 @@ class Result:
     @property
     def data(self) -> Table:
         """The main table: every increment, separation or sample."""
-        return self.tables["data"]
+        return self._table("data")
 
     @property
     def summary(self) -> Table:
         """A row for each run, route or parameter."""
-        return self.tables["summary"]
+        return self._table("summary")
+
+    def _table(self, name: str) -> Table:
+        if name not in self.tables:
+            raise KeyError(f"{self.command} has no table {name}; there are {', '.join(self.tables)}")
+        return self.tables[name]
 
     def __str__(self) -> str:
         return self.text

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import json
 import os
 import shutil
@@ -15,6 +16,7 @@ from typing import Any
 import numpy as np
 
 from .. import __version__
+from ..errors import InputError
 from .errors import ProgramNotFoundError, of_status
 from .result import Result
 
@@ -37,24 +39,39 @@ def find_program() -> Path:
     if found is None:
         place = f"{VARIABLE} = {named} is no program" if named else "no program asperity is on PATH"
         raise ProgramNotFoundError(f"{place}. {_GET_IT}")
-    version = _version(found)
+    version = _version(found, os.stat(found).st_mtime_ns)
     if version != __version__:
-        raise ProgramNotFoundError(f"{found} is {version or 'not asperity'}; this package needs the "
-                                   f"program of version {__version__}. {_GET_IT}")
+        raise ProgramNotFoundError(f"{found} is {version}; this package needs the program of version "
+                                   f"{__version__}. {_GET_IT}")
     return Path(found)
 
 
 @cache
-def _version(program: str) -> str | None:
-    """Version of a program, None if it is another program."""
-    words = _ended([program, "version"]).stdout.split()
-    return words[1] if len(words) > 1 and words[0] == "asperity" else None
+def _version(program: str, _built: int) -> str:
+    """Version of a program, or that it is another one, and what it says."""
+    ended = _ended([program, "version"])
+    words = ended.stdout.split()
+    if len(words) > 1 and words[0] == "asperity":
+        return words[1]
+    return ": ".join(["not asperity", *ended.stderr.strip().splitlines()[:1]])
 
 
 def _ended(words: list[str], standard_input: str = "") -> subprocess.CompletedProcess[str]:
-    """A program that has ended. On a terminal alone asperity shows progress."""
-    return subprocess.run(words, input=standard_input, capture_output=True, encoding="utf-8",
-                          errors="replace", check=False)
+    """A program that has ended. On a terminal alone asperity shows progress.
+
+    Raises:
+        ProgramNotFoundError: it cannot be run
+        InputError: more words than the system takes
+    """
+    try:
+        return subprocess.run(words, input=standard_input, capture_output=True, encoding="utf-8",
+                              errors="replace", check=False)
+    except OSError as problem:
+        if problem.errno == errno.E2BIG:
+            raise InputError("a list is too long for a command line: give it in a case file, by "
+                             "case_text") from problem
+        raise ProgramNotFoundError(f"{words[0]} cannot be run: {problem.strerror}. {_GET_IT}") \
+            from problem
 
 
 def _words(value: Any) -> list[str]:
@@ -86,7 +103,7 @@ def _options(keys: Mapping[str, Any]) -> list[str]:
             continue
         if isinstance(_plain(value), bool):
             options.append(f"--{option}" if value else f"--no-{option}")
-        elif name == "sweep":
+        elif name == "sweep" and isinstance(value, Mapping):
             for swept, values in value.items():
                 options += ["--sweep", f"{swept}={_words(values)[0]}"]
         else:
@@ -94,7 +111,7 @@ def _options(keys: Mapping[str, Any]) -> list[str]:
     return options
 
 
-def run(command: str, *files: File, case_text: str = "", **keys: Any) -> Result:
+def run(command: str, *files: File, case_text: str | None = None, **keys: Any) -> Result:
     """Run a command of the program.
 
     Args:
@@ -115,21 +132,28 @@ def run(command: str, *files: File, case_text: str = "", **keys: Any) -> Result:
         FileError: a file could not be read or written (status 3)
         ProgramNotFoundError: the program is not there, or of another version
     """
-    words = [str(find_program()), *command.split(), *(os.fspath(file) for file in files)]
-    if case_text:
+    # a name that begins as an option does is one of this folder
+    names = [os.fspath(file) for file in files]
+    names = ["./" + name if name.startswith("-") else name for name in names]
+    words = [str(find_program()), *command.split(), *names]
+    if case_text is not None:
         words.append("-")
     # in a file, so that standard output has the tables
     with tempfile.TemporaryDirectory(prefix="asperity-") as folder:
         answer, case = Path(folder, "answer.json"), Path(folder, "case.nml")
-        if command in ("surface", "fit") and "case" in keys:
+        if command in ("surface", "fit") and keys.get("case") is not None:
             case = Path(keys["case"])
         elif command in ("surface", "fit"):
             keys["case"] = case
-        ended = _ended([*words, *_options(keys), "--json", str(answer)], case_text)
+        ended = _ended([*words, *_options(keys), "--json", str(answer)], case_text or "")
         # with an answer, 1 is the answer no
         if ended.returncode != 0 and not (ended.returncode == 1 and answer.exists()):
             message = ended.stderr.strip().removeprefix("asperity: error: ")
             raise of_status(ended.returncode, message or "it says nothing")
-        return Result.from_json(json.loads(answer.read_text(encoding="utf-8")), ended.stdout,
+        if not answer.exists():
+            raise InputError(f"'{command}' finds no values: see what the program says by itself")
+        # names of files need be no text
+        found = json.loads(answer.read_text(encoding="utf-8", errors="surrogateescape"))
+        return Result.from_json(found, ended.stdout,
                                 passed=ended.returncode == 0,
                                 case=case.read_text(encoding="utf-8") if case.exists() else None)
