@@ -17,13 +17,13 @@ for i in range(d.size):
 closure = law.properties.initial_separation - law.separation([0.2])
 contact = asperity.Contact(law, 1)
 for slip in 0.4, -0.4, -0.4, 0.4:
-    response = contact.update(closure, [[slip], [0.0]])
+    response = contact.update(closure, [slip, 0.0])
     status = asperity.Status(contact.states["status"][0]).name.lower()
     print(f"slip {slip:+.1f} mm: shear stress {response.traction[1, 0]:+.4f} MPa, {status}, "
           f"dissipated {response.dissipation[0]:.4f} N/mm")
 
 # what is refused raises
 try:
-    contact.update(closure, [[float("nan")], [0.0]])
+    contact.update(closure, [float("nan"), 0.0])
 except asperity.InputError as error:
     print("refused:", error)

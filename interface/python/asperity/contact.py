@@ -19,22 +19,28 @@ from .errors import InputError
 from .law import Law
 
 STATE_TYPE = np.dtype(_library.StateStruct)
-"""What a point remembers, as numpy has asperity_state of asperity.h: status, validity, overclosure,
-pressure, normal_energy, elastic_slip, largest_closure, dissipation, pressure_coupling, motion_share,
-grain_turn and summit_slip. All zero is a fresh point."""
+"""What a point remembers, as numpy has asperity_state of asperity.h: status; validity, the flags so
+far; overclosure, mm; pressure, MPa; normal_energy, stored, N/mm; elastic_slip, mm; largest_closure
+reached, mm; dissipation by friction and pressure_coupling since the start, N/mm; motion_share, how far
+friction has gone from rest, 0, to motion, 1; grain_turn since the start, radians; summit_slip, mm. All
+zero is a fresh point."""
 
 
 class Status(IntEnum):
     """Contact status of a point."""
 
     UNSET = 0
+    """Never updated."""
     OPEN = 1
+    """Apart."""
     STICK = 2
+    """Closed; only elastic slip at the end of the increment."""
     SLIP = 3
+    """Closed and slipping at the end of the increment."""
 
 
 class Validity(IntFlag):
-    """Limits past which a result no longer means what the law assumes."""
+    """Limits past which a result no longer means what the law assumes; `remark` says more."""
 
     AREA_ABOVE_NOMINAL = 1
     PRESSURE_ABOVE_HARDNESS = 2

@@ -26,7 +26,7 @@ class LawValues(Outputs):
     stiffness: FloatArray
     """Stiffness -dp/dd, MPa/mm; with memory, at fixed memory."""
     area_fraction: FloatArray = NOT_ASKED
-    """Real area over nominal area."""
+    """Real area over nominal area, without unit."""
     contact_density: FloatArray = NOT_ASKED
     """Summits in contact per area, 1/mm2."""
     energy: FloatArray = NOT_ASKED
@@ -143,7 +143,7 @@ class Law:
         return out
 
     def pressure(self, separation: npt.ArrayLike) -> FloatArray:
-        """Pressures at separations alone, MPa; see evaluate()."""
+        """Pressures alone, MPa, at separations, mm, of any shape; see evaluate()."""
         d = given("separation", separation)
         return self.evaluate(d, LawValues.empty(d.shape, "pressure")).pressure
 
