@@ -250,11 +250,11 @@ def test_program_that_is_built_anew(monkeypatch, tmp_path):
 
 
 def test_interrupt(tmp_path, monkeypatch):
-    """An interrupt ends the program, and takes its folder away."""
+    """An interrupt ends the program with what that runs, and takes its folder away."""
     monkeypatch.setenv("TMPDIR", str(tmp_path))
     monkeypatch.setenv("ASPERITY_PROGRAM", str(fake(
         tmp_path, f'[ "$1" = version ] && echo asperity {asperity.__version__} && exit\n'
-        f'echo $$ >"{tmp_path}/id"; exec sleep 100')))
+        f'sleep 100 & trap "kill $!; wait" TERM; echo $! >"{tmp_path}/id"; wait')))
     caller = subprocess.Popen([sys.executable, "-c", "from asperity import program; program.tenon()"],
                               stderr=subprocess.PIPE, text=True)
     for _ in range(600):

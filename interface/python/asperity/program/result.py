@@ -94,9 +94,9 @@ class Result:
     text: str = field(repr=False)
     """All as a terminal shows it."""
     passed: bool = True
-    """False where `compare` finds that the result departs (status 1)."""
+    """False where a comparison departs or `check` finds errors (status 1)."""
     verdict: str | None = None
-    """What surface and compare say in the end."""
+    """What surface, compare, replay and check say in the end."""
     record_kind: str | None = None
     """What hysteresis takes the record for, such as "cyclic"."""
     case: str | None = field(default=None, repr=False)

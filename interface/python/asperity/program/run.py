@@ -9,6 +9,7 @@ import shutil
 import subprocess
 import tempfile
 from collections.abc import Mapping
+from contextlib import suppress
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -24,6 +25,9 @@ VARIABLE = "ASPERITY_PROGRAM"
 _GET_IT = ("It is no part of this package, as it is linked with libraries under the GNU GPL: build it "
            "from asperity's sources by `./run build`, or install it by cmake, and put its folder on "
            f"PATH or its path into {VARIABLE}")
+
+# Seconds that an interrupted program has
+_PATIENCE = 5.0
 
 File = str | os.PathLike[str]
 
@@ -63,15 +67,29 @@ def _ended(words: list[str], standard_input: str = "") -> subprocess.CompletedPr
         ProgramNotFoundError: it cannot be run
         InputError: more words than the system takes
     """
+    pipe = subprocess.PIPE
     try:
-        return subprocess.run(words, input=standard_input, capture_output=True, encoding="utf-8",
-                              errors="replace", check=False)
+        process = subprocess.Popen(words, stdin=pipe, stdout=pipe, stderr=pipe, encoding="utf-8",
+                                   errors="replace")
     except OSError as problem:
         if problem.errno == errno.E2BIG:
             raise InputError("a list is too long for a command line: give it in a case file, by "
                              "case_text") from problem
         raise ProgramNotFoundError(f"{words[0]} cannot be run: {problem.strerror}. {_GET_IT}") \
             from problem
+    with process:
+        try:
+            output, said = process.communicate(standard_input)
+        except BaseException:
+            # asked first, as it ends what it runs itself and takes its folder away
+            process.terminate()
+            try:
+                with suppress(subprocess.TimeoutExpired):
+                    process.wait(_PATIENCE)
+            finally:
+                process.kill()
+            raise
+    return subprocess.CompletedProcess(words, process.returncode, output, said)
 
 
 def _words(value: Any) -> list[str]:
