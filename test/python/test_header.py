@@ -1,9 +1,13 @@
 """The package beside interface/c/asperity.h: every constant, member, function and argument."""
 
 import re
+import shutil
+import subprocess
+import sys
 from pathlib import Path
 
 import asperity
+import pytest
 from asperity import _library, contact, errors, faces, properties
 
 HEADER = (Path(__file__).parents[2] / "interface/c/asperity.h").read_text(encoding="utf-8")
@@ -116,3 +120,16 @@ def test_functions():
                 assert kind.__name__ in ("c_void_p", "c_char_p") or "LP_" in kind.__name__, name
             else:
                 assert kind.__name__ == scalar, (name, argument)
+
+
+@pytest.mark.parametrize("library", [None, b"text"], ids=["none", "text"])
+def test_library_that_is_not_there(tmp_path, library):
+    """As in the folder of the sources."""
+    shutil.copytree(Path(asperity.__file__).parent, tmp_path/"asperity",
+                    ignore=shutil.ignore_patterns("*.so", "__pycache__"))
+    if library is not None:
+        (tmp_path/"asperity"/"libasperity_c.so").write_bytes(library)
+    said = subprocess.run([sys.executable, "-c", "import asperity"], cwd=tmp_path, capture_output=True,
+                          text=True, check=False).stderr.splitlines()[-1]
+    assert said.startswith("ImportError")
+    assert "install them by pip" in said

@@ -94,12 +94,12 @@ def _load() -> dict[str, Any]:
     path = Path(__file__).parent / "libasperity_c.so"
     try:
         library = ctypes.CDLL(str(path))
-    except OSError as problem:
+        functions = {name: getattr(library, "asperity_" + name) for name in FUNCTIONS}
+    except (OSError, AttributeError) as problem:
         raise ImportError(f"{problem}: the package asperity is not whole, or the run-time library of "
-                          "gfortran is not installed (on Debian, libgfortran5)") from problem
-    functions = {}
+                          "gfortran is not installed (on Debian, libgfortran5). Its sources have no "
+                          "library: install them by pip, and import it elsewhere") from problem
     for name, arguments in FUNCTIONS.items():
-        functions[name] = getattr(library, "asperity_" + name)
         functions[name].argtypes = [*arguments, POINTER(ErrorStruct)]
         functions[name].restype = c_int
     return functions
