@@ -44,6 +44,15 @@ def test_pressure_of_a_law():
     assert plot.pressure(law, largest=1.0).get_lines()[0].get_ydata()[-1] == pytest.approx(1.0, rel=1e-9)
 
 
+def test_labels_of_ones_own(joint):
+    law = asperity.Law(wood())
+    assert labels(plot.pressure(law, label="mine"))[2] == ["mine"]
+    assert labels(plot.pressure(program.run("curve"), label="mine"))[2] == ["mine"]
+    assert labels(plot.moment_rotation(joint.data.where(model="rough"), label="mine"))[2] == ["mine"]
+    with pytest.raises(TypeError, match="dry is of the class Properties; it must be a Law or a Result"):
+        plot.pressure({"law": law, "dry": wood()})
+
+
 def test_pressures_together():
     """A law and what the program finds of the same faces lie on each other."""
     law = asperity.Law(wood())

@@ -46,9 +46,12 @@ def pressure(what: Law | Result | Mapping[str, Law | Result], *, largest: float 
             end = properties.initial_separation - float(one.separation(top))
             closure = np.linspace(min(0.0, end), end, 201)
             ax.plot(closure, one.pressure(properties.initial_separation - closure),
-                    label=name or "law", **line)
-        else:
+                    **{"label": name or "law"} | line)
+        elif isinstance(one, Result):
             _pressures(ax, name, one, line)
+        else:
+            raise TypeError(f"{name or 'what'} is of the class {type(one).__name__}; it must be a Law or "
+                            "a Result")
     return _labelled(ax, "overclosure", "mm", "pressure", "MPa")
 
 
@@ -66,8 +69,9 @@ def _pressures(ax: Axes, name: str, result: Result, line: dict[str, Any]) -> Non
             points = (column == "pressure" and f"model_{column}" in columns) \
                 or column.startswith(("pressure_summits", "pressure_own"))
             words = [name, label, column.replace("_", " ") if len(columns) > 1 else ""]
-            ax.plot(rows[closure], rows[column], label=", ".join(filter(None, words)) or column,
-                    **({"linestyle": "", "marker": "."} if points else {}) | line)
+            ax.plot(rows[closure], rows[column],
+                    **{"label": ", ".join(filter(None, words)) or column}
+                    | ({"linestyle": "", "marker": "."} if points else {}) | line)
 
 
 def loops(what: Result | Table, x: str | None = None, y: str | None = None, *,
@@ -94,7 +98,7 @@ def loops(what: Result | Table, x: str | None = None, y: str | None = None, *,
         raise InputError(f"there is no {' and no '.join(lacking)}; there are {', '.join(table)}")
     ax = _axes(ax)
     for label, rows in _runs(table):
-        ax.plot(rows[x], rows[y], label=label, **line)
+        ax.plot(rows[x], rows[y], **{"label": label} | line)
     return _labelled(ax, x, table.units.get(x, "-"), y, table.units.get(y, "-"))
 
 
