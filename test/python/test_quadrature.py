@@ -137,8 +137,10 @@ def test_friction(seed):
 @pytest.mark.parametrize("changes", [
     {}, {"static_friction_coefficient": 1.0, "decay_slip": 0.5, "decay_slip_rate": 2.0},
     {"friction_coefficient_across": 0.3, "grain_angle": 20.0, "slip_direction": "stress"},
-    {"unloading": "elastic", "compiled": True, "static_friction_coefficient": 1.0, "decay_slip": 0.5}],
-    ids=["plain", "decay", "grain", "memory"])
+    {"unloading": "elastic", "compiled": True, "static_friction_coefficient": 1.0, "decay_slip": 0.5},
+    {"stick": "summits", "shear_modulus": 80.0}, {"height_distribution": "johnson", "skewness": -0.3,
+     "kurtosis": 3.4, "friction_pressures": (0.5, 2.0, 8.0), "friction_factors": (1.2, 1.0, 0.6)}],
+    ids=["plain", "decay", "grain", "memory", "summits", "johnson"])
 def test_tangent_with_turns(seed, changes):
     """Differences of the tractions, where slip directions turn and friction decays."""
     p, random = properties(seed, **changes)
