@@ -18,6 +18,7 @@ IntArray = npt.NDArray[np.intc]
 
 # Lengths are C's int
 _MOST_POINTS = 2**31 - 1
+_REAL = np.dtype(np.float64)
 # A field that was not asked for
 NOT_ASKED: Any = None
 
@@ -61,7 +62,7 @@ def given(name: str, values: npt.ArrayLike, shape: tuple[int, ...] | None = None
         array = np.asarray(values)
     except ValueError as problem:
         raise InputError(f"{name} is no array: {problem}") from problem
-    if not np.can_cast(array.dtype, np.float64, "same_kind"):
+    if array.dtype != _REAL and not np.can_cast(array.dtype, _REAL, "same_kind"):
         raise InputError(f"{name} has the type {array.dtype}; it must be real numbers")
     if shape is not None and array.shape != shape:
         wanted = shape[components:]

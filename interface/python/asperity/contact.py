@@ -150,20 +150,21 @@ class Contact:
         Raises:
             InputError: numbers that are not finite, arrays that do not fit; nothing has changed then
         """
-        closure = given("overclosure", overclosure, self.shape)
-        slip = given("slip_increment", slip_increment, (2, *self.shape), 1)
+        shape = self._shape
+        closure = given("overclosure", overclosure, shape)
+        slip = given("slip_increment", slip_increment, (2, *shape), 1)
         turn = None
         if rotation is not None:
             turn = np.asarray(rotation)
             turn = given("rotation", turn.swapaxes(0, 1) if turn.ndim > 1 else turn,
-                         (2, 2, *self.shape), 2)
-        out = Response._or_new(out, self.shape)
-        _library.call("states_update", self.law._handle, self._handle, self._n,
+                         (2, 2, *shape), 2)
+        out = Response._or_new(out, shape)
+        _library.call("states_update", self._law._handle, self._handle, self._n,
                       closure.ctypes.data, slip.ctypes.data,
                       None if turn is None else turn.ctypes.data,
                       number("time_increment", time_increment),
                       *out._addresses(
-                          self.shape, "traction", "tangent", "tangential_energy", "dissipation",
+                          shape, "traction", "tangent", "tangential_energy", "dissipation",
                           "plastic_dissipation", "pressure_coupling", "validity"))
         return out
 
