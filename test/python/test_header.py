@@ -122,11 +122,31 @@ def test_functions():
                 assert kind.__name__ == scalar, (name, argument)
 
 
+def sources(folder):
+    """Copy the package without its library."""
+    return shutil.copytree(Path(asperity.__file__).parent, folder/"asperity",
+                           ignore=shutil.ignore_patterns("*.so", "__pycache__"))
+
+
+def test_sources_to_be_edited(tmp_path):
+    """By pip install -e the library stands elsewhere."""
+    code = """
+import importlib.util, sys
+spec = importlib.util.spec_from_file_location(
+    "asperity", sys.argv[1] + "/__init__.py", submodule_search_locations=sys.argv[1:])
+sys.modules["asperity"] = asperity = importlib.util.module_from_spec(spec)
+spec.loader.exec_module(asperity)
+print(asperity.__file__, asperity.__version__)"""
+    folder = sources(tmp_path)
+    said = subprocess.run([sys.executable, "-c", code, folder, Path(asperity.__file__).parent],
+                          capture_output=True, text=True, check=True).stdout
+    assert said.split() == [f"{folder}/__init__.py", asperity.__version__]
+
+
 @pytest.mark.parametrize("library", [None, b"text"], ids=["none", "text"])
 def test_library_that_is_not_there(tmp_path, library):
     """As in the folder of the sources."""
-    shutil.copytree(Path(asperity.__file__).parent, tmp_path/"asperity",
-                    ignore=shutil.ignore_patterns("*.so", "__pycache__"))
+    sources(tmp_path)
     if library is not None:
         (tmp_path/"asperity"/"libasperity_c.so").write_bytes(library)
     said = subprocess.run([sys.executable, "-c", "import asperity"], cwd=tmp_path, capture_output=True,

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ctypes
+import sys
 from ctypes import POINTER, byref, c_char, c_char_p, c_double, c_int, c_size_t, c_void_p
 from pathlib import Path
 from typing import Any, ClassVar
@@ -91,7 +92,9 @@ FUNCTIONS: dict[str, list[Any]] = {
 
 
 def _load() -> dict[str, Any]:
-    path = Path(__file__).parent / "libasperity_c.so"
+    # of two folders where the package is installed to be edited
+    paths = [Path(folder, "libasperity_c.so") for folder in sys.modules["asperity"].__path__]
+    path = next(filter(Path.exists, paths), paths[0])
     try:
         library = ctypes.CDLL(str(path))
         functions = {name: getattr(library, "asperity_" + name) for name in FUNCTIONS}
