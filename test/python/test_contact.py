@@ -272,10 +272,10 @@ def test_copies_share_the_law(law):
 def test_handles_end(law):
     with asperity.Contact(law, 1) as contact:
         contact.update([0.1], np.zeros((2, 1)))
-    with pytest.raises(asperity.InputError, match="states is NULL"):
+    with pytest.raises(asperity.InputError, match="this contact is closed"):
         contact.update([0.1], np.zeros((2, 1)))
     gone = asperity.Law(wood())
     contact = asperity.Contact(gone, 1)
     gone.close()
-    with pytest.raises(asperity.InputError, match="law is NULL"):
+    with pytest.raises(asperity.InputError, match="this law is closed"):
         contact.update([0.1], np.zeros((2, 1)))

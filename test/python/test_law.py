@@ -249,7 +249,7 @@ def test_handles_end():
     with asperity.Law(wood()) as law:
         assert law.pressure(0.1) > 0.0
     for action in (lambda: law.pressure(0.1), lambda: law.properties, lambda: law.separation(1.0)):
-        with pytest.raises(asperity.InputError, match="law is NULL"):
+        with pytest.raises(asperity.InputError, match="this law is closed"):
             action()
     law.close()  # again does nothing
 

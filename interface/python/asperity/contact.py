@@ -96,16 +96,23 @@ class Contact:
 
         Raises:
             InputError: a number of points that is not allowed
+            TypeError: no Law, or a shape that is no whole number
         """
         if not isinstance(law, Law):
             raise TypeError(f"law is of the class {type(law).__name__}; it must be a Law")
         self._law = law
         self._shape = as_shape(shape)
         self._n = count(self._shape)
-        self._handle = ctypes.c_void_p()
-        _library.call("states_new", byref(self._handle), self._n)
-        self.close = weakref.finalize(self, _library.free, "states_free", self._handle)
+        self._pointer = ctypes.c_void_p()
+        _library.call("states_new", byref(self._pointer), self._n)
+        self.close = weakref.finalize(self, _library.free, "states_free", self._pointer)
         """Free the points now; they are refused everywhere from then on."""
+
+    @property
+    def _handle(self) -> ctypes.c_void_p:
+        if not self._pointer:
+            raise InputError("this contact is closed")
+        return self._pointer
 
     def __enter__(self) -> Contact:
         return self

@@ -56,15 +56,22 @@ class Law:
 
         Raises:
             InputError: a property that is not allowed, by its name
+            TypeError: no Properties
         """
         if not isinstance(properties, Properties):
             raise TypeError(f"properties is of the class {type(properties).__name__}; it must be "
                             "Properties, such as Properties.from_pair() makes")
-        self._handle = ctypes.c_void_p()
+        self._pointer = ctypes.c_void_p()
         self._given = properties
-        _library.call("law_new", byref(self._handle), byref(properties.as_struct()))
-        self.close = weakref.finalize(self, _library.free, "law_free", self._handle)
+        _library.call("law_new", byref(self._pointer), byref(properties.as_struct()))
+        self.close = weakref.finalize(self, _library.free, "law_free", self._pointer)
         """Free the law now; it is refused everywhere from then on."""
+
+    @property
+    def _handle(self) -> ctypes.c_void_p:
+        if not self._pointer:
+            raise InputError("this law is closed")
+        return self._pointer
 
     def __enter__(self) -> Law:
         return self
