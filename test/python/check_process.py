@@ -25,9 +25,6 @@ def fake(folder, text):
     return path
 
 
-@pytest.fixture(scope="module")
-
-
 def test_no_program(monkeypatch, tmp_path):
     monkeypatch.delenv("ASPERITY_PROGRAM", raising=False)
     monkeypatch.setenv("PATH", str(tmp_path))
