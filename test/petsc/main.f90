@@ -7,6 +7,7 @@ program test_petsc
    use test_petsc_engine, only: petsc
    use test_petsc_joint_checkpoint, only: suite_joint_checkpoint
    use test_petsc_joint_equations, only: suite_joint_equations
+   use test_petsc_joint_failure, only: suite_joint_failure
    use test_petsc_joint_programme, only: suite_joint_programme
    use test_petsc_linear_solver, only: suite_linear_solver
    use test_petsc_two_blocks, only: suite_two_blocks
@@ -25,6 +26,7 @@ program test_petsc
    call suite%addTest(suite_joint_equations())
    call suite%addTest(suite_two_blocks())
    call suite%addTest(suite_joint_programme())
+   call suite%addTest(suite_joint_failure())
    call suite%addTest(suite_joint_checkpoint())
    call run_suite(suite)
    call unload_petsc(petsc)

@@ -8,6 +8,7 @@ program test_solid
    use test_solid_brick_structures, only: suite_brick_structures
    use test_solid_brick_tangent, only: suite_brick_tangent
    use test_solid_contact_energy, only: suite_contact_energy
+   use test_solid_contact_failure, only: suite_contact_failure
    use test_solid_contact_geometry, only: suite_contact_geometry
    use test_solid_contact_history, only: suite_contact_history
    use test_solid_contact_patch, only: suite_contact_patch
@@ -42,6 +43,7 @@ program test_solid
    call suite%addTest(suite_contact_patch())
    call suite%addTest(suite_contact_paths())
    call suite%addTest(suite_contact_energy())
+   call suite%addTest(suite_contact_failure())
    call suite%addTest(suite_contact_history())
    call suite%addTest(suite_contact_tangent())
    call run_suite(suite)

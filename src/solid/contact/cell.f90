@@ -2,11 +2,11 @@
 !> and slip are means over samples, one on each master facet that is opposite.
 module asperity_solid_contact_cell
    use asperity_base_kinds, only: wp
-   use asperity_contact_state, only: contact_response, contact_state
+   use asperity_contact_state, only: contact_response, contact_state, no_opposite_surface
    use asperity_solid_contact_geometry_facet, only: facet_ray
    implicit none
    private
-   public :: contact_cell, contact_sample
+   public :: contact_cell, contact_sample, motion_of
 
    !> A place in a slave facet, kept within an increment, and the ray from it.
    type :: contact_sample
@@ -49,5 +49,18 @@ module asperity_solid_contact_cell
       !> Relative tangential motion while closed, up to the start, mm
       real(wp) :: slip(2) = 0.0_wp
    end type contact_cell
+
+contains
+
+   !> What the law is asked about a cell: overclosure, mm, `no_opposite_surface` without coverage,
+   !> and slip of the increment, mm.
+   pure function motion_of(cell) result(motion)
+      !> The cell
+      type(contact_cell), intent(in) :: cell
+      real(wp) :: motion(3)
+
+      motion = [no_opposite_surface, 0.0_wp, 0.0_wp]
+      if (cell%coverage > 0.0_wp) motion = [-cell%gap, cell%slip_increment]
+   end function motion_of
 
 end module asperity_solid_contact_cell

@@ -4,14 +4,15 @@ module asperity_solid_contact_pair
    use asperity_base_error, only: error_type, fatal_error
    use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
-   use asperity_contact_state, only: is_closed, no_opposite_surface, status_unset
-   use asperity_solid_contact_cell, only: contact_cell
+   use asperity_contact_state, only: is_closed, status_unset
+   use asperity_solid_contact_cell, only: contact_cell, motion_of
    use asperity_solid_contact_cut, only: cut_face
    use asperity_solid_contact_energy, only: add_increment, contact_energy, recut_energy
    use asperity_solid_contact_face, only: contact_face, freeze_axes, keep_facets, met_facets, &
       new_contact_face, surround_facet
    use asperity_solid_contact_geometry_surface, only: contact_surface, new_contact_surface
    use asperity_solid_contact_law, only: solid_law
+   use asperity_solid_contact_motions, only: add_motions, contact_motions
    use asperity_solid_contact_rays, only: find_middles, meet_facets, start_rays
    implicit none
    private
@@ -41,6 +42,8 @@ module asperity_solid_contact_pair
       logical :: has_grown = .false.
       !> Energies at the last accepted increment
       type(contact_energy) :: energy
+      !> How its cells have moved since the start, where that is kept
+      type(contact_motions), allocatable :: motions
    end type contact_pair
 
 contains
@@ -96,6 +99,7 @@ contains
       type(error_type), allocatable, intent(out) :: error
       integer :: i, j
 
+      if (allocated(pair%motions)) pair%motions%is_under_way = .true.
       do i = 1, size(pair%faces)
          associate (face => pair%faces(i))
             call freeze_axes(face, positions)
@@ -116,6 +120,9 @@ contains
             end do
          end associate
       end do
+      if (.not. allocated(pair%motions)) return
+      ! that which gave the first states
+      if (pair%motions%increments == 0) call add_motions(pair%motions, pair%faces)
    end subroutine begin_increment
 
    !> Traction of a cell at its gap, slip and coverage. One without coverage has nothing opposite.
@@ -126,12 +133,10 @@ contains
       type(contact_cell), intent(inout) :: cell
       !> Set when the law fails
       type(error_type), allocatable, intent(out) :: error
+      real(wp) :: motion(3)
 
-      if (cell%coverage > 0.0_wp) then
-         call law%update(cell%start, -cell%gap, cell%slip_increment, cell%trial, error)
-      else
-         call law%update(cell%start, no_opposite_surface, [0.0_wp, 0.0_wp], cell%trial, error)
-      end if
+      motion = motion_of(cell)
+      call law%update(cell%start, motion(1), motion(2:), cell%trial, error)
    end subroutine update_cell
 
    !> The first state of a cell, with the energy of its overclosure.
@@ -169,6 +174,9 @@ contains
             end associate
          end do
       end do
+      if (.not. allocated(pair%motions)) return
+      pair%motions%is_under_way = .false.
+      call add_motions(pair%motions, pair%faces)
    end subroutine accept
 
    !> Add what is around the facets met, when a pattern is made anyway: the next increments then

@@ -8,14 +8,14 @@ module asperity_solid_contact_uinter
    use asperity_contact_state, only: contact_response, contact_state, is_closed
    use asperity_replay_abaqus_host, only: host_point, host_response, new_host_point, refuse_cut, &
       try_increment
-   use asperity_solid_contact_law, only: solid_law
+   use asperity_solid_contact_rough, only: rough_law
    implicit none
    private
    public :: uinter_law, new_uinter_law
 
    !> A host of UINTER that takes the place of one point after the other: what UINTER knows of a
    !> point is its STATEV.
-   type, extends(solid_law) :: uinter_law
+   type, extends(rough_law) :: uinter_law
       type(host_point), private :: host
    contains
       procedure :: update
@@ -32,6 +32,7 @@ contains
       !> Normal law and friction
       type(contact_properties), intent(in) :: properties
 
+      law%properties = properties
       call new_host_point(law%host, uinter, properties, keep_history=.false.)
    end subroutine new_uinter_law
 

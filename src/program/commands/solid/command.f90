@@ -1,7 +1,7 @@
 !> `asperity solid`: the tenon joint as a solid of plastic wood, through the whole programme, under
 !> hard contact and under the rough law.
 module asperity_program_commands_solid_command
-   use asperity_base_error, only: error_type, fatal_error
+   use asperity_base_error, only: computation_error, error_type, fatal_error
    use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
    use asperity_base_version, only: version
@@ -10,6 +10,7 @@ module asperity_program_commands_solid_command
    use asperity_program_commands_joint_loops, only: legends
    use asperity_program_commands_opensees_joint, only: add_joint_material, check_history
    use asperity_program_commands_opensees_output, only: opensees_output
+   use asperity_program_commands_replay_failed_point, only: keep_failed_point
    use asperity_program_commands_solid_checkpoint, only: checkpoint_file, is_there
    use asperity_program_commands_solid_keys, only: solid_case
    use asperity_program_commands_solid_observer, only: new_observer, run_observer, seconds_of
@@ -26,6 +27,7 @@ module asperity_program_commands_solid_command
    use asperity_program_system_progress, only: clear_steps, tell_terminal
    use asperity_program_system_strings, only: newline, string_type
    use asperity_replay_tenon_settings, only: complete_tenon_settings, tenon_settings
+   use asperity_solid_contact_failed_point, only: failed_point, find_failed_point, keep_motions
    use asperity_solid_engine_petsc, only: load_petsc, petsc_library, unload_petsc
    use asperity_solid_mesh_checks, only: mesh_remark
    use asperity_solid_model_model, only: new_solid_model, solid_model
@@ -220,10 +222,11 @@ contains
       call new_solid_run(run, model, petsc)
       deallocate (deck, model)
       call new_observer(observer, 'solid: '//trim(legends(which)), checkpoint, self%vtk)
-      if (self%resumes) call resume(checkpoint, run, observer, error)
+      call begin(self%resumes, checkpoint, run, observer, error)
       if (allocated(error)) return
       call run_programme(run, observer, error)
       if (allocated(error)) then
+         call keep_point(error, run%model)
          if (is_there(checkpoint%path)) error%message = error%message//'. It begins again from '// &
             checkpoint%path//' with --resume'
          return
@@ -246,16 +249,35 @@ contains
       end associate
    end function ends_of
 
-   !> Go on from a checkpoint, if there is one.
-   subroutine resume(checkpoint, run, observer, error)
+   !> Go on from a checkpoint, if there is one and it is asked for, else from the start.
+   subroutine begin(resumes, checkpoint, run, observer, error)
+      logical, intent(in) :: resumes
       type(checkpoint_file), intent(in) :: checkpoint
       type(solid_run), intent(inout) :: run
       type(run_observer), intent(inout) :: observer
       type(error_type), allocatable, intent(out) :: error
 
-      if (is_there(checkpoint%path)) &
+      if (resumes .and. is_there(checkpoint%path)) then
          call checkpoint%load(run, observer%snapshots, observer%seconds_before, error)
-   end subroutine resume
+      else
+         call keep_motions(run%model%pairs)
+      end if
+   end subroutine begin
+
+   !> Keep the motion of the contact point at which an increment failed, if UINTER can be led along.
+   subroutine keep_point(error, model)
+      type(error_type), intent(inout) :: error
+      type(solid_model), intent(inout) :: model
+      type(failed_point) :: failed
+
+      if (error%category /= computation_error .or. model%is_hard) return
+      call find_failed_point(model%pairs, failed)
+      if (failed%pair > 0) then
+         call keep_failed_point(error, failed%path, failed%properties, trim(failed%words))
+      else if (.not. failed%is_known) then
+         error%message = error%message//'; it leaves no motion of a point: checkpoints keep none'
+      end if
+   end subroutine keep_point
 
    !> The page.
    function page_of(self, report, beside_paper) result(parts)
