@@ -39,11 +39,11 @@ contains
       type(contact_face), intent(in) :: faces(:)
       type(error_type), allocatable :: error
       real(wp), allocatable :: values(:, :, :)
-      integer :: i, j, cells
+      integer :: i, j, n, cells
 
       cells = size(faces(1)%cells)
       call check_work('motions of contact points', &
-         int(storage_size(1.0_wp)/8*3, int64)*cells*size(faces), error)
+         24_int64*cells*size(faces), error)
       if (allocated(error)) then
          deallocate (motions)
          return
@@ -54,12 +54,11 @@ contains
             values(:, j, i) = motion_of(faces(i)%cells(j))
          end do
       end do
-      associate (n => motions%increments)
-         if (n > 0) values(2:, :, :) = values(2:, :, :) + motions%at(n)%values(2:, :, :)
-         call make_room(motions)
-         n = n + 1
-         call move_alloc(values, motions%at(n)%values)
-      end associate
+      call make_room(motions)
+      n = motions%increments
+      if (n > 0) values(2:, :, :) = values(2:, :, :) + motions%at(n)%values(2:, :, :)
+      motions%increments = n + 1
+      call move_alloc(values, motions%at(n + 1)%values)
    end subroutine add_motions
 
    !> Room for an increment more.

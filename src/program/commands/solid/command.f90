@@ -257,7 +257,7 @@ contains
       type(run_observer), intent(inout) :: observer
       type(error_type), allocatable, intent(out) :: error
 
-      if (resumes .and. is_there(checkpoint%path)) then
+      if (is_there(checkpoint%path) .and. resumes) then
          call checkpoint%load(run, observer%snapshots, observer%seconds_before, error)
       else
          call keep_motions(run%model%pairs)
