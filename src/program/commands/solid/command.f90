@@ -275,7 +275,7 @@ contains
       if (failed%pair > 0) then
          call keep_failed_point(error, failed%path, failed%properties, trim(failed%words))
       else if (.not. failed%is_known) then
-         error%message = error%message//'; it leaves no motion of a point: checkpoints keep none'
+         error%message = error%message//'; no motion of a point is left (resumed, or no memory)'
       end if
    end subroutine keep_point
 
