@@ -147,10 +147,11 @@ contains
          slope = dot_product(at, motion)/size - domain%excess*moved*domain%renewal*travel
          ! never inside
          if (.not. slope > 0.0_wp) return
+         ! on the circle from the start on, as after an increment at the same rate
+         if (.not. f > 0.0_wp) exit
          step = outside/slope
-         f = f - step
-         if (.not. f > 0.0_wp) return
-         if (.not. step > 2.0_wp*epsilon(f)*f) exit
+         f = max(f - step, 0.0_wp)
+         if (f > 0.0_wp .and. .not. step > 2.0_wp*epsilon(f)*f) exit
       end do
       length = f*travel
       do k = 1, n_by

@@ -24,6 +24,7 @@ contains
 
       suite = TestSuite('general tangent')
       call suite%addTest(TestMethod('derivatives of every kind of friction', test_derivatives))
+      call suite%addTest(TestMethod('derivatives of a side at the rate of before', test_same_rate))
       call suite%addTest(TestMethod('tangent about a state, for perturbations', test_base_tangent))
    end function suite_general_tangent
 
@@ -89,6 +90,61 @@ contains
          call assertGreaterThan(minval(counts), 200, message='stick, slip, closing')
       end do
    end subroutine test_derivatives
+
+   !> Two increments of one length and time, at rest and falling pressure: where the second begins at
+   !> the end of slip, a higher rate shrinks the domain and a lower one lets it stick first. The
+   !> derivatives are those of one of these sides.
+   subroutine test_same_rate()
+      real(wp), parameter :: h = 1.0e-7_wp, time = 0.7_wp
+      integer(int64), parameter :: seed = 24494897_int64
+      type(random_stream) :: stream
+      type(friction_settings) :: settings
+      type(contact_properties) :: p
+      type(contact_state) :: start
+      type(contact_response) :: r, ahead, behind
+      real(wp) :: slip(2), turn, overclosure, step(2), forward(2), backward(2), scale, off, worst
+      integer :: i, j, n, corners
+
+      stream = random_stream(seed)
+      worst = 0.0_wp
+      corners = 0
+      n = 0
+      do i = 1, 2000
+         p = friction_properties(friction_settings(), rules(1 + mod(i, 2)))
+         call random_friction(stream, size(kinds), p%friction_coefficient, p%critical_slip, settings)
+         p = friction_properties(settings, p%friction_rule)
+         overclosure = 0.05_wp
+         slip = p%critical_slip*[stream%uniform(-3.0_wp, 3.0_wp), stream%uniform(-3.0_wp, 3.0_wp)]
+         start = contact_state()
+         r = spring_slides(p, start, overclosure, [0.0_wp, 0.0_wp], time)
+         start = r%state
+         r = spring_slides(p, start, overclosure, slip, time)
+         if (r%status /= status_slip) cycle
+         start = r%state
+         turn = stream%uniform(-1.5_wp, 1.5_wp)
+         slip = matmul(reshape([cos(turn), sin(turn), -sin(turn), cos(turn)], [2, 2]), slip)
+         if (mod(i, 4) < 2) overclosure = 0.03_wp
+         r = spring_slides(p, start, overclosure, slip, time)
+         scale = spring*2.0_wp + 2.0_wp*r%traction(1)/p%critical_slip
+         do j = 1, 2
+            step = 0.0_wp
+            step(j) = h
+            ahead = spring_slides(p, start, overclosure, slip + step, time)
+            behind = spring_slides(p, start, overclosure, slip - step, time)
+            forward = (ahead%traction(2:) - r%traction(2:))/h
+            backward = (r%traction(2:) - behind%traction(2:))/h
+            if (maxval(abs(forward - backward)) > 1.0e-4_wp*scale) corners = corners + 1
+            off = min(maxval(abs(forward - r%tangent(2:, 1 + j))), &
+               maxval(abs(backward - r%tangent(2:, 1 + j))))
+            call worsen(worst, off/scale)
+            n = n + 1
+         end do
+      end do
+      ! a one-sided difference is off by the curvature of the law over h
+      call assertLessThan(worst, 1.0e-5_wp, 'derivatives of a side')
+      call assertGreaterThan(corners, 100, message='corners')
+      call assertGreaterThan(n, 2000, message='cases')
+   end subroutine test_same_rate
 
    !> About a state that sticks, the tangent of a small motion with its pressure; about one that
    !> slips, its own motion on changes nothing, by either rule of slip.
