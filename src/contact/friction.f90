@@ -58,7 +58,7 @@ contains
       associate (r => response, p => response%traction(1), &
             scale => properties%friction_coefficient/properties%critical_slip)
          gamma_by_pressure = 0.0_wp
-         ! at rest as when it rises, as the stiffness of a law with memory is then that of pressing
+         ! at rest as when it is pressed, as the stiffness of a law with memory is then
          if (properties%friction_rule == rule_dissipative .and. p >= start%pressure &
             .and. p > 0.0_wp) then
             gamma_by_pressure = -gamma*(start%pressure/p)/p

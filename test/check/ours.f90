@@ -91,12 +91,18 @@ contains
    subroutine test_friction()
       type(random_stream) :: stream
       type(friction_settings) :: settings
-      integer :: kind
+      integer, parameter :: rounds = 4
+      integer :: kind, i
 
       stream = random_stream(seed)
-      do kind = 1, size(kinds)
-         call random_friction(stream, kind, 0.5_wp, 0.31_wp, settings)
-         call try(friction_properties(settings), trim(kinds(kind)), slip=1.0_wp)
+      do i = 1, rounds
+         do kind = 1, size(kinds)
+            call random_friction(stream, kind, 0.5_wp, 0.31_wp, settings)
+            call try(friction_properties(settings, 1 + mod(i, 2), 1 + mod(i/2, 2), &
+               merge(unloading_elastic, unloading_reversible, i > rounds/2)), &
+               trim(kinds(kind))//' '//to_text(i), slip=stream%log_uniform(0.03_wp, 3.0_wp))
+            if (anyExceptions()) return
+         end do
       end do
    end subroutine test_friction
 

@@ -60,16 +60,17 @@ contains
    end subroutine random_friction
 
    !> The pair transverse-tangential with settings.
-   function friction_properties(settings, friction_rule, slip_integration) result(properties)
+   function friction_properties(settings, friction_rule, slip_integration, unloading) &
+         result(properties)
       type(friction_settings), intent(in) :: settings
-      integer, intent(in), optional :: friction_rule, slip_integration
+      integer, intent(in), optional :: friction_rule, slip_integration, unloading
       type(contact_properties) :: properties
       type(pair_preset) :: pair
       type(error_type), allocatable :: error
 
       call find_pair('transverse-tangential', pair, error)
       call new_contact_properties(properties, pair, error, friction_rule=friction_rule, &
-         slip_integration=slip_integration, friction=settings)
+         slip_integration=slip_integration, unloading=unloading, friction=settings)
       if (allocated(error)) error stop 'the friction of the tests is refused'
    end function friction_properties
 
