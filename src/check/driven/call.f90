@@ -5,12 +5,12 @@ module asperity_check_driven_call
    use asperity_base_kinds, only: wp
    use asperity_check_driven_call_uinter, only: call_uinter, new_uinter_layout
    use asperity_check_driven_call_vuinter, only: call_vuinter, new_vuinter_layout
-   use asperity_check_driven_point, only: point_answer, point_motion, point_start
+   use asperity_check_driven_point, only: point_answer, point_motion, point_start, same_answer
    use asperity_check_driven_routine, only: driven_routine
    use asperity_check_settings, only: check_settings
    implicit none
    private
-   public :: new_uinter, new_vuinter, call_routine, usual_ndir
+   public :: new_uinter, new_vuinter, call_routine, usual_ndir, repeats
 
 contains
 
@@ -59,6 +59,26 @@ contains
       usual_ndir = settings%ndir
       if (settings%ndir == 0) usual_ndir = 3
    end function usual_ndir
+
+   !> Whether a routine repeats itself, as else a difference is another rule's.
+   logical function repeats(routine, start, motion)
+      !> The routine
+      type(driven_routine), intent(in) :: routine
+      !> The point at the start of the increment, and its motion
+      type(point_start), intent(in) :: start
+      type(point_motion), intent(in) :: motion
+      ! chance is not the same so often
+      integer, parameter :: times = 4
+      type(point_answer) :: first, again
+      integer :: i
+
+      repeats = .true.
+      call call_routine(routine, start, motion, first)
+      do i = 1, times
+         call call_routine(routine, start, motion, again)
+         repeats = repeats .and. same_answer(first, again)
+      end do
+   end function repeats
 
    !> Call a routine for one point.
    subroutine call_routine(routine, start, motion, answer)

@@ -1,8 +1,8 @@
 !> One guarded call of a UINTER.
 module asperity_check_driven_call_uinter
    use asperity_base_kinds, only: wp
-   use asperity_check_driven_layout, only: argument_layout, cell_of, is_advanced, is_input, &
-      is_output, lay_out, new_layout, read_back
+   use asperity_check_driven_layout, only: argument_layout, cell_of, changed_name, is_advanced, &
+      is_input, is_output, lay_out, new_layout, read_back
    use asperity_check_driven_point, only: point_answer, point_motion, point_start
    use asperity_check_driven_routine, only: driven_routine, fills_of, poison
    implicit none
@@ -24,6 +24,14 @@ module asperity_check_driven_call_uinter
       is_output, is_output, is_output, is_advanced, is_input, is_input, is_input, is_input, &
       is_input, is_input, is_input, is_input, is_input, is_input, is_input, is_input, is_input, &
       is_input, is_input]
+
+   !> Inputs that are integers, and texts, in the order of the list
+   character(len=*), parameter :: integer_names(11) = [character(len=6) :: 'NODE', 'NDIR', &
+      'NSTATV', 'NPRED', 'NPROPS', 'MCRD', 'KSTEP', 'KINC', 'KIT', 'LINPER', 'LPRINT']
+   character(len=*), parameter :: text_names(3) = [character(len=6) :: 'CINAME', 'SLNAME', &
+      'MSNAME']
+   character(len=80), parameter :: texts(3) = [character(len=80) :: 'INTERACTION', 'SLAVE', &
+      'MASTER']
 
    !> Field variables that a model has, so that their arrays are not empty
    integer, parameter :: npred = 1
@@ -57,11 +65,10 @@ contains
       type(point_motion), intent(in) :: motion
       !> Result
       type(point_answer), intent(out) :: answer
-      character(len=80), parameter :: ciname = 'INTERACTION', slname = 'SLAVE', msname = 'MASTER'
       real(wp), allocatable :: numbers(:), fills(:), units(:), c(:)
-      integer :: at(chrlngth), i, n
-      ! of their own, so that what a routine writes to is no constant
-      integer :: node, ndir, nstatv, fields, nprops, mcrd, kstep, kinc, kit, linper, lprint
+      integer :: at(chrlngth), i, n, given(size(integer_names)), whole(size(integer_names))
+      ! of its own, so that what a routine writes to is no constant
+      character(len=80) :: names_of(size(texts))
 
       call fill_in(routine, start, motion, numbers)
       call fills_of(routine, fills)
@@ -69,27 +76,21 @@ contains
       do i = 1, chrlngth
          at(i) = cell_of(routine%layout, i)
       end do
-      node = 1
-      ndir = routine%ndir
-      nstatv = routine%nstatv
-      fields = npred
-      nprops = size(routine%props)
-      mcrd = ndir
-      kstep = 1
-      kinc = start%increment
-      kit = motion%kit
-      linper = motion%linper
-      lprint = 0
+      given = [1, routine%ndir, routine%nstatv, npred, size(routine%props), routine%ndir, 1, &
+         start%increment, motion%kit, motion%linper, 0]
+      whole = given
+      names_of = texts
       answer%lopenclose = start%lopenclose
       answer%lstate = start%lstate
       call routine%uinter(c(at(stress)), c(at(ddsddr)), c(at(dviscous)), c(at(dstructural)), &
          c(at(flux)), c(at(ddfddt)), c(at(ddsddt)), c(at(ddfddr)), c(at(statev)), c(at(sed)), &
          c(at(sfd)), c(at(spd)), c(at(svd)), c(at(scd)), c(at(pnewdt)), c(at(rdisp)), &
          c(at(drdisp)), c(at(temp)), c(at(dtemp)), c(at(predef)), c(at(dpred)), c(at(time)), &
-         c(at(dtime)), c(at(freqr)), ciname, slname, msname, c(at(props)), c(at(coords)), &
-         c(at(alocaldir)), c(at(drot)), c(at(area)), c(at(chrlngth)), node, ndir, nstatv, fields, &
-         nprops, mcrd, kstep, kinc, kit, linper, answer%lopenclose, answer%lstate, answer%lsdi, &
-         lprint)
+         c(at(dtime)), c(at(freqr)), names_of(1), names_of(2), names_of(3), c(at(props)), &
+         c(at(coords)), c(at(alocaldir)), c(at(drot)), c(at(area)), c(at(chrlngth)), whole(1), &
+         whole(2), whole(3), whole(4), whole(5), whole(6), whole(7), whole(8), whole(9), &
+         whole(10), answer%lopenclose, answer%lstate, answer%lsdi, whole(11))
+      answer%changed = changed_name(integer_names, given, whole, text_names, texts, names_of)
       answer%before = numbers
       call read_back(routine%layout, units, c, answer%numbers, answer%damaged_slot, &
          answer%damaged_entry)

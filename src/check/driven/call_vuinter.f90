@@ -2,8 +2,8 @@
 module asperity_check_driven_call_vuinter
    use, intrinsic :: iso_fortran_env, only: real32
    use asperity_base_kinds, only: wp
-   use asperity_check_driven_layout, only: argument_layout, cell_of, is_advanced, is_input, &
-      is_output, lay_out, new_layout, read_back
+   use asperity_check_driven_layout, only: argument_layout, cell_of, changed_name, is_advanced, &
+      is_input, is_output, lay_out, new_layout, read_back
    use asperity_check_driven_point, only: point_answer, point_motion, point_start
    use asperity_check_driven_routine, only: driven_routine, fills_of, poison
    implicit none
@@ -27,6 +27,15 @@ module asperity_check_driven_call_vuinter
       is_input, is_input, is_input, is_input, is_input, is_input, is_input, is_input, is_input, &
       is_input, is_input, is_input, is_input, is_input, is_input, is_input, is_input, is_input, &
       is_input]
+
+   !> Inputs that are integers, and texts, in the order of the list
+   character(len=*), parameter :: integer_names(12) = [character(len=9) :: 'kStep', 'kInc', &
+      'nFacNod', 'nSlvNod', 'nMstNod', 'nSurfDir', 'nDir', 'nStateVar', 'nProps', 'nTemp', &
+      'nPred', 'numDefTfv']
+   character(len=*), parameter :: text_names(3) = [character(len=7) :: 'surfInt', 'surfSlv', &
+      'surfMst']
+   character(len=80), parameter :: texts(3) = [character(len=80) :: 'INTERACTION', 'SLAVE', &
+      'MASTER']
 
    !> Nodes of a facet of the master surface, which is one facet; field variables; first node number
    integer, parameter :: facet_nodes = 4, npred = 1, first_label = 101
@@ -62,13 +71,11 @@ contains
       type(point_motion), intent(in) :: motions(:)
       !> Results
       type(point_answer), intent(inout) :: answers(:)
-      character(len=80), parameter :: surfint = 'INTERACTION', surfslv = 'SLAVE', &
-         surfmst = 'MASTER'
       real(wp), allocatable :: numbers(:), fills(:), units(:), c(:)
       integer, allocatable :: labels(:), facets(:)
-      integer :: at(dpredefmst), i, n
-      integer :: kstep, kinc, nfacnod, nslvnod, nmstnod, nsurfdir, ndir, nstatevar, nprops, ntemp, &
-         fields, numdeftfv
+      integer :: at(dpredefmst), i, n, given(size(integer_names)), whole(size(integer_names))
+      ! of its own, so that what a routine writes to is no constant
+      character(len=80) :: names_of(size(texts))
 
       n = size(starts)
       call fill_in(routine, starts, motions, numbers)
@@ -80,23 +87,15 @@ contains
       allocate (labels(max(n, facet_nodes)), facets(n*facet_nodes))
       labels = [(first_label + i, i=0, size(labels) - 1)]
       facets = [(1 + mod(i, facet_nodes), i=0, size(facets) - 1)]
-      kstep = 1
-      kinc = starts(1)%increment
-      nfacnod = facet_nodes
-      nslvnod = n
-      nmstnod = facet_nodes
-      ndir = routine%ndir
-      nsurfdir = ndir - 1
-      nstatevar = routine%nstatv
-      nprops = size(routine%props)
-      ntemp = 1
-      fields = npred
-      numdeftfv = n
+      given = [1, starts(1)%increment, facet_nodes, n, facet_nodes, routine%ndir - 1, &
+         routine%ndir, routine%nstatv, size(routine%props), 1, npred, n]
+      whole = given
+      names_of = texts
       call routine%vuinter(c(at(sfd)), c(at(scd)), c(at(spd)), c(at(svd)), c(at(stress)), &
-         c(at(fluxslv)), c(at(fluxmst)), c(at(sed)), c(at(statev)), kstep, kinc, nfacnod, nslvnod, &
-         nmstnod, nsurfdir, ndir, nstatevar, nprops, ntemp, fields, numdeftfv, labels, labels, &
-         facets, c(at(timstep)), c(at(timglb)), c(at(dtimcur)), surfint, surfslv, surfmst, &
-         c(at(rdisp)), c(at(drdisp)), c(at(drot)), c(at(stiffdflt)), c(at(conddflt)), &
+         c(at(fluxslv)), c(at(fluxmst)), c(at(sed)), c(at(statev)), whole(1), whole(2), whole(3), &
+         whole(4), whole(5), whole(6), whole(7), whole(8), whole(9), whole(10), whole(11), &
+         whole(12), labels, labels, facets, c(at(timstep)), c(at(timglb)), c(at(dtimcur)), &
+         names_of(1), names_of(2), names_of(3), c(at(rdisp)), c(at(drdisp)), c(at(drot)), c(at(stiffdflt)), c(at(conddflt)), &
          c(at(shape_values)), c(at(coordslv)), c(at(coordmst)), c(at(alocaldir)), c(at(props)), &
          c(at(areaslv)), c(at(tempslv)), c(at(dtempslv)), c(at(predefslv)), c(at(dpredefslv)), &
          c(at(tempmst)), c(at(dtempmst)), c(at(predefmst)), c(at(dpredefmst)))
@@ -105,6 +104,7 @@ contains
          ! as the precision of the routine takes them
          answers(i)%before = numbers
          if (routine%layout%single) answers(i)%before = real(real(numbers, real32), wp)
+         answers(i)%changed = changed_name(integer_names, given, whole, text_names, texts, names_of)
       end do
    end subroutine call_vuinter
 

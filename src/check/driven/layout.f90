@@ -7,7 +7,7 @@ module asperity_check_driven_layout
    implicit none
    private
    public :: argument_slot, argument_layout, new_layout, lay_out, read_back, entry_name, &
-      same_bits, cell_of
+      same_bits, cell_of, changed_name
 
    !> What a routine does with an argument: it reads it, sets it, or is given its value at the start
    !> of the increment and sets that of the end
@@ -156,6 +156,25 @@ contains
          end associate
       end do
    end subroutine read_back
+
+   !> The first integer or text that a routine has written to, blank for none.
+   pure function changed_name(names, before, after, text_names, texts_before, texts_after) &
+         result(name)
+      !> Integers: names, and values before and after the call
+      character(len=*), intent(in) :: names(:)
+      integer, intent(in) :: before(:), after(:)
+      !> The same of texts
+      character(len=*), intent(in) :: text_names(:), texts_before(:), texts_after(:)
+      character(len=9) :: name
+      integer :: k
+
+      name = ''
+      k = findloc(after == before, .false., dim=1)
+      if (k > 0) name = names(k)
+      if (k > 0) return
+      k = findloc(texts_after == texts_before, .false., dim=1)
+      if (k > 0) name = text_names(k)
+   end function changed_name
 
    !> Name of an entry of an argument: `PNEWDT`, `STRESS(2)`, `DDSDDR(2,1)`.
    pure function entry_name(slot, entry) result(name)

@@ -46,6 +46,8 @@ module asperity_check_driven_point
       real(wp), allocatable :: before(:)
       !> Argument and entry that was written to and must not be; zero for none
       integer :: damaged_slot = 0, damaged_entry = 0
+      !> Integer or text that is an input and was written to; blank for none
+      character(len=9) :: changed = ''
    end type point_answer
 
 contains

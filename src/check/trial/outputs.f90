@@ -8,7 +8,7 @@ module asperity_check_trial_outputs
    use asperity_check_driven_layout, only: argument_slot, entry_name, is_output, same_bits
    use asperity_check_driven_left, only: stored_is_set, stress_left
    use asperity_check_driven_paths, only: main_path
-   use asperity_check_driven_point, only: point_answer
+   use asperity_check_driven_point, only: point_answer, same_answer
    use asperity_check_driven_routine, only: driven_routine
    use asperity_check_finding, only: finding_list, rule_unset_output, severity_error, &
       severity_note, severity_warning
@@ -41,7 +41,7 @@ contains
       type(finding_list), intent(inout) :: findings
       type(drive_record) :: record
       type(driven_routine) :: other
-      type(point_answer) :: answer
+      type(point_answer) :: answer, again
       type(entry_count), allocatable :: counts(:)
       integer :: i, j
 
@@ -52,6 +52,9 @@ contains
       other%poison = 2
       do i = 1, record%n
          call call_routine(other, record%items(i)%start, record%items(i)%motion, answer)
+         ! what differs without a poison is another rule's
+         call call_routine(routine, record%items(i)%start, record%items(i)%motion, again)
+         if (.not. same_answer(again, record%items(i)%answer)) cycle
          do j = 1, size(routine%layout%slots)
             if (routine%layout%slots(j)%role == is_output) &
                call count_slot(routine%layout%slots(j), i, record%items(i)%answer, answer, counts)

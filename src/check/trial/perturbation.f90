@@ -90,14 +90,20 @@ contains
                to_text(answers(i)%statev(k), 5))
             return
          end if
-         if (answers(i)%lopenclose /= base%lopenclose .or. answers(i)%lstate /= base%lstate) then
-            call report('LOPENCLOSE and LSTATE', 'as they were', 'changed')
+         if (answers(i)%lopenclose /= base%lopenclose .or. answers(i)%lstate /= base%lstate &
+            .or. answers(i)%lsdi /= 0 .or. answers(i)%pnewdt < 1.0_wp) then
+            call report('LOPENCLOSE, LSTATE, LSDI and PNEWDT', 'as they were', 'changed')
             return
          end if
       end do
       largest = max(maxval(abs(answers(1)%ddsddr)), maxval(abs(answers(2)%ddsddr)))
-      if (all(abs(answers(1)%ddsddr - answers(2)%ddsddr) <= tolerance*largest)) return
-      call report('DDSDDR', 'the same for a perturbation and its opposite', 'two different ones')
+      if (.not. all(abs(answers(1)%ddsddr - answers(2)%ddsddr) <= tolerance*largest)) then
+         call report('DDSDDR', 'the same for a perturbation and its opposite', 'two different ones')
+      else if (item%answer%stress(1) > 0.0_wp .and. item%answer%ddsddr(1, 1) > 0.0_wp &
+            .and. .not. abs(answers(1)%ddsddr(1, 1)) > 0.0_wp) then
+         call report('DDSDDR(1,1)', 'a stiffness where faces press, as the '// &
+            to_text(item%answer%ddsddr(1, 1), 5)//' MPa/mm of the increment', '0')
+      end if
 
    contains
 

@@ -1,10 +1,11 @@
 !> Rule `tangent`: DDSDDR is the derivative of STRESS by the relative motion, by differences at
-!> every state of the path. Where both sides differ, as at a change of status, either is right.
+!> every state of the path. Where both sides differ, as at a change of status, either is right; and
+!> any is without motion, from which elements of a law may go different ways.
 module asperity_check_trial_tangent
    use asperity_base_finite, only: is_finite
    use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
-   use asperity_check_driven_call, only: call_routine
+   use asperity_check_driven_call, only: call_routine, repeats
    use asperity_check_driven_drive, only: drive, drive_record, driven_increment, place_of
    use asperity_check_driven_layout, only: same_bits
    use asperity_check_driven_paths, only: main_path, motion_sizes, sizes_of
@@ -47,50 +48,82 @@ contains
       !> Findings are added
       type(finding_list), intent(inout) :: findings
       type(drive_record) :: record
-      type(differences_type) :: differences, worst_differences
-      real(wp) :: off, worst
-      logical :: wrong(3, 3), ever_wrong(3, 3), on_diagonal
-      integer :: i, j, k, item_of_worst, at(2), bad
+      type(driven_increment) :: still, item_of_worst
+      type(differences_type) :: worst_differences
+      real(wp) :: worst
+      logical :: ever_wrong(3, 3), on_diagonal
+      integer :: i, at(2), bad
 
       call drive(routine, main_path(settings), 1, record)
       worst = 0.0_wp
-      item_of_worst = 0
       bad = 0
       ever_wrong = .false.
       on_diagonal = .false.
       at = 0
       do i = 1, record%n
-         associate (item => record%items(i))
-            if (.not. has_surface(item%motion%rdisp(1))) cycle
-            call find_differences(routine, sizes_of(settings), item, differences)
-            wrong = .false.
-            do k = 1, routine%ndir
-               if (.not. differences%known(k)) cycle
-               do j = 1, routine%ndir
-                  if (.not. differences%is_set(j, k)) cycle
-                  off = excess(item%answer%ddsddr, differences, j, k)
-                  wrong(j, k) = off > 0.0_wp
-                  if (off <= worst) cycle
-                  worst = off
-                  item_of_worst = i
-                  at = [j, k]
-                  worst_differences = differences
-               end do
-            end do
-            if (.not. any(wrong)) cycle
-            bad = bad + 1
-            ever_wrong = ever_wrong .or. wrong
-            on_diagonal = on_diagonal .or. wrong(1, 1) .or. wrong(2, 2) .or. wrong(3, 3)
-         end associate
+         call compare(record%items(i), may_be_corner=.true.)
       end do
-      if (bad == 0) return
-      associate (item => record%items(item_of_worst))
-         call findings%add(rule_tangent, merge(severity_error, severity_warning, on_diagonal), &
-            'DDSDDR('//to_text(at(1))//','//to_text(at(2))//'), '//place_of(item), &
-            text_of(worst_differences, at), to_text(item%answer%ddsddr(at(1), at(2)), 5)// &
-            ' MPa/mm; of '//to_text(record%n)//' increments '//to_text(bad)//' are off, in '// &
-            entries(ever_wrong), effect_of(on_diagonal))
-      end associate
+      if (bad > 0) then
+         call report(', ', bad, record%n)
+         return
+      end if
+      do i = 1, record%n
+         still = record%items(i)
+         still%motion = motion_to(still%start, still%start%rdisp, still%motion%dtime, kit=1)
+         call call_routine(routine, still%start, still%motion, still%answer)
+         if (still%answer%pnewdt >= 1.0_wp) call compare(still, may_be_corner=.false.)
+      end do
+      if (bad > 0) call report(' with DRDISP = 0 at the start of ', bad, record%n)
+
+   contains
+
+      subroutine compare(item, may_be_corner)
+         type(driven_increment), intent(in) :: item
+         !> Whether corners are compared
+         logical, intent(in) :: may_be_corner
+         type(differences_type) :: differences
+         real(wp) :: off
+         logical :: wrong(3, 3)
+         integer :: j, k
+
+         if (.not. has_surface(item%motion%rdisp(1))) return
+         call find_differences(routine, sizes_of(settings), item, differences)
+         if (.not. repeats(routine, item%start, item%motion)) return
+         wrong = .false.
+         do k = 1, routine%ndir
+            if (.not. differences%known(k)) cycle
+            do j = 1, routine%ndir
+               if (.not. differences%is_set(j, k)) cycle
+               if (.not. may_be_corner .and. is_corner(differences, j, k)) cycle
+               off = excess(item%answer%ddsddr, differences, j, k)
+               wrong(j, k) = off > 0.0_wp
+               if (off <= worst) cycle
+               worst = off
+               item_of_worst = item
+               at = [j, k]
+               worst_differences = differences
+            end do
+         end do
+         if (.not. any(wrong)) return
+         bad = bad + 1
+         ever_wrong = ever_wrong .or. wrong
+         on_diagonal = on_diagonal .or. wrong(1, 1) .or. wrong(2, 2) .or. wrong(3, 3)
+      end subroutine compare
+
+      subroutine report(when, bad, n)
+         character(len=*), intent(in) :: when
+         integer, intent(in) :: bad, n
+
+         associate (item => item_of_worst)
+            call findings%add(rule_tangent, merge(severity_error, severity_warning, on_diagonal), &
+               'DDSDDR('//to_text(at(1))//','//to_text(at(2))//')'//when//place_of(item), &
+               text_of(worst_differences, at), &
+               to_text(item%answer%ddsddr(at(1), at(2)), 5)//' MPa/mm; of '//to_text(n)// &
+               ' increments '//to_text(bad)//' are off, in '//entries(ever_wrong), &
+               effect_of(on_diagonal))
+         end associate
+      end subroutine report
+
    end subroutine check_tangent
 
    pure function effect_of(on_diagonal) result(effect)
@@ -110,7 +143,7 @@ contains
 
       associate (d => differences%values(at(1), at(2), :, shown))
          text = to_text(d(3), 5)//' MPa/mm by differences'
-         if (abs(d(1) - d(2)) > relative*max(abs(d(1)), abs(d(2)))) text = to_text(d(1), 5)// &
+         if (is_corner(differences, at(1), at(2))) text = to_text(d(1), 5)// &
             ' MPa/mm by differences to the left or '//to_text(d(2), 5)//' to the right'
       end associate
    end function text_of
@@ -129,6 +162,16 @@ contains
          end do
       end do
    end function entries
+
+   !> Whether both sides differ.
+   pure logical function is_corner(differences, j, k)
+      type(differences_type), intent(in) :: differences
+      integer, intent(in) :: j, k
+
+      associate (d => differences%values(j, k, :, shown))
+         is_corner = abs(d(1) - d(2)) > relative*max(abs(d(1)), abs(d(2)))
+      end associate
+   end function is_corner
 
    !> How far an entry is off what it may be at most, relative to its size; not positive when right.
    pure real(wp) function excess(found, differences, j, k)

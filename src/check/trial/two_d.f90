@@ -3,16 +3,17 @@
 module asperity_check_trial_two_d
    use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
-   use asperity_check_driven_call, only: call_routine
+   use asperity_check_driven_call, only: call_routine, repeats
    use asperity_check_driven_drive, only: drive, drive_record, driven_increment, largest_stress, &
       place_of
    use asperity_check_driven_layout, only: entry_name, is_output, same_bits
    use asperity_check_driven_paths, only: main_path
-   use asperity_check_driven_point, only: point_answer
+   use asperity_check_driven_point, only: point_answer, same_answer
    use asperity_check_driven_routine, only: driven_routine
    use asperity_check_finding, only: finding_list, rule_two_d, severity_error, severity_warning
    use asperity_check_settings, only: check_settings
    use asperity_check_trial_guard, only: damage_text
+   use asperity_check_trial_tangent, only: check_tangent
    use asperity_replay_motion_path, only: motion_path
    implicit none
    private
@@ -57,6 +58,7 @@ contains
          associate (item => record%items(i))
             if (all(abs(item%answer%stress(:2) - full%items(i)%answer%stress(:2)) &
                   <= tolerance*largest)) cycle
+            if (.not. repeats(plane, item%start, item%motion)) return
             call findings%add(rule_two_d, severity_warning, 'STRESS with NDIR = 2, '// &
                place_of(item), text_of(full%items(i)%answer)//', as with NDIR = 3 and the same '// &
                'motion', text_of(item%answer), 'two-dimensional models answer otherwise than '// &
@@ -67,7 +69,25 @@ contains
       if (record%n < full%n) call findings%add(rule_two_d, severity_error, 'NDIR = 2, '// &
          place_of(record%refused), 'an answer, as with NDIR = 3 and the same motion', 'none', &
          'two-dimensional models do not get through')
+      if (findings%n == found_before .and. associated(plane%uinter)) &
+         call check_stiffness(plane, solid, settings, findings)
    end subroutine check_two_d
+
+   !> A tangent that is right in three dimensions alone.
+   subroutine check_stiffness(plane, solid, settings, findings)
+      type(driven_routine), intent(in) :: plane, solid
+      type(check_settings), intent(in) :: settings
+      type(finding_list), intent(inout) :: findings
+      type(finding_list) :: of_plane, of_solid
+
+      call check_tangent(solid, settings, of_solid)
+      call check_tangent(plane, settings, of_plane)
+      if (of_plane%n == 0 .or. of_solid%n > 0) return
+      associate (f => of_plane%items(1))
+         call findings%add(rule_two_d, f%severity, f%place//', with NDIR = 2', f%expected, &
+            f%found, f%effect)
+      end associate
+   end subroutine check_stiffness
 
    function text_of(answer) result(text)
       type(point_answer), intent(in) :: answer
@@ -85,7 +105,7 @@ contains
       is_damaged_too = .false.
       do i = 1, full%n
          is_damaged_too = is_damaged_too .or. full%items(i)%answer%damaged_slot &
-            == answer%damaged_slot
+            == answer%damaged_slot .and. full%items(i)%answer%changed == answer%changed
       end do
    end function is_damaged_too
 
@@ -94,7 +114,7 @@ contains
       type(driven_increment), intent(in) :: item
       type(finding_list), intent(inout) :: findings
 
-      if (item%answer%damaged_slot == 0) return
+      if (item%answer%damaged_slot == 0 .and. item%answer%changed == '') return
       call findings%add(rule_two_d, severity_error, damage_text(routine, item%answer)// &
          ', with NDIR = 2', 'nothing is written there', 'written to in '//place_of(item), &
          'in two-dimensional models memory that is not the routine''s is overwritten')
@@ -112,6 +132,9 @@ contains
       other = plane
       other%poison = 2
       call call_routine(other, flat_item%start, flat_item%motion, flat_again)
+      ! what differs without a poison is another rule's
+      call call_routine(plane, flat_item%start, flat_item%motion, again)
+      if (.not. same_answer(again, flat_item%answer)) return
       other = solid
       other%poison = 2
       call call_routine(other, item%start, item%motion, again)
