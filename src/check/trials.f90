@@ -91,6 +91,8 @@ contains
       type(check_settings), intent(in) :: settings
       type(finding_list), intent(inout) :: findings
       type(drive_record) :: record
+      type(finding_list) :: of_solid
+      integer :: found_before
 
       select case (trial)
       case (trial_drive)
@@ -114,7 +116,13 @@ contains
       case (trial_rotation)
          call check_rotation(usual, settings, findings)
       case (trial_two_d)
-         if (settings%ndir == 0) call check_two_d(plane, usual, settings, findings)
+         if (settings%ndir /= 0) return
+         found_before = findings%n
+         call check_two_d(plane, usual, settings, findings)
+         if (findings%n > found_before .or. .not. associated(plane%vuinter)) return
+         ! several nodes in two dimensions alone
+         call check_nodes(usual, settings, of_solid)
+         if (of_solid%n == 0) call check_nodes(plane, settings, findings)
       case (trial_nodes)
          call check_nodes(usual, settings, findings)
       case (trial_tangent)
