@@ -1,7 +1,7 @@
 !> Rule `first_call`: in its first call of an increment ABAQUS passes DRDISP = 0 and the last
 !> converged RDISP, which must give numbers; and no answer may rest on what that call alone does.
 module asperity_check_trial_first_call
-   use asperity_base_finite, only: is_finite
+   use asperity_base_finite, only: all_finite, is_finite
    use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
    use asperity_check_driven_call, only: call_routine, repeats
@@ -110,7 +110,8 @@ contains
             call call_routine(routine, item%start, motion_to(item%start, position, &
                item%motion%dtime, kit=1), answers(side))
          end do
-         if (any(answers%pnewdt < 1.0_wp)) cycle
+         if (any(answers%pnewdt < 1.0_wp) .or. .not. (all_finite(answers(1)%stress) &
+            .and. all_finite(answers(2)%stress))) cycle
          do j = 1, routine%ndir
             associate (left => answers(1)%stress(j), right => answers(2)%stress(j))
                if (.not. abs(left - right) <= allowed) cycle
