@@ -96,8 +96,8 @@ contains
                   first = before%stiffness(j)
                   energy = 0.5_wp*first*dot_product(domain%stiffness*element%gamma, element%gamma)
                   ! at rest as when it is pressed, as the stiffness of a law with memory is then
-                  if (properties%friction_rule == rule_dissipative .and. k > 0.0_wp .and. (k > first &
-                     .or. (k >= first .and. k_by >= 0.0_wp))) then
+                  if (properties%friction_rule == rule_dissipative .and. k > 0.0_wp &
+                     .and. (k > first .or. (k >= first .and. k_by >= 0.0_wp))) then
                      element%gamma = element%gamma*(first/k)
                      element%gamma_by(:, 1) = -element%gamma*(k_by/k)
                   end if

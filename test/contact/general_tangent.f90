@@ -91,8 +91,8 @@ contains
       end do
    end subroutine test_derivatives
 
-   !> Two increments of one length and time, at rest and falling pressure: where the second begins at
-   !> the end of slip, a higher rate shrinks the domain and a lower one lets it stick first. The
+   !> Two increments of one length and time, at rest and falling pressure: where the second begins
+   !> at the end of slip, a higher rate shrinks the domain and a lower one lets it stick first. The
    !> derivatives are those of one of these sides.
    subroutine test_same_rate()
       real(wp), parameter :: h = 1.0e-7_wp, time = 0.7_wp
@@ -111,7 +111,8 @@ contains
       n = 0
       do i = 1, 2000
          p = friction_properties(friction_settings(), rules(1 + mod(i, 2)))
-         call random_friction(stream, size(kinds), p%friction_coefficient, p%critical_slip, settings)
+         call random_friction(stream, size(kinds), p%friction_coefficient, p%critical_slip, &
+            settings)
          p = friction_properties(settings, p%friction_rule)
          overclosure = 0.05_wp
          slip = p%critical_slip*[stream%uniform(-3.0_wp, 3.0_wp), stream%uniform(-3.0_wp, 3.0_wp)]

@@ -7653,10 +7653,11 @@ contains
          slope = dot_product(at, motion)/size - domain%excess*moved*domain%renewal*travel
          ! never inside
          if (.not. slope > 0.0_wp) return
+         ! on the circle from the start on, as after an increment at the same rate
+         if (.not. f > 0.0_wp) exit
          step = outside/slope
-         f = f - step
-         if (.not. f > 0.0_wp) return
-         if (.not. step > 2.0_wp*epsilon(f)*f) exit
+         f = max(f - step, 0.0_wp)
+         if (f > 0.0_wp .and. .not. step > 2.0_wp*epsilon(f)*f) exit
       end do
       length = f*travel
       do k = 1, n_by
@@ -8033,8 +8034,9 @@ contains
                   end if
                   first = before%stiffness(j)
                   energy = 0.5_wp*first*dot_product(domain%stiffness*element%gamma, element%gamma)
-                  if (properties%friction_rule == rule_dissipative .and. k >= first &
-                     .and. k > 0.0_wp) then
+                  ! at rest as when it is pressed, as the stiffness of a law with memory is then
+                  if (properties%friction_rule == rule_dissipative .and. k > 0.0_wp &
+                     .and. (k > first .or. (k >= first .and. k_by >= 0.0_wp))) then
                      element%gamma = element%gamma*(first/k)
                      element%gamma_by(:, 1) = -element%gamma*(k_by/k)
                   end if
@@ -8272,7 +8274,7 @@ contains
       associate (r => response, p => response%traction(1), &
             scale => properties%friction_coefficient/properties%critical_slip)
          gamma_by_pressure = 0.0_wp
-         ! at rest as when it rises, as the stiffness of a law with memory is then that of pressing
+         ! at rest as when it is pressed, as the stiffness of a law with memory is then
          if (properties%friction_rule == rule_dissipative .and. p >= start%pressure &
             .and. p > 0.0_wp) then
             gamma_by_pressure = -gamma*(start%pressure/p)/p

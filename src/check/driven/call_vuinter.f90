@@ -95,8 +95,9 @@ contains
          c(at(fluxslv)), c(at(fluxmst)), c(at(sed)), c(at(statev)), whole(1), whole(2), whole(3), &
          whole(4), whole(5), whole(6), whole(7), whole(8), whole(9), whole(10), whole(11), &
          whole(12), labels, labels, facets, c(at(timstep)), c(at(timglb)), c(at(dtimcur)), &
-         names_of(1), names_of(2), names_of(3), c(at(rdisp)), c(at(drdisp)), c(at(drot)), c(at(stiffdflt)), c(at(conddflt)), &
-         c(at(shape_values)), c(at(coordslv)), c(at(coordmst)), c(at(alocaldir)), c(at(props)), &
+         names_of(1), names_of(2), names_of(3), c(at(rdisp)), c(at(drdisp)), c(at(drot)), &
+         c(at(stiffdflt)), c(at(conddflt)), c(at(shape_values)), c(at(coordslv)), c(at(coordmst)), &
+         c(at(alocaldir)), c(at(props)), &
          c(at(areaslv)), c(at(tempslv)), c(at(dtempslv)), c(at(predefslv)), c(at(dpredefslv)), &
          c(at(tempmst)), c(at(dtempmst)), c(at(predefmst)), c(at(dpredefmst)))
       do i = 1, n
@@ -104,7 +105,8 @@ contains
          ! as the precision of the routine takes them
          answers(i)%before = numbers
          if (routine%layout%single) answers(i)%before = real(real(numbers, real32), wp)
-         answers(i)%changed = changed_name(integer_names, given, whole, text_names, texts, names_of)
+         answers(i)%changed = changed_name(integer_names, given, whole, text_names, texts, &
+            names_of)
       end do
    end subroutine call_vuinter
 

@@ -39,7 +39,8 @@ contains
       found_before = findings%n
       call drive(routine, main_path(settings), 1, record)
       do i = 1, record%n
-         call try_item(routine, sizes_of(settings), record%items(i), largest_stress(record), findings)
+         call try_item(routine, sizes_of(settings), record%items(i), largest_stress(record), &
+            findings)
          if (findings%n > found_before) return
       end do
       if (record%unusable) call try_item(routine, sizes_of(settings), record%refused, &

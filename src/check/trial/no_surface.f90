@@ -87,8 +87,8 @@ contains
          k = maxloc(abs(item%answer%stress), dim=1)
          if (abs(item%answer%stress(k)) <= beyond*largest_stress(known)) return
          call findings%add(rule_no_surface, severity_error, 'STRESS('//to_text(k)// &
-            ') where a surface is found, DRDISP(1) = '//to_text(item%motion%drdisp(1), 3)//' mm, '// &
-            place_of(item), 'no more than '//to_text(largest_stress(known), 3)// &
+            ') where a surface is found, DRDISP(1) = '//to_text(item%motion%drdisp(1), 3)// &
+            ' mm, '//place_of(item), 'no more than '//to_text(largest_stress(known), 3)// &
             ' MPa, the largest when the point comes from a gap', &
             to_text(item%answer%stress(k), 5)//' MPa', 'contact that begins where no surface '// &
             'was is wrong')

@@ -83,8 +83,8 @@ contains
       end do
    end subroutine check_nodes
 
-   !> The motion of an increment as one of several nodes: a call has one time, and each node a turn of
-   !> its own.
+   !> The motion of an increment as one of several nodes: a call has one time, and each node a turn
+   !> of its own.
    type(point_motion) function motion_of(routine, record, k) result(motion)
       type(driven_routine), intent(in) :: routine
       type(drive_record), intent(in) :: record

@@ -101,8 +101,9 @@ contains
       if (.not. all(abs(answers(1)%ddsddr - answers(2)%ddsddr) <= tolerance*largest)) then
          call report('DDSDDR', 'the same for a perturbation and its opposite', 'two different ones')
       else if (abs(answers(1)%ddsddr(1, 1)) <= 0.0_wp) then
-         if (presses_at_rest()) call report('DDSDDR(1,1)', 'a stiffness where faces press, as the '// &
-            to_text(item%answer%ddsddr(1, 1), 5)//' MPa/mm of the increment', '0')
+         if (presses_at_rest()) call report('DDSDDR(1,1)', &
+            'a stiffness where faces press, as the '//to_text( &
+            item%answer%ddsddr(1, 1), 5)//' MPa/mm of the increment', '0')
       end if
 
    contains
