@@ -258,11 +258,13 @@ contains
       real(wp), intent(in) :: overclosure, slip_increment(:), dtime, drot(2, 2)
       integer, intent(in) :: linper
       character(len=80), parameter :: ciname = 'WOOD', slname = 'SLAVE', msname = 'MASTER'
-      real(wp), parameter :: zero_2(2) = 0.0_wp, zero_field(2, 1) = 0.0_wp, zero_3(3) = 0.0_wp
+      real(wp), parameter :: zero_2(2) = 0.0_wp, zero_field(2, 1) = 0.0_wp
       real(wp), parameter :: axes(3, 3) = reshape([1.0_wp, 0.0_wp, 0.0_wp, 0.0_wp, 1.0_wp, &
          0.0_wp, 0.0_wp, 0.0_wp, 1.0_wp], [3, 3])
+      real(wp) :: coords(point%ndir)
       integer :: calls, lopenclose, lstate
 
+      coords = 0.0_wp
       calls = point%trial%calls
       lopenclose = point%trial%lopenclose
       lstate = point%trial%lstate
@@ -290,7 +292,7 @@ contains
             t%stress, t%ddsddr, t%dviscous, t%dstructural, t%flux, t%ddfddt, &
             t%ddsddt, t%ddfddr, t%statev, t%sed, t%sfd, t%spd, t%svd, t%scd, &
             t%pnewdt, t%rdisp, t%drdisp, zero_2, zero_2, zero_field, zero_field, &
-            t%time, dtime, 0.0_wp, ciname, slname, msname, point%props, zero_3(:point%ndir), &
+            t%time, dtime, 0.0_wp, ciname, slname, msname, point%props, coords, &
             axes, drot, 1.0_wp, 1.0_wp, 1, point%ndir, size(t%statev), 1, &
             size(point%props), point%ndir, 1, point%increments + 1, calls, linper, &
             t%lopenclose, t%lstate, t%lsdi, 0)

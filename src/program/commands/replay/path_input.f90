@@ -60,6 +60,7 @@ contains
       integer :: i, j
 
       places = 0
+      meant = ''
       if (.not. layout%has_names) then
          call refuse(layout, 'its first line must name the columns: '//trim(names(of_time))// &
             ', '//trim(names(of_overclosure))//' and so on', error)
