@@ -96,6 +96,17 @@ check 'check: of a library two rules are not tried' test "$(of_json library.json
 check 'check: and this is said' has out 'argument_list and uninitialised are not tried'
 check 'check: nothing of the user is changed' test "$before" = "$(cksum user/*; ls -A user)"
 
+# A folder for what is temporary that is relative, and whose name is of the linker's signs
+mkdir 'tmp/a b,c'
+TMPDIR='tmp/a b,c' run check user/right.f --properties 100 --nstatv 1
+check 'check: any folder in TMPDIR' is_quiet
+rmdir 'tmp/a b,c'
+
+# It ends as XIT does, and says nothing
+sed "s/NCALLS = NCALLS + 1/CALL EXIT(201)/" "$base" >exit.f
+run check exit.f --properties 100 --nstatv 1 --csv exit.csv
+check 'check: a silent end' test "$status" -eq 1 -a "$(csv_column exit.csv rule | head -1)" = crash
+
 # Memory
 sed 's/STIFF = PROPS(1)/CALL KBIG(STIFF,PROPS(1))/' user/right.f >memory.f
 cat >>memory.f <<'TEXT'
@@ -177,11 +188,18 @@ refuses 'check: no Fortran by its ending' 2 'empty.txt is no Fortran by its endi
 refuses 'check: ndir' 2 '--ndir: ndir = 4 is not allowed: 2, 3, or 0' check "$base" --ndir 4
 refuses 'check: nstatv' 2 '--nstatv: nstatv = -1 is not allowed' check "$base" --nstatv -1
 refuses 'check: sizes' 2 '--largest-slip: largest_slip must be above zero' check "$base" --largest-slip 0
+refuses 'check: little memory' 2 '--memory-limit: memory_limit = 199 is not allowed: at least 200' \
+   check "$base" --memory-limit 199
 refuses 'check: no time' 2 '--time-limit: time_limit must be above zero' check "$base" --time-limit 0
 refuses 'check: no path' 3 'none.csv' check "$base" --path none.csv
 sed 's/CALL XIT/CALL GETVRM/' "$routines/wrong/crash_xit.f" >getvrm.f
 refuses 'check: a routine of ABAQUS that needs a model' 2 'getvrm.f calls GETVRM' check getvrm.f \
    --properties 100 --nstatv 1
+mkfifo pipe.f
+refuses 'check: a pipe' 3 'pipe.f is a folder, pipe or device, and no file' check pipe.f
+printf '#!/bin/sh\ncase $* in *auto-var*) echo "unrecognized option -ftrivial-auto-var-init=zero"; exit 1;; esac\nexec gfortran "$@"\n' >old
+chmod +x old
+FC=$PWD/old refuses 'check: an old gfortran' 2 '.*/old does not know .*: gfortran 12 or a later one' check "$base"
 TMPDIR=$PWD/none refuses 'check: no temporary folder' 3 '.*/none: no temporary folder can be created there' \
    check "$base"
 
@@ -196,5 +214,29 @@ status=$?
 check 'check: an interrupt ends it' test "$status" -eq 143
 check 'check: and its children' test -z "$(ps -eo args | grep '[t]imeout.f --properties 2 --nstatv 1 --time-limit 100')"
 check 'check: nothing is left in TMPDIR' test -z "$(ls -A tmp)"
+# at any time, by Ctrl-C as well, which all processes of the terminal get
+cat >interrupts.py <<'PYTHON'
+import os, signal, subprocess, sys, time
+for number in (signal.SIGINT, signal.SIGHUP):
+    for delay in (0.02, 0.06, 0.12, 0.25, 0.4):
+        process = subprocess.Popen(sys.argv[1:], start_new_session=True, stdout=subprocess.DEVNULL,
+                                   preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL))
+        time.sleep(delay)
+        os.killpg(process.pid, number)
+        assert process.wait() == -number, (number, delay, process.returncode)
+        assert not os.listdir('tmp'), (number, delay, os.listdir('tmp'))
+PYTHON
+check 'check: an interrupt at any time' python3 interrupts.py "$program" check \
+   "$routines/wrong/timeout.f" --properties 2 --nstatv 1 --time-limit 101
+# Killed, it takes its child with it
+"$program" check "$routines/wrong/timeout.f" --properties 2 --nstatv 1 --time-limit 102 >/dev/null 2>&1 &
+killed=$!
+for _ in $(seq 100); do [ "$(ps -eo args | grep -c '[t]imeout.f .*--time-limit 102')" -eq 2 ] && [ -e "$(echo tmp/asperity-*/routine_1.so)" ] && break; sleep 0.1; done
+sleep 1
+kill -KILL "$killed"
+wait "$killed" 2>/dev/null
+sleep 0.3
+check 'check: killed, it leaves no child' test -z "$(ps -eo args | grep '[t]imeout.f .*--time-limit 102')"
+rm -r tmp/asperity-*
 unset TMPDIR
 export FC=$saved_compiler

@@ -35,6 +35,8 @@ module asperity_program_commands_check_command
       procedure :: describe, declare, check, run, finish
    end type check_command
 
+   !> Memory that the program itself may need, MB
+   integer, parameter :: least_memory = 200
    !> Warnings of the compiler that are shown
    integer, parameter :: most_shown = 10
 
@@ -118,9 +120,13 @@ contains
          self%settings%time_increment > 0.0_wp, error)
       if (.not. allocated(error)) call check_positive('time_limit', &
          self%limits%seconds > 0, error)
-      if (.not. allocated(error)) call check_positive('memory_limit', &
-         self%limits%megabytes > 0, error)
       if (allocated(error)) return
+      if (self%limits%megabytes < least_memory) then
+         call fatal_error(error, 'memory_limit = '//to_text(self%limits%megabytes)//' is not '// &
+            'allowed: at least '//to_text(least_memory)//', most of which is the program''s own', &
+            subject='memory_limit')
+         return
+      end if
       if (.not. allocated(self%settings%properties)) allocate (self%settings%properties(0))
       if (self%path /= '') call read_path(self%path, self%settings%path, error)
    end subroutine check

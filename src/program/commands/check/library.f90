@@ -53,7 +53,7 @@ contains
       integer :: i, status
 
       allocate (symbols%statics(0), symbols%commons(0), symbols%bytes(0))
-      call run_command(folder, 'LC_ALL=C; export LC_ALL; nm --format=posix '//shell_word(path)// &
+      call run_command(folder, 'nm --format=posix '//shell_word(path)// &
          ' 2>/dev/null; nm -D --format=posix '//shell_word(path), output, status, error)
       if (allocated(error)) return
       if (status /= 0) then

@@ -47,11 +47,12 @@ contains
       !> Findings are added
       type(finding_list), intent(inout) :: findings
       type(string_type), allocatable :: lines(:)
+      logical :: is_told
 
       ! gfortran warns of its bounds otherwise
       allocate (lines(0))
       call split_lines(outcome%output, lines)
-      call judge_messages(outcome, folder, trial, findings)
+      call judge_messages(outcome, folder, trial, findings, is_told)
       select case (outcome%ending)
       case (child_finished)
          if (size(lines) > 0) call findings%add(rule_prints, severity_note, 'standard output', &
@@ -60,14 +61,15 @@ contains
             '.dat or .log file grows and the analysis is slow')
          call judge_files(outcome, trial, is_explicit, findings)
       case (child_stopped)
-         if (outcome%code /= ended_status) call findings%add(rule_crash, severity_error, &
-            place_of(lines, path, trial), 'a return from every call', &
+         if (.not. (is_told .and. outcome%code == ended_status)) call findings%add(rule_crash, &
+            severity_error, place_of(lines, path, trial), 'a return from every call', &
             'STOP, EXIT or an error of Fortran in trial '//trial//': exit status '// &
             to_text(outcome%code)//said(lines), 'ABAQUS ends without a message of its own')
       case (child_killed)
          if (outcome%code == sigxfsz) then
-            call findings%add(rule_prints, severity_error, 'trial '//trial, 'nothing printed', &
-               'ended by '//signal_name(outcome%code), 'the disk fills')
+            call findings%add(rule_prints, severity_error, 'standard output, or a file', &
+               'nothing printed', 'ended in trial '//trial//' by '//signal_name(outcome%code), &
+               'the disk fills')
          else
             call findings%add(rule_crash, severity_error, place_of(lines, path, trial), &
                'a return from every call', 'ended in trial '//trial//' by '// &
@@ -82,16 +84,19 @@ contains
       end select
    end subroutine judge_outcome
 
-   !> Errors that the routine itself told ABAQUS, and the end of the job.
-   subroutine judge_messages(outcome, folder, trial, findings)
+   !> Errors that the routine itself told ABAQUS, and the end of the job. `is_told` says whether
+   !> there is one.
+   subroutine judge_messages(outcome, folder, trial, findings, is_told)
       type(child_outcome), intent(in) :: outcome
       type(temporary_folder), intent(in) :: folder
       character(len=*), intent(in) :: trial
       type(finding_list), intent(inout) :: findings
+      logical, intent(out) :: is_told
       type(string_type), allocatable :: lines(:)
       character(len=:), allocatable :: text, reason
       integer :: i, level, status
 
+      is_told = .false.
       if (.not. any([(outcome%files(i)%text == messages_file, i=1, size(outcome%files))])) return
       call read_file(folder%path//'/work/'//messages_file, most_read, text, reason)
       if (allocated(reason)) return
@@ -103,6 +108,7 @@ contains
             'no error at these properties and this path', &
             lines(i)%text(index(lines(i)%text, ' ') + 1:), &
             trim(merge('ABAQUS ends the job   ', 'ABAQUS counts an error', level == level_end)))
+         is_told = .true.
          return
       end do
    end subroutine judge_messages

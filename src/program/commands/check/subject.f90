@@ -71,6 +71,10 @@ contains
       if (.not. facts%exists) then
          call fatal_error(error, subject%path//': there is no such file', file_error)
          return
+      else if (.not. facts%is_regular) then
+         call fatal_error(error, subject%path//' is a folder, pipe or device, and no file', &
+            file_error)
+         return
       end if
       ending = lower_case(subject%path(max(scan(subject%path, './', back=.true.), 1):))
       if (ending == '.so') then
@@ -187,7 +191,7 @@ contains
       integer :: status
 
       call write_file(folder%path//'/types.f', text, error)
-      if (.not. allocated(error)) call run_command(folder, 'LC_ALL=C '//subject%compiler%words// &
+      if (.not. allocated(error)) call run_command(folder, subject%compiler%words// &
          ' '//type_options//' '//subject%form_options//' -I'//shell_word(folder%path)//' -I'// &
          shell_word(subject%source_path(:scan(subject%source_path, '/', back=.true.)))// &
          ' -o /dev/null '//shell_word(folder%path//'/types.f'), said, status, error)

@@ -33,11 +33,13 @@ module asperity_program_commands_routine_compile
       '-finit-derived -ftrivial-auto-var-init=zero', &
       '-finit-real=inf -finit-integer=-77 -finit-logical=true -finit-character=63 '// &
       '-finit-derived -ftrivial-auto-var-init=pattern']
+   !> The option among these that the oldest compilers do not have
+   character(len=*), parameter :: newest_option = '-ftrivial-auto-var-init'
    !> Fortran as ABAQUS' compilers take it, locals on the stack as ABAQUS has them, and everything
    !> left out that the user routines of the file do not come to. At -O1 what is never written is
    !> no variable
    character(len=*), parameter :: options = ' -O1 -g -fPIC -shared -frecursive -std=legacy '// &
-      '-fdec -fdata-sections -ffunction-sections -Wl,--gc-sections -Wl,--version-script='
+      '-fdec -fdata-sections -ffunction-sections -Wl,--gc-sections -Xlinker --version-script='
    !> What compilers are asked to say
    character(len=*), parameter :: warnings = ' -fno-diagnostics-show-caret -fmax-errors=20 '// &
       '-Wall -Wno-unused -Wno-unused-dummy-argument -Wno-tabs -Wno-conversion '
@@ -67,7 +69,7 @@ contains
       compiler%words = repeat(' ', length)
       if (length > 0) call get_environment_variable('FC', compiler%words)
       if (compiler%words == '') compiler%words = 'gfortran'
-      call run_command(folder, 'LC_ALL=C '//compiler%words//' --version', output, status, error)
+      call run_command(folder, compiler%words//' --version', output, status, error)
       if (allocated(error)) return
       if (status /= 0) then
          call fatal_error(error, 'the compiler '//compiler%words//' does not run; install '// &
@@ -110,7 +112,7 @@ contains
       integer :: i, n, status
 
       library = folder%path//'/routine_'//to_text(fill)//'.so'
-      call run_command(folder, 'LC_ALL=C '//compiler%words//options// &
+      call run_command(folder, compiler%words//options// &
          shell_word(folder%path//'/exported')//warnings//trim(fill_options(fill))//' '// &
          trim(form_options)//' -I'//shell_word(folder%path)//' '//shell_word(resolved_path(path)) &
          //' -o '//shell_word(library), output, status, error)
@@ -122,7 +124,11 @@ contains
       end if
       messages = pack(messages, messages%kind == said_error)
       n = size(messages)
-      if (n == 0) then
+      if (n == 0 .and. index(output, newest_option) > 0) then
+         call fatal_error(error, 'the compiler '//compiler%words//' does not know '// &
+            newest_option//': gfortran 12 or a later one is needed')
+         return
+      else if (n == 0) then
          call fatal_error(error, path//': does not compile: '//output(:index(output//newline, &
             newline) - 1))
          return
@@ -151,7 +157,7 @@ contains
       library = folder%path//'/utilities.so'
       call write_file(folder%path//'/utilities.f90', stubs_text(), error)
       if (allocated(error)) return
-      call run_command(folder, 'LC_ALL=C '//compiler%words//' -g -fPIC -shared -w '// &
+      call run_command(folder, compiler%words//' -g -fPIC -shared -w '// &
          shell_word(folder%path//'/utilities.f90')//' -o '//shell_word(library), output, status, &
          error)
       if (status /= 0 .and. .not. allocated(error)) call fatal_error(error, &

@@ -49,7 +49,8 @@ contains
                if (kind == said_error .and. at == 0) at = index(line, ': Fatal Error: ')
                if (at > 0) exit
             end do
-            if (at == 0) cycle
+            ! the line of an error's other place says nothing else
+            if (at == 0 .or. index(line, ': (1)') > 0) cycle
             n = n + 1
             found(n)%kind = kind
             found(n)%place = place_of(line(:at - 1), path)

@@ -23,7 +23,7 @@ module asperity_program_system_child_command
 
 contains
 
-   !> Run a command in a fresh folder of its own.
+   !> Run a command in a fresh folder of its own, with messages in English.
    subroutine run_command(folder, command, output, status, error)
       !> Where the files go
       type(temporary_folder), intent(inout) :: folder
@@ -60,7 +60,8 @@ contains
       !> Its status
       character(len=:), allocatable, intent(out) :: text
 
-      text = to_text(run_shell(self%command))
+      ! compilers keep files in TMPDIR, which they leave there when they are ended
+      text = to_text(run_shell('export LC_ALL=C TMPDIR="$PWD"; '//self%command))
    end subroutine work
 
 end module asperity_program_system_child_command

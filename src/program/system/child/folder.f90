@@ -6,9 +6,10 @@ module asperity_program_system_child_folder
    use asperity_base_error, only: error_type, fatal_error, file_error
    use asperity_program_system_child_posix, only: c_kill, c_mkdtemp, c_sigaddset, c_sigemptyset, &
       c_sigprocmask, signal_set
+   use asperity_program_system_child_shell, only: run_apart
    use asperity_program_system_errno, only: last_reason
+   use asperity_program_system_path, only: resolved_path
    use asperity_program_system_posix, only: c_getpid, c_signal
-   use asperity_program_system_process, only: run_shell
    use asperity_program_system_strings, only: shell_word
    implicit none
    private
@@ -52,6 +53,8 @@ contains
       end do
       status = c_sigaddset(folder%waiting, sigchld)
       status = c_sigprocmask(block_set, folder%waiting, folder%before)
+      ! children work in other folders
+      if (resolved_path(place) /= '') place = resolved_path(place)
       folder%path = place//'/asperity-XXXXXX'//c_null_char
       if (.not. c_associated(c_mkdtemp(folder%path))) then
          call fatal_error(error, place//': no temporary folder can be created there: '// &
@@ -71,7 +74,7 @@ contains
       type(signal_set) :: waiting
 
       ! a routine may have taken rights away from what it left there
-      if (run_shell('chmod -R u+rwX '//shell_word(folder%path)//' 2>/dev/null; rm -rf '// &
+      if (run_apart('chmod -R u+rwX '//shell_word(folder%path)//' 2>/dev/null; rm -rf '// &
          shell_word(folder%path)) /= 0) status = 0
       status = c_sigprocmask(replace_set, folder%before, waiting)
       if (folder%interrupt /= 0) status = c_kill(c_getpid(), folder%interrupt)

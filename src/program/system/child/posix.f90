@@ -4,9 +4,9 @@ module asperity_program_system_child_posix
    use, intrinsic :: iso_c_binding, only: c_char, c_int, c_long, c_ptr
    implicit none
    private
-   public :: signal_set, time_span, c_chdir, c_dup2, c_exit, c_fork, c_kill, c_mallopt, c_mkdir, &
-      c_mkdtemp, c_setpgid, c_setrlimit, c_sigaddset, c_sigemptyset, c_sigprocmask, &
-      c_sigtimedwait, c_waitpid
+   public :: signal_set, time_span, c_chdir, c_dup2, c_exit, c_exit_now, c_fork, c_kill, &
+      c_mallopt, c_mkdir, c_mkdtemp, c_prctl, c_setpgid, c_setrlimit, c_sigaddset, &
+      c_sigemptyset, c_sigprocmask, c_sigtimedwait, c_waitpid
 
    !> Signals: 1024 bits
    type, bind(c) :: signal_set
@@ -31,6 +31,10 @@ module asperity_program_system_child_posix
          import :: c_int
          integer(c_int), value :: status
       end subroutine c_exit
+      subroutine c_exit_now(status) bind(c, name='_exit')
+         import :: c_int
+         integer(c_int), value :: status
+      end subroutine c_exit_now
       integer(c_int) function c_kill(process, signal) bind(c, name='kill')
          import :: c_int
          integer(c_int), value :: process, signal
@@ -82,6 +86,11 @@ module asperity_program_system_child_posix
          import :: c_char, c_ptr
          character(kind=c_char), intent(inout) :: pattern(*)
       end function c_mkdtemp
+      integer(c_int) function c_prctl(option, value) bind(c, name='prctl')
+         import :: c_int, c_long
+         integer(c_int), value :: option
+         integer(c_long), value :: value
+      end function c_prctl
       integer(c_int) function c_mallopt(parameter, value) bind(c, name='mallopt')
          import :: c_int
          integer(c_int), value :: parameter, value

@@ -8,12 +8,12 @@ module asperity_program_system_child_run
    use asperity_base_libc, only: c_fopen
    use asperity_program_system_child_folder, only: sigchld, temporary_folder
    use asperity_program_system_child_posix, only: c_chdir, c_dup2, c_exit, c_fork, c_kill, &
-      c_mallopt, c_mkdir, c_setpgid, c_setrlimit, c_sigprocmask, c_sigtimedwait, c_waitpid, &
-      signal_set, time_span
+      c_mallopt, c_mkdir, c_prctl, c_setpgid, c_setrlimit, c_sigprocmask, c_sigtimedwait, &
+      c_waitpid, signal_set, time_span
+   use asperity_program_system_child_shell, only: run_apart
    use asperity_program_system_errno, only: last_reason
    use asperity_program_system_files, only: close_file, open_file, read_file, write_text
    use asperity_program_system_posix, only: c_fileno, c_signal
-   use asperity_program_system_process, only: run_shell
    use asperity_program_system_strings, only: shell_word, split_lines, string_type
    implicit none
    private
@@ -92,6 +92,8 @@ module asperity_program_system_child_run
       sigxfsz = 25_c_int
    integer(c_int), parameter :: replace_set = 2_c_int, no_wait = 1_c_int, &
       all_rights = int(o'700', c_int)
+   !> Option of prctl: the signal that the end of the program sends to its child
+   integer(c_int), parameter :: end_with_parent = 1_c_int
    !> Parameter of mallopt: the byte that freed memory gets, fresh memory its complement
    integer(c_int), parameter :: malloc_fill = -6_c_int
 
@@ -113,7 +115,7 @@ contains
 
       outcome%text = ''
       outcome%output = ''
-      status = int(run_shell('cd '//shell_word(folder%path)//' && { chmod -R u+rwX work; '// &
+      status = int(run_apart('cd '//shell_word(folder%path)//' && { chmod -R u+rwX work; '// &
          'rm -rf work result output; } 2>/dev/null'), c_int)
       status = c_mkdir(folder%path//'/work'//c_null_char, all_rights)
       child = -1_c_int
@@ -152,6 +154,7 @@ contains
       integer(c_int) :: file, status
 
       status = c_setpgid(0_c_int, 0_c_int)
+      status = c_prctl(end_with_parent, int(sigkill, c_long))
       before = c_signal(sigpipe, c_null_funptr)
       before = c_signal(sigxfsz, c_null_funptr)
       status = c_sigprocmask(replace_set, folder%before, waited)
@@ -232,7 +235,7 @@ contains
       character(len=:), allocatable :: text, reason
       integer :: status
 
-      status = run_shell('cd '//shell_word(folder%path)//' && LC_ALL=C ls -A work '// &
+      status = run_apart('cd '//shell_word(folder%path)//' && LC_ALL=C ls -A work '// &
          '>files 2>/dev/null')
       call read_file(folder%path//'/files', output_read, text, reason)
       if (allocated(reason) .or. status /= 0) text = ''
