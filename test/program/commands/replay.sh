@@ -119,10 +119,11 @@ refuses 'replay: PROPS that our UINTER refuses' 2 'PROPERTIES = 2 is not allowed
 refuses 'replay: NSTATV of ours' 2 '--nstatv: is for --uinter' replay path.csv --nstatv 3
 refuses 'replay: four components' 2 '--ndir: ndir = 4 is not allowed: 2 or 3' replay path.csv --ndir 4
 refuses 'replay: no tolerance' 2 '--tolerance: tolerance = 0.0 is not' replay path.csv --tolerance 0
-refuses 'replay: no library' 3 'none.so: there is no such file' replay path.csv --uinter none.so
+refuses 'replay: NSTATV not given' 2 '--uinter needs the length of STATEV as well' replay path.csv --uinter none.so
+refuses 'replay: no library' 3 'none.so: there is no such file' replay path.csv --uinter none.so --nstatv 2
 cp path.csv text.so
-refuses 'replay: no library but a text' 2 'text.so: ' replay path.csv --uinter text.so
-refuses 'replay: no source but a text' 2 'path.csv' replay path.csv --uinter path.csv
+refuses 'replay: no library but a text' 2 'text.so: ' replay path.csv --uinter text.so --nstatv 2
+refuses 'replay: no source but a text' 2 'path.csv' replay path.csv --uinter path.csv --nstatv 2
 
 # A penalty law by another hand: K = PROPS(1), mu = PROPS(2), elastic slip until G = PROPS(3) times
 # it is mu p; STATEV: elastic slip, accepted increments. PROPS(4) is a fault
@@ -209,7 +210,7 @@ parts,statev_1,statev_2
    sed 's/subroutine uinter/subroutine umat/' penalty.f >other.f
    "$compiler" -shared -fPIC other.f -o other.so 2>/dev/null
    refuses 'replay: a library without UINTER' 2 'other.so has no subroutine UINTER' \
-      replay path.csv --uinter other.so
+      replay path.csv --uinter other.so --nstatv 2
    # a library that takes its process down
    sed 's/fault = props(4)/fault = props(4)\n      if (kinc .eq. 3) stop 7/' penalty.f >stops.f
    "$compiler" -shared -fPIC stops.f -o stops.so 2>/dev/null

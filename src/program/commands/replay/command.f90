@@ -33,9 +33,9 @@ module asperity_program_commands_replay_command
       private
       !> Paths of the motion, and of another UINTER, empty for ours
       character(len=:), allocatable :: path, uinter
-      !> PROPS and whether they are given, length of STATEV, components
+      !> PROPS, length of STATEV and whether they are given; components
       real(wp), allocatable :: props(:)
-      logical :: has_props = .false.
+      logical :: has_props = .false., has_nstatv = .false.
       integer :: nstatv = 0, ndir = 3
       !> What a result may be off the expected one, as a part of the largest of its column. A
       !> result of the same routine comes back to the last bit, another compiler's to 1e-12 or so;
@@ -97,6 +97,7 @@ contains
       call keys%list('properties', self%props, '', 'PROPS of the user routine')
       self%has_props = keys%given()
       call keys%whole('nstatv', self%nstatv, 'length of STATEV of the user routine')
+      self%has_nstatv = keys%given()
       call keys%needs(self%uinter /= '', 'is for --uinter: asperity''s own has what it needs')
       call keys%whole('ndir', self%ndir, 'components of the relative motion, 2 or 3')
       call keys%real('tolerance', self%tolerance, '', &
@@ -124,6 +125,9 @@ contains
       else if (all(self%ndir /= [2, 3])) then
          call fatal_error(error, 'ndir = '//to_text(self%ndir)//' is not allowed: 2 or 3', &
             subject='ndir')
+      else if (self%uinter /= '' .and. .not. self%has_nstatv) then
+         call fatal_error(error, '--uinter needs the length of STATEV as well, DEPVAR of the '// &
+            'deck, by --nstatv; 0 for none', subject='nstatv')
       else if (self%nstatv < 0) then
          call fatal_error(error, 'nstatv = '//to_text(self%nstatv)// &
             ' is not allowed: it must not be negative', subject='nstatv')
