@@ -200,6 +200,11 @@ refuses 'check: a pipe' 3 'pipe.f is a folder, pipe or device, and no file' chec
 printf '#!/bin/sh\ncase $* in *auto-var*) echo "unrecognized option -ftrivial-auto-var-init=zero"; exit 1;; esac\nexec gfortran "$@"\n' >old
 chmod +x old
 FC=$PWD/old refuses 'check: an old gfortran' 2 '.*/old does not know .*: gfortran 12 or a later one' check "$base"
+printf '#!/bin/sh\n[ "$1" = --version ] && exec gfortran "$1"\nexit 1\n' >mute
+printf '#!/bin/sh\n[ "$1" = --version ] && exec gfortran "$1"\nkill -KILL 0\n' >killed
+chmod +x mute killed
+FC=$PWD/mute refuses 'check: a compiler that says nothing' 3 '.*: the compiler fails and says nothing; it needs space in' check "$base"
+FC=$PWD/killed refuses 'check: a compiler that is ended' 3 '.*/killed was not run to its end: it needs space in' check "$base"
 TMPDIR=$PWD/none refuses 'check: no temporary folder' 3 '.*/none: no temporary folder can be created there' \
    check "$base"
 

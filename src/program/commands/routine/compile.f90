@@ -128,6 +128,10 @@ contains
          call fatal_error(error, 'the compiler '//compiler%words//' does not know '// &
             newest_option//': gfortran 12 or a later one is needed')
          return
+      else if (output == '') then
+         call fatal_error(error, path//': the compiler fails and says nothing; it needs space '// &
+            'in '//folder%path//' (TMPDIR)', file_error)
+         return
       else if (n == 0) then
          call fatal_error(error, path//': does not compile: '//output(:index(output//newline, &
             newline) - 1))

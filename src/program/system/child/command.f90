@@ -1,6 +1,6 @@
 !> Shell commands in a child process, so that an interrupt ends them and cleans up.
 module asperity_program_system_child_command
-   use asperity_base_error, only: error_type, fatal_error
+   use asperity_base_error, only: error_type, fatal_error, file_error
    use asperity_base_number_text, only: to_text
    use asperity_program_system_child_folder, only: temporary_folder
    use asperity_program_system_child_run, only: child_finished, child_interrupted, child_limits, &
@@ -46,7 +46,8 @@ contains
       if (outcome%ending == child_interrupted) then
          call fatal_error(error, 'interrupted')
       else if (outcome%ending /= child_finished) then
-         call fatal_error(error, command//': was not run to its end')
+         call fatal_error(error, command(:index(command//' ', ' ') - 1)//' was not run to its '// &
+            'end: it needs space in '//folder%path//' (TMPDIR), memory and time', file_error)
       else
          read (outcome%text, *, iostat=failure) status
          if (failure /= 0) status = 1
