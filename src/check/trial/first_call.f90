@@ -74,7 +74,8 @@ contains
          end associate
       end do
       call check_jump(routine, sizes, item, still, largest, findings)
-      if (findings%n > found_before .or. .not. repeats(routine, item%start, item%motion)) return
+      if (findings%n > found_before) return
+      if (.not. repeats(routine, item%start, item%motion)) return
       motion = item%motion
       motion%kit = 0
       call call_routine(routine, item%start, motion, first)
