@@ -75,8 +75,10 @@ def test_interrupt(tmp_path, monkeypatch):
     monkeypatch.setenv("ASPERITY_PROGRAM", str(fake(
         tmp_path, f'[ "$1" = version ] && echo asperity {asperity.__version__} && exit\n'
         f'sleep 100 & trap "kill $!; wait" TERM; echo $! >"{tmp_path}/id"; wait')))
+    # a shell's background jobs ignore it, and with them all that they start
     caller = subprocess.Popen([sys.executable, "-c", "from asperity import program; program.tenon()"],
-                              stderr=subprocess.PIPE, text=True)
+                              stderr=subprocess.PIPE, text=True,
+                              preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL))
     for _ in range(600):
         if (tmp_path/"id").exists() and (tmp_path/"id").read_text(encoding="utf-8").endswith("\n"):
             break

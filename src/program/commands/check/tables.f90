@@ -89,25 +89,19 @@ contains
       type(table_type), intent(inout) :: table
       character(len=*), intent(in) :: name
       type(string_type), intent(in) :: texts(:)
-      character(len=longest(texts)) :: rows(size(texts))
-      integer :: i
-
-      do i = 1, size(texts)
-         rows(i) = texts(i)%text
-      end do
-      call table%add_texts(name, rows)
-   end subroutine add_column
-
-   !> Characters of the longest text.
-   pure integer function longest(texts)
-      type(string_type), intent(in) :: texts(:)
-      integer :: i
+      character(len=:), allocatable :: rows(:)
+      integer :: i, longest
 
       longest = 1
       do i = 1, size(texts)
          longest = max(longest, len(texts(i)%text))
       end do
-   end function longest
+      allocate (character(len=longest) :: rows(size(texts)))
+      do i = 1, size(texts)
+         rows(i) = texts(i)%text
+      end do
+      call table%add_texts(name, rows)
+   end subroutine add_column
 
    !> One row a rule: what came of it.
    pure function rule_table(findings, is_tried) result(table)
