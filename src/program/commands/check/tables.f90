@@ -89,19 +89,29 @@ contains
       type(table_type), intent(inout) :: table
       character(len=*), intent(in) :: name
       type(string_type), intent(in) :: texts(:)
-      character(len=:), allocatable :: rows(:)
       integer :: i, longest
 
       longest = 1
       do i = 1, size(texts)
          longest = max(longest, len(texts(i)%text))
       end do
-      allocate (character(len=longest) :: rows(size(texts)))
+      call add_texts(table, name, texts, longest)
+   end subroutine add_column
+
+   !> Add them in a length that all have room in.
+   pure subroutine add_texts(table, name, texts, length)
+      type(table_type), intent(inout) :: table
+      character(len=*), intent(in) :: name
+      type(string_type), intent(in) :: texts(:)
+      integer, intent(in) :: length
+      character(len=length) :: rows(size(texts))
+      integer :: i
+
       do i = 1, size(texts)
          rows(i) = texts(i)%text
       end do
       call table%add_texts(name, rows)
-   end subroutine add_column
+   end subroutine add_texts
 
    !> One row a rule: what came of it.
    pure function rule_table(findings, is_tried) result(table)
