@@ -18,8 +18,8 @@ module asperity_program_commands_check_uninitialised
 
 contains
 
-   !> Compare the outputs of two builds along one path, and name the variables by what the compiler
-   !> warns of in a build that fills nothing.
+   !> Tell the outputs of two builds along one path apart, which are not the same, and name the
+   !> variables by what the compiler warns of in a build that fills nothing.
    pure subroutine judge_builds(first, second, messages, findings)
       !> The runs, the first of which came to its end
       type(child_outcome), intent(in) :: first, second
@@ -32,7 +32,6 @@ contains
       integer :: different, i, n
 
       if (second%ending == child_finished) then
-         if (second%text == first%text) return
          ! gfortran warns of their bounds otherwise
          allocate (numbers(0), others(0))
          call split_lines(first%text, numbers)

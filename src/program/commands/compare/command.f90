@@ -1,6 +1,6 @@
 !> `asperity compare`: a result against expected values, such as a first run of ABAQUS.
 module asperity_program_commands_compare_command
-   use asperity_base_error, only: computation_error, error_type, fatal_error, file_error
+   use asperity_base_error, only: computation_error, error_type, fatal_error
    use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
    use asperity_program_commands_command, only: command_type
@@ -13,8 +13,8 @@ module asperity_program_commands_compare_command
    use asperity_program_commands_compare_words, only: departures_table, remark_departures, &
       remark_rows
    use asperity_program_input_key_list, only: key_list
+   use asperity_program_record_file, only: read_text
    use asperity_program_report_report, only: report_type
-   use asperity_program_system_files, only: read_file
    use asperity_program_system_strings, only: string_type
    implicit none
    private
@@ -33,9 +33,6 @@ module asperity_program_commands_compare_command
    contains
       procedure :: describe, declare, check, run, finish
    end type compare_command
-
-   !> Largest file, characters
-   integer, parameter :: largest = 256*1024*1024
 
 contains
 
@@ -171,14 +168,11 @@ contains
       character(len=*), intent(in) :: path
       type(history_type), intent(out) :: history
       type(error_type), allocatable, intent(out) :: error
-      character(len=:), allocatable :: text, reason
+      character(len=:), allocatable :: text
 
-      call read_file(path, largest + 1, text, reason)
-      if (allocated(reason)) then
-         call fatal_error(error, path//': cannot be read: '//reason, file_error)
-      else if (len(text) > largest) then
-         call fatal_error(error, path//': is larger than 256 MiB')
-      else if (is_printed(text) .or. index(path, '.dat', back=.true.) == len(path) - 3) then
+      call read_text(path, text, error)
+      if (allocated(error)) return
+      if (is_printed(text) .or. index(path, '.dat', back=.true.) == len(path) - 3) then
          call read_printed_forces(text, path, history, error)
       else
          call read_columns(text, path, history, error)

@@ -4,6 +4,7 @@ module asperity_program_commands_routine_load
    use asperity_abaqus_uinter_signature, only: uinter_interface
    use asperity_abaqus_vuinter_signature, only: vuinter_interface
    use asperity_base_error, only: error_type, fatal_error, file_error
+   use asperity_base_letter_case, only: upper_case
    use asperity_program_system_file_facts, only: facts_of, file_facts
    use asperity_replay_shared_library, only: find_procedure, open_library, shared_library
    implicit none
@@ -51,7 +52,6 @@ contains
       type(shared_library) :: library
       character(len=:), allocatable :: failure
       character(len=len(name)) :: capitals
-      integer :: i
 
       facts = facts_of(path)
       if (.not. facts%exists) then
@@ -68,9 +68,7 @@ contains
          call fatal_error(error, path//': cannot be loaded as a shared library: '//failure)
          return
       end if
-      do i = 1, len(name)
-         capitals(i:i) = achar(iachar(name(i:i)) - 32)
-      end do
+      capitals = upper_case(name)
       call find_procedure(library, name//'_', found)
       if (.not. c_associated(found)) call find_procedure(library, name, found)
       if (.not. c_associated(found)) call find_procedure(library, capitals, found)
