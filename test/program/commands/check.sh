@@ -187,10 +187,10 @@ cp empty.f empty.txt
 refuses 'check: no Fortran by its ending' 2 'empty.txt is no Fortran by its ending' check empty.txt
 refuses 'check: ndir' 2 '--ndir: ndir = 4 is not allowed: 2, 3, or 0' check "$base" --ndir 4
 refuses 'check: nstatv' 2 '--nstatv: nstatv = -1 is not allowed' check "$base" --nstatv -1
-refuses 'check: sizes' 2 '--largest-slip: largest_slip must be above zero' check "$base" --largest-slip 0
+refuses 'check: sizes' 2 '--largest-slip: largest_slip = 0.0 is not allowed: it must be a number above zero' check "$base" --largest-slip 0
 refuses 'check: little memory' 2 '--memory-limit: memory_limit = 199 is not allowed: at least 200' \
    check "$base" --memory-limit 199
-refuses 'check: no time' 2 '--time-limit: time_limit must be above zero' check "$base" --time-limit 0
+refuses 'check: no time' 2 '--time-limit: time_limit = 0 is not allowed: at least 1' check "$base" --time-limit 0
 refuses 'check: no path' 3 'none.csv' check "$base" --path none.csv
 sed 's/CALL XIT/CALL GETVRM/' "$routines/wrong/crash_xit.f" >getvrm.f
 refuses 'check: a routine of ABAQUS that needs a model' 2 'getvrm.f calls GETVRM' check getvrm.f \

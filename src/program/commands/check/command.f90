@@ -1,7 +1,7 @@
 !> `asperity check`: a user routine of ABAQUS' contact, driven and judged.
 module asperity_program_commands_check_command
+   use asperity_base_checks, only: check_positive
    use asperity_base_error, only: computation_error, error_type, fatal_error
-   use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
    use asperity_check_finding, only: finding_list, n_rules, rule_argument_list, rule_common, &
       rule_statics, severity_error
@@ -110,16 +110,18 @@ contains
          call fatal_error(error, 'nstatv = '//to_text(self%settings%nstatv)//' is not allowed: '// &
             'at least 0', subject='nstatv')
       end if
-      if (.not. allocated(error)) call check_positive('largest_overclosure', &
-         self%settings%largest_overclosure > 0.0_wp, error)
-      if (.not. allocated(error)) call check_positive('largest_gap', &
-         self%settings%largest_gap > 0.0_wp, error)
-      if (.not. allocated(error)) call check_positive('largest_slip', &
-         self%settings%largest_slip > 0.0_wp, error)
-      if (.not. allocated(error)) call check_positive('time_increment', &
-         self%settings%time_increment > 0.0_wp, error)
-      if (.not. allocated(error)) call check_positive('time_limit', &
-         self%limits%seconds > 0, error)
+      associate (s => self%settings)
+         if (.not. allocated(error)) &
+            call check_positive(error, 'largest_overclosure', s%largest_overclosure, 'mm')
+         if (.not. allocated(error)) call check_positive(error, 'largest_gap', s%largest_gap, 'mm')
+         if (.not. allocated(error)) &
+            call check_positive(error, 'largest_slip', s%largest_slip, 'mm')
+         if (.not. allocated(error)) &
+            call check_positive(error, 'time_increment', s%time_increment, 's')
+      end associate
+      if (.not. allocated(error) .and. self%limits%seconds < 1) call fatal_error(error, &
+         'time_limit = '//to_text(self%limits%seconds)//' is not allowed: at least 1', &
+         subject='time_limit')
       if (allocated(error)) return
       if (self%limits%megabytes < least_memory) then
          call fatal_error(error, 'memory_limit = '//to_text(self%limits%megabytes)//' is not '// &
@@ -130,15 +132,6 @@ contains
       if (.not. allocated(self%settings%properties)) allocate (self%settings%properties(0))
       if (self%path /= '') call read_path(self%path, self%settings%path, error)
    end subroutine check
-
-   !> Refuse a value that is not above zero.
-   pure subroutine check_positive(name, is_so, error)
-      character(len=*), intent(in) :: name
-      logical, intent(in) :: is_so
-      type(error_type), allocatable, intent(out) :: error
-
-      if (.not. is_so) call fatal_error(error, name//' must be above zero', subject=name)
-   end subroutine check_positive
 
    !> Check the routine and report what was found.
    subroutine run(self, report, error)
