@@ -1,7 +1,6 @@
 !> A trial of a user routine as the work of a child process.
 module asperity_program_commands_check_trial_job
    use, intrinsic :: iso_c_binding, only: c_associated, c_f_procpointer, c_funptr, c_int
-   use, intrinsic :: iso_fortran_env, only: int64
    use asperity_abaqus_uinter_signature, only: uinter_interface
    use asperity_abaqus_vuinter_signature, only: vuinter_interface
    use asperity_base_error, only: error_type
@@ -13,8 +12,8 @@ module asperity_program_commands_check_trial_job
       run_vuinter_trial
    use asperity_program_commands_check_finding_lines, only: lines_of
    use asperity_program_commands_routine_load, only: load_uinter, load_vuinter
+   use asperity_program_system_child_numbers, only: add_numbers
    use asperity_program_system_child_run, only: child_work
-   use asperity_program_system_strings, only: newline
    use asperity_replay_shared_library, only: find_procedure, open_library, shared_library
    implicit none
    private
@@ -64,18 +63,15 @@ contains
       procedure(uinter_interface), pointer :: uinter
       procedure(vuinter_interface), pointer :: vuinter
       type(error_type), allocatable :: error
-      type(shared_library) :: library
       type(finding_list) :: findings
+      type(growing_text) :: buffer
       real(wp), allocatable :: values(:)
-      character(len=:), allocatable :: failure
 
-      if (self%utilities /= '') &
-         call open_library(self%utilities, library, failure, is_global=.true.)
       nullify (uinter, vuinter)
       if (self%is_explicit) then
-         call load_vuinter(self%library, vuinter, error)
+         call load_vuinter(self%library, self%utilities, vuinter, error)
       else
-         call load_uinter(self%library, uinter, error)
+         call load_uinter(self%library, self%utilities, uinter, error)
       end if
       if (allocated(error)) then
          text = not_loaded//error%message
@@ -95,25 +91,11 @@ contains
          else
             call drive_uinter_outputs(uinter, self%settings, values)
          end if
-         text = hexadecimal(values)
+         call add_numbers(buffer, values)
+         text = buffer%text()
       end if
       if (.not. self%is_explicit) call tell_end(self)
    end subroutine work
-
-   !> One number a line, bit by bit.
-   pure function hexadecimal(values) result(text)
-      real(wp), intent(in) :: values(:)
-      character(len=:), allocatable :: text
-      type(growing_text) :: buffer
-      character(len=16) :: word
-      integer :: i
-
-      do i = 1, size(values)
-         write (word, '(z16.16)') transfer(values(i), 0_int64)
-         call buffer%line(word)
-      end do
-      text = buffer%text()
-   end function hexadecimal
 
    !> Call UEXTERNALDB, where the library has it, as before the first increment.
    subroutine tell_start(self)

@@ -14,8 +14,8 @@ module asperity_program_commands_check_trials
    use asperity_program_commands_check_uninitialised, only: judge_builds
    use asperity_program_commands_routine_messages, only: message_type
    use asperity_program_system_child_folder, only: temporary_folder
-   use asperity_program_system_child_run, only: child_finished, child_interrupted, child_limits, &
-      child_outcome, child_refused, run_child
+   use asperity_program_system_child_run, only: check_started, child_finished, child_limits, &
+      child_outcome, run_child
    use asperity_program_system_progress, only: progress_type
    use asperity_program_system_strings, only: starts_with
    implicit none
@@ -81,14 +81,10 @@ contains
          type(child_outcome), intent(out) :: outcome
 
          call run_child(folder, job, limits, outcome)
-         if (outcome%ending == child_interrupted) then
-            call fatal_error(error, 'interrupted')
-         else if (outcome%ending == child_refused) then
-            call fatal_error(error, 'no child process can be started: '//outcome%text)
-         else if (outcome%ending == child_finished .and. starts_with(outcome%text, not_loaded)) then
+         call check_started(outcome, error)
+         if (outcome%ending == child_finished .and. starts_with(outcome%text, not_loaded)) &
             call fatal_error(error, load_failure(outcome%text(len(not_loaded) + 1:), &
-               subject%path))
-         end if
+            subject%path))
          if (.not. allocated(error)) call judge_outcome(outcome, folder, limits, name, &
             subject%source_path, job%is_explicit, findings)
       end subroutine run_job
@@ -105,8 +101,8 @@ contains
          filled%fill = fills(1)
          call run_child(folder, job, filled, first)
          call run_child(folder, job, filled, again)
-         if (any([first%ending, again%ending] == child_interrupted)) call fatal_error(error, &
-            'interrupted')
+         call check_started(first, error)
+         if (.not. allocated(error)) call check_started(again, error)
          ! what changes by itself is no matter of variables
          if (first%ending /= child_finished .or. again%ending /= child_finished) return
          if (first%text /= again%text) return
@@ -114,7 +110,7 @@ contains
          if (allocated(error)) return
          filled%fill = fills(2)
          call run_child(folder, job, filled, second)
-         if (second%ending == child_interrupted) call fatal_error(error, 'interrupted')
+         call check_started(second, error)
          if (allocated(error)) return
          is_tried(rule_uninitialised) = .true.
          if (second%ending == child_finished .and. second%text == first%text) return

@@ -2,7 +2,6 @@
 !> routine does to itself, the program says so.
 module asperity_program_commands_replay_foreign
    use asperity_abaqus_uinter_signature, only: uinter_interface
-   use, intrinsic :: iso_fortran_env, only: int64
    use asperity_base_error, only: computation_error, error_type, fatal_error
    use asperity_base_kinds, only: wp
    use asperity_base_text_builder, only: growing_text
@@ -11,14 +10,14 @@ module asperity_program_commands_replay_foreign
    use asperity_program_commands_check_subject, only: check_subject, prepare_subject
    use asperity_program_commands_routine_load, only: load_uinter
    use asperity_program_system_child_folder, only: create_folder, remove_folder, temporary_folder
-   use asperity_program_system_child_run, only: child_finished, child_interrupted, child_limits, &
-      child_outcome, child_refused, child_work, run_child
-   use asperity_program_system_strings, only: newline, starts_with
+   use asperity_program_system_child_numbers, only: add_numbers, numbers_of
+   use asperity_program_system_child_run, only: check_started, child_finished, child_limits, &
+      child_outcome, child_work, run_child
+   use asperity_program_system_strings, only: starts_with
    use asperity_replay_abaqus_host, only: host_point, new_host_point
    use asperity_replay_abaqus_record, only: optional_outputs
    use asperity_replay_motion_path, only: motion_path
    use asperity_replay_path_replay, only: path_step, replay_path
-   use asperity_replay_shared_library, only: open_library, shared_library
    implicit none
    private
    public :: replay_foreign
@@ -37,8 +36,8 @@ module asperity_program_commands_replay_foreign
 
    !> First word of the result when the replay fails; then follows why
    character(len=*), parameter :: failed = 'failed: '
-   !> Numbers of an increment beside STATEV, and characters of a number with its line break
-   integer, parameter :: of_step = 11, of_number = 17
+   !> Numbers of an increment beside STATEV
+   integer, parameter :: of_step = 11
    !> A replay takes as long as it takes, and may be interrupted
    type(child_limits), parameter :: limits = child_limits(seconds=1000000, megabytes=1000000)
 
@@ -105,12 +104,9 @@ contains
       integer :: i, n
 
       unset = .false.
-      if (outcome%ending == child_interrupted) then
-         call fatal_error(error, 'interrupted', computation_error)
-      else if (outcome%ending == child_refused) then
-         call fatal_error(error, 'no child process can be started: '//outcome%text, &
-            computation_error)
-      else if (outcome%ending /= child_finished .and. findings%n > 0) then
+      call check_started(outcome, error)
+      if (allocated(error)) return
+      if (outcome%ending /= child_finished .and. findings%n > 0) then
          call fatal_error(error, file//': '//words_of(findings%items(1)), computation_error)
       else if (outcome%ending /= child_finished) then
          call fatal_error(error, file//': ends the replay', computation_error)
@@ -144,15 +140,11 @@ contains
       procedure(uinter_interface), pointer :: routine
       type(host_point) :: point
       type(path_step), allocatable :: steps(:)
-      type(shared_library) :: utilities
       type(growing_text) :: buffer
       type(error_type), allocatable :: error
-      character(len=:), allocatable :: failure
       integer :: i
 
-      if (self%utilities /= '') call open_library(self%utilities, utilities, failure, &
-         is_global=.true.)
-      call load_uinter(self%library, routine, error)
+      call load_uinter(self%library, self%utilities, routine, error)
       if (.not. allocated(error)) then
          call new_host_point(point, routine, self%props, self%nstatv, self%ndir, &
             keep_history=.false.)
@@ -168,32 +160,6 @@ contains
       end do
       text = buffer%text()
    end subroutine work
-
-   !> Numbers bit by bit, one a line.
-   pure subroutine add_numbers(buffer, values)
-      type(growing_text), intent(inout) :: buffer
-      real(wp), intent(in) :: values(:)
-      character(len=of_number - 1) :: word
-      integer :: i
-
-      do i = 1, size(values)
-         write (word, '(z16.16)') transfer(values(i), 0_int64)
-         call buffer%line(word)
-      end do
-   end subroutine add_numbers
-
-   !> The same read.
-   pure function numbers_of(text) result(values)
-      character(len=*), intent(in) :: text
-      real(wp) :: values(len(text)/of_number)
-      integer(int64) :: bits
-      integer :: i
-
-      do i = 1, size(values)
-         read (text((i - 1)*of_number + 1:i*of_number - 1), '(z16)') bits
-         values(i) = transfer(bits, 0.0_wp)
-      end do
-   end function numbers_of
 
    pure function numbers_of_step(step) result(values)
       type(path_step), intent(in) :: step

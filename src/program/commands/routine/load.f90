@@ -14,9 +14,9 @@ module asperity_program_commands_routine_load
 contains
 
    !> Load a UINTER. `error` is set when the file is no library, or has none.
-   subroutine load_uinter(path, routine, error)
-      !> Path of the library
-      character(len=*), intent(in) :: path
+   subroutine load_uinter(path, utilities, routine, error)
+      !> Path of the library, and of that of the utilities of ABAQUS, empty for none
+      character(len=*), intent(in) :: path, utilities
       !> The routine
       procedure(uinter_interface), pointer, intent(out) :: routine
       !> Set on failure
@@ -24,14 +24,14 @@ contains
       type(c_funptr) :: found
 
       nullify (routine)
-      call load_routine(path, 'uinter', found, error)
+      call load_routine(path, utilities, 'uinter', found, error)
       if (.not. allocated(error)) call c_f_procpointer(found, routine)
    end subroutine load_uinter
 
    !> Load a VUINTER, of the precision that the program has.
-   subroutine load_vuinter(path, routine, error)
-      !> Path of the library
-      character(len=*), intent(in) :: path
+   subroutine load_vuinter(path, utilities, routine, error)
+      !> Path of the library, and of that of the utilities of ABAQUS, empty for none
+      character(len=*), intent(in) :: path, utilities
       !> The routine
       procedure(vuinter_interface), pointer, intent(out) :: routine
       !> Set on failure
@@ -39,13 +39,13 @@ contains
       type(c_funptr) :: found
 
       nullify (routine)
-      call load_routine(path, 'vuinter', found, error)
+      call load_routine(path, utilities, 'vuinter', found, error)
       if (.not. allocated(error)) call c_f_procpointer(found, routine)
    end subroutine load_vuinter
 
    !> Find a routine by any of the names that compilers give it.
-   subroutine load_routine(path, name, found, error)
-      character(len=*), intent(in) :: path, name
+   subroutine load_routine(path, utilities, name, found, error)
+      character(len=*), intent(in) :: path, utilities, name
       type(c_funptr), intent(out) :: found
       type(error_type), allocatable, intent(out) :: error
       type(file_facts) :: facts
@@ -58,6 +58,7 @@ contains
          call fatal_error(error, path//': there is no such file', file_error)
          return
       end if
+      if (utilities /= '') call open_library(utilities, library, failure, is_global=.true.)
       ! without a slash it would be looked for where the system has libraries
       if (index(path, '/') == 0) then
          call open_library('./'//path, library, failure)

@@ -5,6 +5,7 @@ module asperity_program_system_child_run
    use, intrinsic :: iso_c_binding, only: c_associated, c_funptr, c_int, c_long, c_null_char, &
       c_null_funptr, c_null_ptr, c_ptr
    use, intrinsic :: iso_fortran_env, only: int64
+   use asperity_base_error, only: computation_error, error_type, fatal_error
    use asperity_base_libc, only: c_fopen
    use asperity_program_system_child_folder, only: sigchld, temporary_folder
    use asperity_program_system_child_posix, only: c_chdir, c_dup2, c_exit, c_fork, c_kill, &
@@ -17,7 +18,7 @@ module asperity_program_system_child_run
    use asperity_program_system_strings, only: shell_word, split_lines, string_type
    implicit none
    private
-   public :: child_work, child_limits, child_outcome, run_child
+   public :: child_work, child_limits, child_outcome, run_child, check_started
 
    !> How a child ended
    enum, bind(c)
@@ -141,6 +142,21 @@ contains
       end if
       call list_files(folder, outcome%files)
    end subroutine run_child
+
+   !> `error` is set when the work could not begin, or the program was interrupted.
+   pure subroutine check_started(outcome, error)
+      !> What came of the work
+      type(child_outcome), intent(in) :: outcome
+      !> Set when there is nothing to judge
+      type(error_type), allocatable, intent(out) :: error
+
+      if (outcome%ending == child_interrupted) then
+         call fatal_error(error, 'interrupted', computation_error)
+      else if (outcome%ending == child_refused) then
+         call fatal_error(error, 'no child process can be started: '//outcome%text, &
+            computation_error)
+      end if
+   end subroutine check_started
 
    !> What the child does; it does not return.
    subroutine be_child(folder, job, limits)
