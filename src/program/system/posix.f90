@@ -10,6 +10,10 @@ module asperity_program_system_posix
       c_popen, c_readlink, c_realpath, c_rename, c_signal, c_statx, c_strerror, c_strftime, &
       c_system, c_time, c_unlink, c_write, statx_type
 
+   !> Signals
+   integer(c_int), parameter, public :: sigkill = 9_c_int, sigpipe = 13_c_int, sigchld = 17_c_int, &
+      sigxcpu = 24_c_int, sigxfsz = 25_c_int
+
    !> What statx tells; unlike that of stat, it is laid out in one way on every machine.
    type, bind(c) :: statx_type
       integer(c_int32_t) :: mask, block_size

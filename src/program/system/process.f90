@@ -4,13 +4,13 @@ module asperity_program_system_process
       c_null_funptr, c_null_ptr, c_ptr, c_size_t
    use asperity_base_number_text, only: to_text
    use asperity_program_system_errno, only: last_reason
-   use asperity_program_system_posix, only: c_fwrite, c_pclose, c_popen, c_signal, c_system
+   use asperity_program_system_posix, only: c_fwrite, c_pclose, c_popen, c_signal, c_system, &
+      sigpipe, sigxfsz
    implicit none
    private
    public :: open_shell, close_shell, run_shell, shell_type
    public :: held_interrupts, hold_interrupts, release_interrupts, set_signals
 
-   integer(c_int), parameter :: sigpipe = 13_c_int, sigxfsz = 25_c_int
    !> What ends a program from outside: SIGHUP, SIGINT, SIGQUIT, SIGUSR1, SIGUSR2, SIGALRM, SIGTERM
    !> and SIGXCPU, the user's, the system's and batch systems' signals
    integer(c_int), parameter :: interrupts(*) = int([1, 2, 3, 10, 12, 14, 15, 24], c_int)

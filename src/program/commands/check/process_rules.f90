@@ -9,14 +9,14 @@ module asperity_program_commands_check_process_rules
    use asperity_program_system_child_run, only: child_finished, child_killed, child_late, &
       child_limits, child_outcome, child_stopped
    use asperity_program_system_files, only: read_file
+   use asperity_program_system_posix, only: sigkill, sigxfsz
    use asperity_program_system_strings, only: quoted, split_lines, starts_with, string_type
    implicit none
    private
    public :: judge_outcome
 
    !> Signals that have names here, and what they mean
-   integer, parameter :: sigxfsz = 25
-   integer, parameter :: signals(*) = [4, 6, 7, 8, 9, 11, sigxfsz]
+   integer, parameter :: signals(*) = [4, 6, 7, 8, int(sigkill), 11, int(sigxfsz)]
    character(len=*), parameter :: signal_names(*) = [character(len=60) :: &
       'SIGILL (no such instruction)', 'SIGABRT (it gave up)', &
       'SIGBUS (no such memory)', 'SIGFPE (arithmetic)', 'SIGKILL', &

@@ -4,22 +4,19 @@ module asperity_program_system_child_folder
    use, intrinsic :: iso_c_binding, only: c_associated, c_funptr, c_int, c_intptr_t, &
       c_null_char, c_null_funptr
    use asperity_base_error, only: error_type, fatal_error, file_error
-   use asperity_program_system_child_posix, only: c_kill, c_mkdtemp, c_sigaddset, c_sigemptyset, &
-      c_sigprocmask, signal_set
+   use asperity_program_system_child_posix, only: block_set, c_kill, c_mkdtemp, c_sigaddset, &
+      c_sigemptyset, c_sigprocmask, replace_set, signal_set
    use asperity_program_system_child_shell, only: run_apart
    use asperity_program_system_errno, only: last_reason
    use asperity_program_system_path, only: resolved_path
-   use asperity_program_system_posix, only: c_getpid, c_signal
+   use asperity_program_system_posix, only: c_getpid, c_signal, sigchld
    use asperity_program_system_strings, only: shell_word
    implicit none
    private
    public :: temporary_folder, create_folder, remove_folder
 
-   integer(c_int), parameter, public :: sigchld = 17_c_int
    !> What ends a program from outside, and may wait: SIGHUP, SIGINT, SIGQUIT, SIGTERM
    integer(c_int), parameter :: interrupts(*) = int([1, 2, 3, 15], c_int)
-   !> Arguments of sigprocmask
-   integer(c_int), parameter :: block_set = 0_c_int, replace_set = 2_c_int
 
    !> A temporary folder.
    type :: temporary_folder

@@ -8,6 +8,9 @@ module asperity_program_system_child_posix
       c_mallopt, c_mkdir, c_mkdtemp, c_prctl, c_setpgid, c_setrlimit, c_sigaddset, &
       c_sigemptyset, c_sigprocmask, c_sigtimedwait, c_waitpid
 
+   !> What sigprocmask does with a set of signals
+   integer(c_int), parameter, public :: block_set = 0_c_int, replace_set = 2_c_int
+
    !> Signals: 1024 bits
    type, bind(c) :: signal_set
       integer(c_long) :: bits(16) = 0_c_long

@@ -7,14 +7,15 @@ module asperity_program_system_child_run
    use, intrinsic :: iso_fortran_env, only: int64
    use asperity_base_error, only: computation_error, error_type, fatal_error
    use asperity_base_libc, only: c_fopen
-   use asperity_program_system_child_folder, only: sigchld, temporary_folder
+   use asperity_program_system_child_folder, only: temporary_folder
    use asperity_program_system_child_posix, only: c_chdir, c_dup2, c_exit, c_fork, c_kill, &
       c_mallopt, c_mkdir, c_prctl, c_setpgid, c_setrlimit, c_sigprocmask, c_sigtimedwait, &
-      c_waitpid, signal_set, time_span
+      c_waitpid, replace_set, signal_set, time_span
    use asperity_program_system_child_shell, only: run_apart
    use asperity_program_system_errno, only: last_reason
    use asperity_program_system_files, only: close_file, open_file, read_file, write_text
-   use asperity_program_system_posix, only: c_fileno, c_signal
+   use asperity_program_system_posix, only: c_fileno, c_signal, sigchld, sigkill, sigpipe, &
+      sigxcpu, sigxfsz
    use asperity_program_system_strings, only: shell_word, split_lines, string_type
    implicit none
    private
@@ -89,10 +90,7 @@ module asperity_program_system_child_run
    integer, parameter :: output_read = 1048576, result_read = huge(1)
    !> How much longer than its time of the processor a child may take
    integer, parameter :: waiting_factor = 10
-   integer(c_int), parameter :: sigkill = 9_c_int, sigpipe = 13_c_int, sigxcpu = 24_c_int, &
-      sigxfsz = 25_c_int
-   integer(c_int), parameter :: replace_set = 2_c_int, no_wait = 1_c_int, &
-      all_rights = int(o'700', c_int)
+   integer(c_int), parameter :: no_wait = 1_c_int, all_rights = int(o'700', c_int)
    !> Option of prctl: the signal that the end of the program sends to its child
    integer(c_int), parameter :: end_with_parent = 1_c_int
    !> Parameter of mallopt: the byte that freed memory gets, fresh memory its complement
