@@ -89,7 +89,7 @@ contains
       type(error_type), allocatable :: error
 
       call new_joint(model, case)
-      call new_solid_run(run, model, petsc)
+      call new_solid_run(run, model, petsc, error)
       if (present(until)) observer = until
       call run_programme(run, observer, error)
       if (.not. allocated(error)) return

@@ -55,7 +55,7 @@ contains
          call assertEqual(0, status, message='written')
          rewind (unit)
          call new_joint(model, case)
-         call new_solid_run(continued, model, petsc)
+         call new_solid_run(continued, model, petsc, error)
          call read_run(unit, continued, status)
          close (unit)
          call assertEqual(0, status, message='read')
@@ -109,6 +109,7 @@ contains
       type(joint_case) :: case, other
       type(solid_run) :: run, wrong
       type(solid_model) :: model
+      type(error_type), allocatable :: error
       integer :: i, unit, status
 
       case = joint_case(amplitudes=[8.0_wp])
@@ -121,7 +122,7 @@ contains
          if (i == 1) other%mesh_size = 60.0_wp
          if (i == 2) other%settings%cells = 4
          call new_joint(model, other)
-         call new_solid_run(wrong, model, petsc)
+         call new_solid_run(wrong, model, petsc, error)
          rewind (unit)
          call read_run(unit, wrong, status)
          call assertGreaterThan(status, 0, message='another joint')
@@ -132,7 +133,7 @@ contains
       write (unit) 0, 6
       rewind (unit)
       call new_joint(model, case)
-      call new_solid_run(wrong, model, petsc)
+      call new_solid_run(wrong, model, petsc, error)
       call read_run(unit, wrong, status)
       call assertTrue(status /= 0, 'too short')
       close (unit)

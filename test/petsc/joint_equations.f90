@@ -5,7 +5,8 @@ module test_petsc_joint_equations
    use asperity, only: error_type, wp
    use asperity_solid_contact_pair, only: begin_increment
    use asperity_solid_model_model, only: solid_model
-   use asperity_solid_solve_assembly, only: assemble, equation_system, load_state
+   use asperity_solid_solve_assembly, only: assemble
+   use asperity_solid_solve_equations, only: equation_system, load_state
    use asperity_solid_solve_increment, only: increment_type, solve_increment
    use asperity_solid_solve_programme, only: new_solid_run, solid_run
    use test_petsc_engine, only: petsc
@@ -154,6 +155,7 @@ contains
       type(joint_case) :: case
       type(solid_run) :: run
       type(solid_model) :: model
+      type(error_type), allocatable :: error
       real(wp) :: scale
       integer :: k
 
@@ -162,7 +164,7 @@ contains
          call new_joint(model, case)
          model%axial_stiffness = 0.0_wp
          model%holding_stiffness = 0.0_wp
-         call new_solid_run(run, model, petsc)
+         call new_solid_run(run, model, petsc, error)
          associate (x => model%mesh%nodes)
             scale = largest(stretch*x)
             call assertGreaterThan(scale, 100.0_wp, 'a stretch does')

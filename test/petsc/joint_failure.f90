@@ -54,7 +54,7 @@ contains
       case = joint_case(amplitudes=[16.0_wp])
       case%settings%through_uinter = through_uinter
       call new_joint(model, case)
-      call new_solid_run(run, model, petsc)
+      call new_solid_run(run, model, petsc, error)
       call keep_motions(run%model%pairs)
       watcher%increments = 14
       call run_programme(run, watcher, error)

@@ -109,6 +109,7 @@ contains
       subroutine begin(run)
          type(solid_run), intent(out) :: run
          type(solid_model) :: model
+         type(error_type), allocatable :: error
          integer :: gone
 
          call new_joint(model, case)
@@ -118,7 +119,7 @@ contains
          model%n_unknowns = model%n_unknowns - 1
          ! what is left for the column's load, which is zero
          model%mesh%head = [model%mesh%hold_node]
-         call new_solid_run(run, model, petsc)
+         call new_solid_run(run, model, petsc, error)
       end subroutine begin
 
    end subroutine test_mirror

@@ -65,7 +65,7 @@ contains
       row_start(side*side + 1) = size(columns)
       if (.not. associated(solver%values)) then
          solver%petsc = petsc
-         call solver%set_pattern(row_start, columns, error)
+         call solver%set_pattern(row_start, columns, [0, side*side], error)
          call assertFalse(allocated(error))
       end if
       solver%values = scale*values

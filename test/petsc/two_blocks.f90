@@ -12,7 +12,7 @@ module test_petsc_two_blocks
    use asperity_solid_material_material, only: new_solid_material
    use asperity_solid_model_equations, only: held, moved
    use asperity_solid_model_model, only: solid_model
-   use asperity_solid_solve_assembly, only: equation_system, load_state
+   use asperity_solid_solve_equations, only: equation_system, load_state
    use asperity_solid_solve_increment, only: increment_type, solve_increment
    use asperity_wood_properties, only: wood_properties
    use contact_cases, only: pair_properties
@@ -156,6 +156,7 @@ contains
       allocate (model%mesh%nodes(3, 16), source=reshape([corners, wide], [3, 16]))
       model%mesh%elements = reshape([(i, i=1, 16)], [8, 2])
       model%mesh%part = [1, 2]
+      model%own_elements = [1, 2]
       model%shape_of = [1, 2]
       allocate (model%shapes(2), model%points(8, 2), model%trial_points(8, 2), model%pairs(1))
       call new_brick(model%shapes(1), corners, model%wood(1)%stiffness, error)
@@ -182,6 +183,7 @@ contains
          n = n + 3
       end do
       model%n_unknowns = n
+      allocate (model%first_rows(0:1), source=[0, n])
    end subroutine new_blocks
 
 end module test_petsc_two_blocks

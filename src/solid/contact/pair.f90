@@ -32,6 +32,8 @@ module asperity_solid_contact_pair
       character(len=8) :: name = ''
       !> One for each slave facet
       type(contact_face), allocatable :: faces(:)
+      !> Those that this process follows: all, unless other ranks have some
+      integer, allocatable :: own(:)
       !> The other side
       type(contact_surface) :: master
       !> What happens at each point
@@ -82,6 +84,7 @@ contains
       if (allocated(error)) return
       allocate (pair%law, source=law)
       allocate (pair%faces(size(slave_facets, 2)))
+      pair%own = [(i, i=1, size(pair%faces))]
       do i = 1, size(pair%faces)
          call new_contact_face(pair%faces(i), positions, slave_facets(:, i), cells)
       end do
@@ -101,8 +104,10 @@ contains
 
       if (allocated(pair%motions)) pair%motions%is_under_way = .true.
       do i = 1, size(pair%faces)
-         associate (face => pair%faces(i))
-            call freeze_axes(face, positions)
+         call freeze_axes(pair%faces(i), positions)
+      end do
+      do i = 1, size(pair%own)
+         associate (face => pair%faces(pair%own(i)))
             call find_middles(face, pair%master, positions)
             call cut_face(face, pair%master, positions)
             call start_rays(face, pair%master, positions)
@@ -160,9 +165,9 @@ contains
 
       pair%energy%normal = 0.0_wp
       pair%energy%tangential = 0.0_wp
-      do i = 1, size(pair%faces)
-         do j = 1, size(pair%faces(i)%cells)
-            associate (cell => pair%faces(i)%cells(j))
+      do i = 1, size(pair%own)
+         do j = 1, size(pair%faces(pair%own(i))%cells)
+            associate (cell => pair%faces(pair%own(i))%cells(j))
                call add_increment(pair%energy, cell)
                cell%recut_energy = 0.0_wp
                cell%start = cell%trial%state
@@ -187,11 +192,13 @@ contains
       integer, allocatable :: met(:)
       integer :: i, j
 
-      do i = 1, size(pair%faces)
-         met = met_facets(pair%faces(i))
-         do j = 1, size(met)
-            call surround_facet(pair%faces(i), pair%master, met(j), pair%has_grown)
-         end do
+      do i = 1, size(pair%own)
+         associate (face => pair%faces(pair%own(i)))
+            met = met_facets(face)
+            do j = 1, size(met)
+               call surround_facet(face, pair%master, met(j), pair%has_grown)
+            end do
+         end associate
       end do
    end subroutine foresee_pattern
 

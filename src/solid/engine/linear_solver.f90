@@ -1,29 +1,33 @@
-!> The sparse matrix of a solid and its solver by PETSc: AIJ matrix over arrays of this module, LU
-!> by MUMPS, which serves, while the matrix changes, as preconditioner of GMRES.
+!> The sparse matrix of a solid and its solver by PETSc: LU by MUMPS, which serves, while the matrix
+!> changes, as preconditioner of GMRES. Each rank has a share of the rows; what it adds to rows of
+!> others goes there, so that the matrix is the sum of all. Vectors are whole on every rank.
 !>
 !> MUMPS and not PETSc's own LU, which takes pivots below 2.2e-14 for zero. The pattern is
 !> symmetric and so is the order of elimination: no permutation by values, small pivots are kept.
-!> Rows are laid out by owner; here all are this rank's. Libraries raise floating-point flags as
-!> they like: who calls them does not stop at that, and Fortran gives the caller its own way back.
+!> Libraries raise floating-point flags as they like: who calls them does not stop at that, and
+!> Fortran gives the caller its own way back.
 module asperity_solid_engine_linear_solver
    use, intrinsic :: ieee_exceptions, only: ieee_all, ieee_set_halting_mode
-   use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_f_pointer, c_funloc, c_int, &
-      c_loc, c_null_char, c_null_funptr, c_null_ptr, c_ptr
+   use, intrinsic :: iso_c_binding, only: c_associated, c_funloc, c_int, c_loc, c_null_char, &
+      c_null_funptr, c_null_ptr, c_ptr, c_ptrdiff_t
    use asperity_base_error, only: computation_error, error_type, fatal_error
    use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
-   use asperity_solid_engine_petsc, only: ksp_converged_iterating, ksp_converged_rtol, &
-      ksp_diverged_its, mat_final_assembly, pc_right, petsc_false, petsc_library, petsc_true
+   use asperity_solid_engine_convergence, only: convergence_context, most_vectors, &
+      residual_is_small
+   use asperity_solid_engine_petsc, only: insert_values, pc_right, petsc_false, petsc_library, &
+      petsc_true
    implicit none
    private
    public :: linear_solver
 
-   !> Matrix by rows and its solver.
+   !> This rank's part of the sum by rows, and the solver.
    type :: linear_solver
       !> PETSc, loaded
       type(petsc_library) :: petsc
-      !> Number of rows; where each begins in `columns` and `values`, counted from 0, and one more
-      integer :: n = 0
+      !> Number of rows of all; the first of this rank's, counted from 0, and how many they are
+      integer :: n = 0, first = 0, n_own = 0
+      !> Where each row of all begins in `columns` and `values`, counted from 0, and one more
       integer(c_int), pointer, contiguous :: row_start(:) => null()
       !> Column of each value, counted from 0, rising within a row
       integer(c_int), pointer, contiguous :: columns(:) => null()
@@ -56,24 +60,17 @@ module asperity_solid_engine_linear_solver
    integer(c_int), parameter :: mumps_places(3) = [6, 7, 8], mumps_values(3) = [0, 5, 0], &
       room_place = 14, first_room = 60, room_error = -9, largest_room = 1000
    real(wp), parameter :: pivot_threshold = 1.0e-3_wp
-   !> Most vectors of GMRES; after so many it gives up when more than this share of the residual is
-   !> left
-   integer(c_int), parameter :: most_vectors = 10, trial_vectors = 4
-   real(wp), parameter :: hopeless = 0.3_wp
-   !> What the convergence test is told
-   type, bind(c) :: test_context
-      real(c_double) :: tolerance
-      real(c_double) :: first
-   end type test_context
 
 contains
 
-   !> Take a new pattern.
-   subroutine set_pattern(self, row_start, columns, error)
+   !> Take a new pattern. The matrix has the union of those of all ranks.
+   subroutine set_pattern(self, row_start, columns, first_rows, error)
       !> The solver
       class(linear_solver), intent(inout) :: self
       !> Where each row begins, from 0, and one more; columns from 0, rising in each row
       integer, intent(in) :: row_start(:), columns(:)
+      !> First row of each rank, from 0, and one more
+      integer, intent(in) :: first_rows(0:)
       !> Set on failure
       type(error_type), allocatable, intent(out) :: error
       integer(c_int) :: code
@@ -84,13 +81,35 @@ contains
       allocate (self%row_start(size(row_start)), source=int(row_start, c_int))
       allocate (self%columns(size(columns)), source=int(columns, c_int))
       allocate (self%values(size(columns)), source=0.0_wp)
-      code = self%petsc%mat_create(self%petsc%world, self%n, self%n, self%row_start, &
-         self%columns, self%values, self%matrix)
+      associate (rank => self%petsc%ranks%rank)
+         self%first = first_rows(rank)
+         self%n_own = first_rows(rank + 1) - self%first
+      end associate
+      code = new_matrix(self)
       self%room = first_room
       if (code == 0) code = new_krylov(self)
-      call check(code, 'take the matrix', error)
+      call check(self, code, 'take the matrix', error)
       self%n_patterns = self%n_patterns + 1
    end subroutine set_pattern
+
+   !> PETSc's matrix of the pattern.
+   integer(c_int) function new_matrix(self) result(code)
+      type(linear_solver), intent(inout) :: self
+      integer(c_int), allocatable :: rows(:), columns(:)
+      integer :: i
+
+      allocate (rows(size(self%columns)), columns(size(self%columns)))
+      columns = self%columns
+      do i = 1, self%n
+         rows(self%row_start(i) + 1:self%row_start(i + 1)) = i - 1
+      end do
+      code = self%petsc%mat_create(self%petsc%world, self%matrix)
+      if (code == 0) code = self%petsc%mat_set_sizes(self%matrix, self%n_own, self%n_own, &
+         self%n, self%n)
+      if (code == 0) code = self%petsc%mat_set_type(self%matrix, 'aij'//c_null_char)
+      if (code == 0) code = self%petsc%mat_set_places(self%matrix, &
+         size(rows, kind=c_ptrdiff_t), rows, columns)
+   end function new_matrix
 
    !> Factorise the matrix. `error` is set when it is singular or there is no memory.
    subroutine factorise(self, error)
@@ -103,21 +122,20 @@ contains
 
       call ieee_set_halting_mode(ieee_all, .false.)
       self%has_factors = .false.
-      if (.not. all(abs(self%values) <= huge(1.0_wp))) then
+      if (self%petsc%ranks%any(.not. all(abs(self%values) <= huge(1.0_wp)))) then
          call fatal_error(error, 'the matrix has entries that are not numbers', &
             computation_error)
          return
       end if
       do
-         code = self%petsc%mat_assembly_begin(self%matrix, mat_final_assembly)
-         if (code == 0) code = self%petsc%mat_assembly_end(self%matrix, mat_final_assembly)
+         code = self%petsc%mat_set_values(self%matrix, self%values, insert_values)
          if (code == 0) code = self%petsc%pc_set_reuse(self%preconditioner, petsc_false)
          if (code == 0) code = self%petsc%pc_set_up(self%preconditioner)
          if (code == 0) code = self%petsc%pc_set_reuse(self%preconditioner, petsc_true)
          if (code == 0) code = self%petsc%pc_get_failed_reason(self%preconditioner, reason)
          if (code == 0) code = self%petsc%pc_factor_get_matrix(self%preconditioner, factors)
          if (code == 0) code = self%petsc%get_infog(factors, 1_c_int, mumps_code)
-         call check(code, 'factorise the matrix', error)
+         call check(self, code, 'factorise the matrix', error)
          if (allocated(error)) return
          self%n_factorisations = self%n_factorisations + 1
          self%has_factors = reason == 0 .and. mumps_code >= 0
@@ -125,7 +143,7 @@ contains
          ! PETSc's MUMPS does not factorise again where it has failed
          if (mumps_code == room_error .and. self%room < largest_room) self%room = 2*self%room
          code = new_krylov(self)
-         call check(code, 'begin again', error)
+         call check(self, code, 'begin again', error)
          if (allocated(error)) return
          if (mumps_code /= room_error .or. self%room > largest_room) exit
       end do
@@ -138,21 +156,23 @@ contains
       !> The solver
       class(linear_solver), intent(inout) :: self
       !> Right side
-      real(wp), intent(in), target :: right_side(:)
+      real(wp), intent(in), contiguous, target :: right_side(:)
       !> Solution
-      real(wp), intent(out), target :: solution(:)
+      real(wp), intent(out), contiguous, target :: solution(:)
       !> Set on failure
       type(error_type), allocatable, intent(out) :: error
       integer(c_int) :: code
       type(c_ptr) :: b, x
 
       call ieee_set_halting_mode(ieee_all, .false.)
+      solution = 0.0_wp
       code = new_vectors(self, right_side, solution, b, x)
       if (code == 0) code = self%petsc%pc_apply(self%preconditioner, b, x)
       self%n_solutions = self%n_solutions + 1
       if (code == 0) code = self%petsc%vec_destroy(b)
       if (code == 0) code = self%petsc%vec_destroy(x)
-      call check(code, 'solve', error)
+      call check(self, code, 'solve', error)
+      if (.not. allocated(error)) call self%petsc%ranks%sum(solution)
    end subroutine solve
 
    !> Solve with the present values by GMRES, preconditioned from the right by the factors. It gives
@@ -161,9 +181,9 @@ contains
       !> The solver
       class(linear_solver), intent(inout) :: self
       !> Right side
-      real(wp), intent(in), target :: right_side(:)
+      real(wp), intent(in), contiguous, target :: right_side(:)
       !> Solution, where it has converged
-      real(wp), intent(out), target :: solution(:)
+      real(wp), intent(out), contiguous, target :: solution(:)
       !> What may be left of the residual, over the right side
       real(wp), intent(in) :: tolerance
       !> Whether it has
@@ -172,13 +192,13 @@ contains
       type(error_type), allocatable, intent(out) :: error
       integer(c_int) :: code, reason
       type(c_ptr) :: b, x
-      type(test_context), target :: context
+      type(convergence_context), target :: context
 
       call ieee_set_halting_mode(ieee_all, .false.)
       has_converged = .false.
-      context = test_context(tolerance, 0.0_wp)
-      code = self%petsc%mat_assembly_begin(self%matrix, mat_final_assembly)
-      if (code == 0) code = self%petsc%mat_assembly_end(self%matrix, mat_final_assembly)
+      context = convergence_context(tolerance, 0.0_wp)
+      solution = 0.0_wp
+      code = self%petsc%mat_set_values(self%matrix, self%values, insert_values)
       if (code == 0) code = self%petsc%ksp_set_tolerances(self%krylov, tolerance, tiny(1.0_wp), &
          huge(1.0_wp), most_vectors)
       if (code == 0) code = set_test(self, context)
@@ -187,8 +207,9 @@ contains
       if (code == 0) code = self%petsc%ksp_get_converged_reason(self%krylov, reason)
       if (code == 0) code = self%petsc%vec_destroy(b)
       if (code == 0) code = self%petsc%vec_destroy(x)
-      call check(code, 'solve by GMRES', error)
+      call check(self, code, 'solve by GMRES', error)
       if (allocated(error)) return
+      call self%petsc%ranks%sum(solution)
       has_converged = reason > 0 .and. all(abs(solution) <= huge(1.0_wp))
    end subroutine iterate
 
@@ -235,58 +256,36 @@ contains
       if (code == 0) code = self%petsc%set_cntl(factors, 1_c_int, pivot_threshold)
    end function new_krylov
 
-   !> Vectors of PETSc over two arrays.
+   !> Vectors of PETSc over this rank's parts of two arrays.
    integer(c_int) function new_vectors(self, right_side, solution, b, x) result(code)
-      class(linear_solver), intent(in) :: self
-      real(wp), intent(in), target :: right_side(:), solution(:)
+      type(linear_solver), intent(in) :: self
+      real(wp), intent(in), contiguous, target :: right_side(:), solution(:)
       type(c_ptr), intent(out) :: b, x
 
-      x = c_null_ptr
-      code = self%petsc%vec_create(self%petsc%world, 1_c_int, size(right_side, kind=c_int), &
-         right_side, b)
-      if (code == 0) code = self%petsc%vec_create(self%petsc%world, 1_c_int, &
-         size(solution, kind=c_int), solution, x)
+      code = self%petsc%mat_create_vectors(self%matrix, x, b)
+      if (code == 0) code = self%petsc%vec_place_array(b, right_side(self%first + 1:))
+      if (code == 0) code = self%petsc%vec_place_array(x, solution(self%first + 1:))
    end function new_vectors
 
    !> Let GMRES be stopped by `residual_is_small`.
    integer(c_int) function set_test(self, context) result(code)
       class(linear_solver), intent(in) :: self
-      type(test_context), intent(in), target :: context
+      type(convergence_context), intent(in), target :: context
 
       code = self%petsc%ksp_set_convergence_test(self%krylov, c_funloc(residual_is_small), &
          c_loc(context), c_null_funptr)
    end function set_test
 
-   !> PETSc's convergence test: the tolerance, and no more vectors where the first were no use.
-   integer(c_int) function residual_is_small(krylov, iteration, residual, reason, context) bind(c)
-      type(c_ptr), value :: krylov, context
-      integer(c_int), value :: iteration
-      real(c_double), value :: residual
-      integer(c_int), intent(out) :: reason
-      type(test_context), pointer :: asked
-
-      residual_is_small = 0
-      if (.not. c_associated(krylov)) residual_is_small = 1
-      call c_f_pointer(context, asked)
-      if (iteration == 0) asked%first = residual
-      reason = ksp_converged_iterating
-      if (residual <= asked%tolerance*asked%first) then
-         reason = ksp_converged_rtol
-      else if (iteration >= most_vectors .or. .not. residual <= huge(1.0_wp)) then
-         reason = ksp_diverged_its
-      else if (iteration == trial_vectors .and. residual > hopeless*asked%first) then
-         reason = ksp_diverged_its
-      end if
-   end function residual_is_small
-
-   !> Set `error` when a function of PETSc has failed.
-   subroutine check(code, doing, error)
+   !> Set `error` when a function of PETSc has failed, on whatever rank.
+   subroutine check(solver, code, doing, error)
+      class(linear_solver), intent(in) :: solver
       integer(c_int), intent(in) :: code
       character(len=*), intent(in) :: doing
       type(error_type), allocatable, intent(out) :: error
 
       if (code /= 0) call fatal_error(error, 'PETSc cannot '//doing//': its error code is '// &
          to_text(code), computation_error)
+      call solver%petsc%ranks%agree(error)
    end subroutine check
 
 end module asperity_solid_engine_linear_solver

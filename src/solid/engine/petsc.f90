@@ -4,147 +4,49 @@
 !> Fortran compiler. Every function returns zero on success.
 module asperity_solid_engine_petsc
    use, intrinsic :: ieee_exceptions, only: ieee_all, ieee_set_halting_mode
-   use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_double, c_f_pointer, &
-      c_f_procpointer, c_funptr, c_int, c_null_char, c_null_ptr, c_ptr
+   use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_f_pointer, c_f_procpointer, &
+      c_funptr, c_int, c_null_char, c_null_ptr, c_ptr
    use asperity_base_error, only: computation_error, error_type, fatal_error
    use asperity_base_number_text, only: to_text
    use asperity_replay_shared_library, only: find_data, find_procedure, open_library, &
       shared_library
+   use asperity_solid_engine_petsc_functions, only: cntl_function, destroys, finds, gives_number, &
+      handler_function, icntl_function, infog_function, matrix_function, of_one, of_three, &
+      place_function, places_function, plain, sizes_function, test_function, tolerances_function, &
+      values_function, vectors_function, version_function, with_name, with_number
+   use asperity_solid_engine_ranks, only: find_ranks, meet_ranks, rank_team
    implicit none
    private
    public :: petsc_library, load_petsc, unload_petsc
 
    !> Values of PETSc's enumerations
-   integer(c_int), parameter, public :: mat_final_assembly = 0, pc_right = 1, petsc_false = 0, &
+   integer(c_int), parameter, public :: insert_values = 1, pc_right = 1, petsc_false = 0, &
       petsc_true = 1, ksp_converged_rtol = 2, ksp_converged_iterating = 0, ksp_diverged_its = -3
-
-   abstract interface
-      !> What takes nothing
-      integer(c_int) function plain() bind(c)
-         import :: c_int
-      end function plain
-      !> ... one object
-      integer(c_int) function of_one(object) bind(c)
-         import :: c_int, c_ptr
-         type(c_ptr), value :: object
-      end function of_one
-      !> ... three objects
-      integer(c_int) function of_three(first, second, third) bind(c)
-         import :: c_int, c_ptr
-         type(c_ptr), value :: first, second, third
-      end function of_three
-      !> ... and destroys an object
-      integer(c_int) function destroys(object) bind(c)
-         import :: c_int, c_ptr
-         type(c_ptr), intent(inout) :: object
-      end function destroys
-      !> ... and makes or finds another object
-      integer(c_int) function finds(object, found) bind(c)
-         import :: c_int, c_ptr
-         type(c_ptr), value :: object
-         type(c_ptr), intent(out) :: found
-      end function finds
-      !> ... an object and a number
-      integer(c_int) function with_number(object, number) bind(c)
-         import :: c_int, c_ptr
-         type(c_ptr), value :: object
-         integer(c_int), value :: number
-      end function with_number
-      !> ... an object and a name
-      integer(c_int) function with_name(object, name) bind(c)
-         import :: c_char, c_int, c_ptr
-         type(c_ptr), value :: object
-         character(kind=c_char), intent(in) :: name(*)
-      end function with_name
-      !> ... and gives a number
-      integer(c_int) function gives_number(object, number) bind(c)
-         import :: c_int, c_ptr
-         type(c_ptr), value :: object
-         integer(c_int), intent(out) :: number
-      end function gives_number
-      !> The version of the release
-      integer(c_int) function version_function(major, minor, subminor, release) bind(c)
-         import :: c_int
-         integer(c_int), intent(out) :: major, minor, subminor, release
-      end function version_function
-      !> Who is told of errors
-      integer(c_int) function handler_function(handler, context) bind(c)
-         import :: c_int, c_ptr
-         type(c_ptr), value :: handler, context
-      end function handler_function
-      !> A matrix over three arrays
-      integer(c_int) function matrix_function(communicator, rows, columns, row_start, column, &
-            values, matrix) bind(c)
-         import :: c_double, c_int, c_ptr
-         type(c_ptr), value :: communicator
-         integer(c_int), value :: rows, columns
-         integer(c_int), intent(in) :: row_start(*), column(*)
-         real(c_double), intent(in) :: values(*)
-         type(c_ptr), intent(out) :: matrix
-      end function matrix_function
-      !> A vector over an array
-      integer(c_int) function vector_function(communicator, block_size, n, values, vector) bind(c)
-         import :: c_double, c_int, c_ptr
-         type(c_ptr), value :: communicator
-         integer(c_int), value :: block_size, n
-         real(c_double), intent(in) :: values(*)
-         type(c_ptr), intent(out) :: vector
-      end function vector_function
-      !> Controls of MUMPS that are whole
-      integer(c_int) function icntl_function(factors, place, value) bind(c)
-         import :: c_int, c_ptr
-         type(c_ptr), value :: factors
-         integer(c_int), value :: place, value
-      end function icntl_function
-      !> ... that are real
-      integer(c_int) function cntl_function(factors, place, value) bind(c)
-         import :: c_double, c_int, c_ptr
-         type(c_ptr), value :: factors
-         integer(c_int), value :: place
-         real(c_double), value :: value
-      end function cntl_function
-      !> What MUMPS says
-      integer(c_int) function infog_function(factors, place, value) bind(c)
-         import :: c_int, c_ptr
-         type(c_ptr), value :: factors
-         integer(c_int), value :: place
-         integer(c_int), intent(out) :: value
-      end function infog_function
-      !> Tolerances of a Krylov solver
-      integer(c_int) function tolerances_function(solver, relative, absolute, divergence, most) &
-            bind(c)
-         import :: c_double, c_int, c_ptr
-         type(c_ptr), value :: solver
-         real(c_double), value :: relative, absolute, divergence
-         integer(c_int), value :: most
-      end function tolerances_function
-      !> Who says that it has converged
-      integer(c_int) function test_function(solver, test, context, destroy) bind(c)
-         import :: c_funptr, c_int, c_ptr
-         type(c_ptr), value :: solver, context
-         type(c_funptr), value :: test, destroy
-      end function test_function
-   end interface
 
    !> Functions of PETSc.
    type :: petsc_library
-      !> All ranks: MPI's handle
+      !> All ranks, and MPI's handle of them
+      type(rank_team) :: ranks
       type(c_ptr) :: world = c_null_ptr
       procedure(plain), pointer, nopass :: initialize => null(), finalize => null(), &
          pop_signal_handler => null()
       procedure(version_function), pointer, nopass :: get_version => null()
       procedure(handler_function), pointer, nopass :: push_error_handler => null()
       procedure(matrix_function), pointer, nopass :: mat_create => null()
-      procedure(with_number), pointer, nopass :: mat_assembly_begin => null(), &
-         mat_assembly_end => null(), ksp_set_pc_side => null(), ksp_gmres_set_restart => null(), &
-         pc_set_reuse => null(), pc_set_error_if_failure => null()
+      procedure(sizes_function), pointer, nopass :: mat_set_sizes => null()
+      procedure(places_function), pointer, nopass :: mat_set_places => null()
+      procedure(values_function), pointer, nopass :: mat_set_values => null()
+      procedure(vectors_function), pointer, nopass :: mat_create_vectors => null()
+      procedure(place_function), pointer, nopass :: vec_place_array => null()
+      procedure(with_number), pointer, nopass :: ksp_set_pc_side => null(), &
+         ksp_gmres_set_restart => null(), pc_set_reuse => null(), &
+         pc_set_error_if_failure => null()
       procedure(destroys), pointer, nopass :: mat_destroy => null(), vec_destroy => null(), &
          ksp_destroy => null()
-      procedure(vector_function), pointer, nopass :: vec_create => null()
       procedure(finds), pointer, nopass :: ksp_create => null(), ksp_get_pc => null(), &
          pc_factor_get_matrix => null()
-      procedure(with_name), pointer, nopass :: ksp_set_type => null(), pc_set_type => null(), &
-         pc_factor_set_solver => null()
+      procedure(with_name), pointer, nopass :: mat_set_type => null(), ksp_set_type => null(), &
+         pc_set_type => null(), pc_factor_set_solver => null()
       procedure(of_one), pointer, nopass :: pc_factor_set_up_solver => null(), pc_set_up => null()
       procedure(of_three), pointer, nopass :: ksp_set_operators => null(), ksp_solve => null(), &
          pc_apply => null()
@@ -207,6 +109,7 @@ contains
       end if
       call c_f_pointer(world, started)
       petsc%world = started
+      call meet_ranks(petsc%ranks, petsc%world, code)
       if (version(1) /= major .or. version(2) < first_minor .or. version(2) > last_minor) then
          call fatal_error(error, 'PETSc '//to_text(version(1))//'.'//to_text(version(2))// &
             ' is not a version that the solid joint knows: 3.18 to 3.20', computation_error)
@@ -264,16 +167,20 @@ contains
       is_whole = .true.
       handler = address('PetscReturnErrorHandler')
       world = address('PETSC_COMM_WORLD')
+      call find_ranks(petsc%ranks, library, is_whole)
       call c_f_procpointer(of('PetscInitializeNoArguments'), petsc%initialize)
       call c_f_procpointer(of('PetscFinalize'), petsc%finalize)
       call c_f_procpointer(of('PetscPopSignalHandler'), petsc%pop_signal_handler)
       call c_f_procpointer(of('PetscPushErrorHandler'), petsc%push_error_handler)
       call c_f_procpointer(of('PetscGetVersionNumber'), petsc%get_version)
-      call c_f_procpointer(of('MatCreateSeqAIJWithArrays'), petsc%mat_create)
-      call c_f_procpointer(of('MatAssemblyBegin'), petsc%mat_assembly_begin)
-      call c_f_procpointer(of('MatAssemblyEnd'), petsc%mat_assembly_end)
+      call c_f_procpointer(of('MatCreate'), petsc%mat_create)
+      call c_f_procpointer(of('MatSetSizes'), petsc%mat_set_sizes)
+      call c_f_procpointer(of('MatSetType'), petsc%mat_set_type)
+      call c_f_procpointer(of('MatSetPreallocationCOO'), petsc%mat_set_places)
+      call c_f_procpointer(of('MatSetValuesCOO'), petsc%mat_set_values)
+      call c_f_procpointer(of('MatCreateVecs'), petsc%mat_create_vectors)
       call c_f_procpointer(of('MatDestroy'), petsc%mat_destroy)
-      call c_f_procpointer(of('VecCreateSeqWithArray'), petsc%vec_create)
+      call c_f_procpointer(of('VecPlaceArray'), petsc%vec_place_array)
       call c_f_procpointer(of('VecDestroy'), petsc%vec_destroy)
       call c_f_procpointer(of('KSPCreate'), petsc%ksp_create)
       call c_f_procpointer(of('KSPDestroy'), petsc%ksp_destroy)

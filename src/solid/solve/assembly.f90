@@ -1,42 +1,17 @@
-!> Residual and tangent of the whole joint: elements, contact, springs, column load.
+!> Residual and tangent of the whole joint: elements, contact, springs, column load. Each rank adds
+!> up its elements and slave faces; forces are then summed over the ranks, and are whole on all.
 module asperity_solid_solve_assembly
    use asperity_base_error, only: error_type
    use asperity_base_kinds, only: wp
-   use asperity_solid_contact_pair, only: foresee_pattern
    use asperity_solid_contact_response, only: face_response
    use asperity_solid_element_brick, only: brick_response
-   use asperity_solid_engine_linear_solver, only: linear_solver
    use asperity_solid_model_equations, only: moved
    use asperity_solid_model_model, only: solid_model
-   use asperity_solid_solve_pattern, only: block_list, block_places, find_pattern
+   use asperity_solid_solve_equations, only: equation_system, has_grown, load_state, renew_pattern
+   use asperity_solid_solve_times, only: seconds_now
    implicit none
    private
-   public :: equation_system, load_state, assemble
-
-   !> What acts on the joint.
-   type :: load_state
-      !> Share of the column's load, and of the swelling
-      real(wp) :: column = 0.0_wp, swelling = 0.0_wp
-   end type load_state
-
-   !> Equations of one state.
-   type :: equation_system
-      !> Matrix and its solver
-      type(linear_solver) :: solver
-      !> Where the matrices of elements go, then those of slave faces, pair by pair
-      type(block_places), allocatable :: places(:)
-      !> Internal less external forces, N
-      real(wp), allocatable :: residual(:)
-      !> Derivative of the residual by the motion of the load, N/mm
-      real(wp), allocatable :: by_motion(:)
-      !> Force of the half joint at the load, N, and size of the forces by which residuals are
-      !> measured, N
-      real(wp) :: load_force = 0.0_wp, scale = 0.0_wp
-      !> Points of elements that yield
-      integer :: n_yielding = 0
-      !> Whether elements have turned inside out: the state is none
-      logical :: is_inverted = .false.
-   end type equation_system
+   public :: assemble
 
 contains
 
@@ -58,7 +33,7 @@ contains
 
       do
          if (wants_tangent) then
-            if (any(model%pairs%has_grown) .or. .not. associated(system%solver%values)) &
+            if (has_grown(system, model) .or. .not. associated(system%solver%values)) &
                call renew_pattern(system, model, error)
             if (allocated(error)) return
             system%solver%values = 0.0_wp
@@ -66,44 +41,10 @@ contains
          end if
          call add_all(system, model, displacement, load, wants_tangent, error)
          if (allocated(error)) return
-         if (.not. (wants_tangent .and. any(model%pairs%has_grown)) .or. system%is_inverted) exit
+         if (system%is_inverted .or. .not. wants_tangent) exit
+         if (.not. has_grown(system, model)) exit
       end do
    end subroutine assemble
-
-   !> A pattern for the present contact. Values and factors are gone.
-   subroutine renew_pattern(system, model, error)
-      !> The equations
-      type(equation_system), intent(inout) :: system
-      !> The joint
-      type(solid_model), intent(inout) :: model
-      !> Set when the engine fails
-      type(error_type), allocatable, intent(out) :: error
-      type(block_list), allocatable :: blocks(:)
-      integer, allocatable :: row_start(:), columns(:)
-      integer :: i, j, n
-
-      n = size(model%mesh%elements, 2)
-      do i = 1, size(model%pairs)
-         call foresee_pattern(model%pairs(i))
-         n = n + size(model%pairs(i)%faces)
-      end do
-      allocate (blocks(n))
-      n = size(model%mesh%elements, 2)
-      do i = 1, n
-         blocks(i)%numbers = reshape(model%numbers(:, model%mesh%elements(:, i)), [24])
-      end do
-      do i = 1, size(model%pairs)
-         do j = 1, size(model%pairs(i)%faces)
-            n = n + 1
-            associate (nodes => model%pairs(i)%faces(j)%nodes)
-               blocks(n)%numbers = reshape(model%numbers(:, nodes), [3*size(nodes)])
-            end associate
-         end do
-      end do
-      model%pairs%has_grown = .false.
-      call find_pattern(model%n_unknowns, blocks, row_start, columns, system%places)
-      call system%solver%set_pattern(row_start, columns, error)
-   end subroutine renew_pattern
 
    !> All that acts.
    subroutine add_all(system, model, displacement, load, wants_tangent, error)
@@ -113,17 +54,24 @@ contains
       type(load_state), intent(in) :: load
       logical, intent(in) :: wants_tangent
       type(error_type), allocatable, intent(out) :: error
-      real(wp) :: positions(3, size(displacement, 2)), forces(3, size(displacement, 2))
+      real(wp) :: positions(3, size(displacement, 2)), forces(3, size(displacement, 2)), &
+         sums(3, size(displacement, 2)), stiffness(2)
       integer :: i, j
 
       positions = model%mesh%nodes + displacement
       forces = 0.0_wp
       call add_contact(system, model, positions, forces, wants_tangent, error)
+      call system%solver%petsc%ranks%agree(error)
       if (allocated(error)) return
-      system%scale = norm2(forces)
+      sums = forces
+      call sum_over_ranks(system, sums)
+      system%scale = norm2(sums)
       call add_elements(system, model, positions, load%swelling, forces, wants_tangent)
-      call add_spring(1, model%mesh%axial_node, model%axial_stiffness)
-      call add_spring(3, model%mesh%hold_node, model%holding_stiffness)
+      call sum_over_ranks(system, forces, wants_tangent)
+      if (system%is_inverted) return
+      stiffness = [model%axial_stiffness, model%holding_stiffness]
+      call add_spring(1, 1, model%mesh%axial_node)
+      call add_spring(2, 3, model%mesh%hold_node)
       system%residual = 0.0_wp
       system%load_force = 0.0_wp
       do j = 1, size(forces, 2)
@@ -144,22 +92,40 @@ contains
    contains
 
       !> A spring to ground.
-      subroutine add_spring(direction, node, stiffness)
-         integer, intent(in) :: direction, node
-         real(wp), intent(in) :: stiffness
-         integer :: k, number
+      subroutine add_spring(number, direction, node)
+         integer, intent(in) :: number, direction, node
 
-         forces(direction, node) = forces(direction, node) + stiffness*displacement(direction, node)
-         number = model%numbers(direction, node)
-         if (number < 1 .or. .not. wants_tangent) return
-         associate (solver => system%solver)
-            do k = solver%row_start(number) + 1, solver%row_start(number + 1)
-               if (solver%columns(k) == number - 1) solver%values(k) = solver%values(k) + stiffness
-            end do
+         forces(direction, node) = forces(direction, node) &
+            + stiffness(number)*displacement(direction, node)
+         if (.not. wants_tangent .or. system%solver%petsc%ranks%rank > 0) return
+         associate (at => system%places(size(system%places))%at(number, number))
+            if (at > 0) system%solver%values(at) = system%solver%values(at) + stiffness(number)
          end associate
       end subroutine add_spring
 
    end subroutine add_all
+
+   !> Forces of all ranks, and, at the end of an assembly, all else that they have found.
+   subroutine sum_over_ranks(system, forces, wants_tangent)
+      type(equation_system), intent(inout) :: system
+      real(wp), intent(inout) :: forces(:, :)
+      logical, intent(in), optional :: wants_tangent
+      real(wp) :: began, counts(2)
+
+      if (system%solver%petsc%ranks%size == 1) return
+      began = seconds_now()
+      associate (ranks => system%solver%petsc%ranks)
+         call ranks%sum(forces)
+         if (present(wants_tangent)) then
+            if (wants_tangent) call ranks%sum(system%by_motion)
+            counts = [real(system%n_yielding, wp), merge(1.0_wp, 0.0_wp, system%is_inverted)]
+            call ranks%sum(counts)
+            system%n_yielding = nint(counts(1))
+            system%is_inverted = counts(2) > 0.5_wp
+         end if
+      end associate
+      system%times%exchange = system%times%exchange + seconds_now() - began
+   end subroutine sum_over_ranks
 
    !> Elements.
    subroutine add_elements(system, model, positions, swelling, forces, wants_tangent)
@@ -168,22 +134,24 @@ contains
       real(wp), intent(in) :: positions(:, :), swelling
       real(wp), intent(inout) :: forces(:, :)
       logical, intent(in) :: wants_tangent
-      real(wp) :: at_nodes(3, 8), tangent(24, 24), eigenstrain(6, 2)
-      integer :: i, n_yielding
+      real(wp) :: at_nodes(3, 8), tangent(24, 24), eigenstrain(6, 2), began
+      integer :: i, k, n_yielding
       logical :: is_inverted
 
+      began = seconds_now()
       eigenstrain = 0.0_wp
       eigenstrain(2, 2) = swelling*model%swelling
       system%n_yielding = 0
       system%is_inverted = .false.
-      do i = 1, size(model%mesh%elements, 2)
+      do k = 1, size(model%own_elements)
+         i = model%own_elements(k)
          associate (nodes => model%mesh%elements(:, i), part => model%mesh%part(i), &
                shape => model%shapes(model%shape_of(i)))
             if (wants_tangent) then
                call brick_response(shape, model%wood(part), positions(:, nodes), &
                   eigenstrain(:, part), model%points(:, i), model%trial_points(:, i), at_nodes, &
                   n_yielding, tangent, is_inverted)
-               call add_block(system, model, nodes, system%places(i)%at, tangent)
+               call add_block(system, model, nodes, system%places(k)%at, tangent)
             else
                call brick_response(shape, model%wood(part), positions(:, nodes), &
                   eigenstrain(:, part), model%points(:, i), model%trial_points(:, i), at_nodes, &
@@ -191,12 +159,13 @@ contains
             end if
             if (is_inverted) then
                system%is_inverted = .true.
-               return
+               exit
             end if
             forces(:, nodes) = forces(:, nodes) + at_nodes
             system%n_yielding = system%n_yielding + n_yielding
          end associate
       end do
+      system%times%elements = system%times%elements + seconds_now() - began
    end subroutine add_elements
 
    !> Slave faces.
@@ -208,25 +177,30 @@ contains
       logical, intent(in) :: wants_tangent
       type(error_type), allocatable, intent(out) :: error
       real(wp), allocatable :: at_nodes(:, :), tangent(:, :)
+      real(wp) :: began
       integer :: i, j, n
 
-      n = size(model%mesh%elements, 2)
+      began = seconds_now()
+      n = size(model%own_elements)
       do i = 1, size(model%pairs)
-         do j = 1, size(model%pairs(i)%faces)
+         do j = 1, size(model%pairs(i)%own)
             n = n + 1
-            if (wants_tangent) then
-               call face_response(model%pairs(i), j, positions, at_nodes, error, tangent)
-            else
-               call face_response(model%pairs(i), j, positions, at_nodes, error)
-            end if
-            if (allocated(error)) return
-            associate (nodes => model%pairs(i)%faces(j)%nodes)
-               forces(:, nodes) = forces(:, nodes) + at_nodes
-               if (.not. wants_tangent .or. model%pairs(i)%has_grown) cycle
-               call add_block(system, model, nodes, system%places(n)%at, tangent)
+            associate (pair => model%pairs(i), face => model%pairs(i)%own(j))
+               if (wants_tangent) then
+                  call face_response(pair, face, positions, at_nodes, error, tangent)
+               else
+                  call face_response(pair, face, positions, at_nodes, error)
+               end if
+               if (allocated(error)) return
+               associate (nodes => pair%faces(face)%nodes)
+                  forces(:, nodes) = forces(:, nodes) + at_nodes
+                  if (.not. wants_tangent .or. pair%has_grown) cycle
+                  call add_block(system, model, nodes, system%places(n)%at, tangent)
+               end associate
             end associate
          end do
       end do
+      system%times%contact = system%times%contact + seconds_now() - began
    end subroutine add_contact
 
    !> A small matrix into the large one; columns of what is moved, into their sum.

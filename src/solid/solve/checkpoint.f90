@@ -5,6 +5,7 @@ module asperity_solid_solve_checkpoint
    use asperity_base_kinds, only: wp
    use asperity_solid_contact_history, only: history_size, pack_facets, pack_history, &
       unpack_facets, unpack_history
+   use asperity_solid_solve_gather, only: leave_to_first
    use asperity_solid_solve_programme, only: solid_run
    implicit none
    private
@@ -70,6 +71,7 @@ contains
          call unpack_facets(run%model%pairs(i), facets)
          deallocate (history, facets)
       end do
+      call leave_to_first(run%model, run%system%solver%petsc%ranks)
    end subroutine read_run
 
 end module asperity_solid_solve_checkpoint

@@ -2,6 +2,7 @@
 module asperity_solid_solve_energy
    use asperity_base_kinds, only: wp
    use asperity_solid_contact_energy, only: contact_energy
+   use asperity_solid_engine_ranks, only: rank_team
    use asperity_solid_material_material, only: elastic_energy_density, material_point
    use asperity_solid_model_model, only: solid_model
    implicit none
@@ -31,8 +32,8 @@ module asperity_solid_solve_energy
 contains
 
    !> Add an increment, or begin where there was none. `start` are the points of the elements before
-   !> it.
-   subroutine add_increment(ledger, model, start, displacement, load_force)
+   !> it. All ranks get the sums over all.
+   subroutine add_increment(ledger, model, start, displacement, load_force, ranks)
       !> The ledger
       type(energy_ledger), intent(inout) :: ledger
       !> The joint at the end of the increment
@@ -43,9 +44,11 @@ contains
       real(wp), intent(in) :: displacement(:, :)
       !> Force at the load, N
       real(wp), intent(in) :: load_force
+      !> The ranks, each with its elements and faces
+      type(rank_team), intent(in) :: ranks
       type(contact_energy) :: contact
-      real(wp) :: stored, load_place, head_place
-      integer :: i, j
+      real(wp) :: stored, plastic, load_place, head_place, sums(6)
+      integer :: i, j, k
 
       contact = contact_energy()
       do i = 1, size(model%pairs)
@@ -58,28 +61,33 @@ contains
             contact%plastic = contact%plastic + of_pair%plastic
          end associate
       end do
-      stored = contact%normal + contact%tangential &
-         + 0.5_wp*model%axial_stiffness*displacement(1, model%mesh%axial_node)**2 &
-         + 0.5_wp*model%holding_stiffness*displacement(3, model%mesh%hold_node)**2
+      stored = contact%normal + contact%tangential
+      plastic = 0.0_wp
       load_place = displacement(3, model%mesh%load(1))
       head_place = displacement(3, model%mesh%head(1))
-      do j = 1, size(model%points, 2)
+      do k = 1, size(model%own_elements)
+         j = model%own_elements(k)
          associate (shape => model%shapes(model%shape_of(j)), &
                wood => model%wood(model%mesh%part(j)))
             do i = 1, 8
                associate (now => model%points(i, j), then => start(i, j))
                   stored = stored + shape%weights(i)*elastic_energy_density(wood, now%stress)
-                  if (ledger%has_begun) ledger%plastic = ledger%plastic + 0.5_wp*shape%weights(i) &
+                  if (ledger%has_begun) plastic = plastic + 0.5_wp*shape%weights(i) &
                      *dot_product(now%stress + then%stress, &
                      now%plastic_strain - then%plastic_strain)
                end associate
             end do
          end associate
       end do
+      sums = [stored, plastic, contact%dissipation, contact%coupling, contact%edge, &
+         contact%plastic]
+      call ranks%sum(sums)
+      stored = sums(1) + 0.5_wp*model%axial_stiffness*displacement(1, model%mesh%axial_node)**2 &
+         + 0.5_wp*model%holding_stiffness*displacement(3, model%mesh%hold_node)**2
+      ledger%plastic = ledger%plastic + sums(2)
       if (.not. ledger%has_begun) then
          ledger%stored_at_first = stored
-         ledger%contact_at_first = [contact%dissipation, contact%coupling, contact%edge, &
-            contact%plastic]
+         ledger%contact_at_first = sums(3:)
          ledger%has_begun = .true.
       else
          ledger%work = ledger%work &
@@ -87,10 +95,10 @@ contains
             - model%column_load*(head_place - ledger%head_place)
       end if
       ledger%stored = stored - ledger%stored_at_first
-      ledger%friction = contact%dissipation - ledger%contact_at_first(1)
-      ledger%coupling = contact%coupling - ledger%contact_at_first(2)
-      ledger%edge = contact%edge - ledger%contact_at_first(3)
-      ledger%face_plastic = contact%plastic - ledger%contact_at_first(4)
+      ledger%friction = sums(3) - ledger%contact_at_first(1)
+      ledger%coupling = sums(4) - ledger%contact_at_first(2)
+      ledger%edge = sums(5) - ledger%contact_at_first(3)
+      ledger%face_plastic = sums(6) - ledger%contact_at_first(4)
       ledger%balance = ledger%work - ledger%stored - ledger%plastic - ledger%face_plastic &
          - ledger%friction + ledger%coupling - ledger%edge
       ledger%load_force = load_force

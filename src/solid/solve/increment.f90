@@ -7,7 +7,9 @@ module asperity_solid_solve_increment
    use asperity_solid_contact_pair, only: accept, begin_increment
    use asperity_solid_model_equations, only: moved
    use asperity_solid_model_model, only: solid_model
-   use asperity_solid_solve_assembly, only: assemble, equation_system, load_state
+   use asperity_solid_solve_assembly, only: assemble
+   use asperity_solid_solve_equations, only: equation_system, load_state
+   use asperity_solid_solve_times, only: seconds_now
    implicit none
    private
    public :: increment_type, solve_increment
@@ -63,8 +65,10 @@ contains
       start = displacement
       do i = 1, size(model%pairs)
          call begin_increment(model%pairs(i), model%mesh%nodes + displacement, error)
-         if (allocated(error)) return
+         if (allocated(error)) exit
       end do
+      call system%solver%petsc%ranks%agree(error)
+      if (allocated(error)) return
       increment%iterations = 0
       increment%is_solved = .false.
       if (allocated(increment%reason)) deallocate (increment%reason)
@@ -144,22 +148,29 @@ contains
       !> The linear equations.
       subroutine solve_linear(solution)
          real(wp), intent(out) :: solution(:)
+         real(wp) :: began
          logical :: has_converged
 
          has_converged = .false.
          if (system%solver%has_factors) then
+            began = seconds_now()
             call system%solver%iterate(right_side, solution, &
                merge(tight, model%settings%forcing, increment%is_soft), has_converged, error)
+            system%times%solutions = system%times%solutions + seconds_now() - began
             if (allocated(error)) return
          end if
          if (has_converged) return
+         began = seconds_now()
          call system%solver%factorise(error)
+         system%times%factors = system%times%factors + seconds_now() - began
          if (allocated(error)) then
             ! a shorter increment may have a better matrix
             increment%reason = error%message
             deallocate (error)
          else
+            began = seconds_now()
             call system%solver%solve(right_side, solution, error)
+            system%times%solutions = system%times%solutions + seconds_now() - began
          end if
       end subroutine solve_linear
 

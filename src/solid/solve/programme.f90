@@ -8,10 +8,12 @@ module asperity_solid_solve_programme
    use asperity_solid_engine_petsc, only: petsc_library
    use asperity_solid_material_material, only: material_point
    use asperity_solid_model_model, only: solid_model
+   use asperity_solid_model_share, only: share_work
    use asperity_solid_model_settings, only: easy_iterations, few_iterations, fit_increments, &
       growth, large_amplitude, shortest_increment, shrinkage
-   use asperity_solid_solve_assembly, only: equation_system, load_state
+   use asperity_solid_solve_equations, only: equation_system, load_state
    use asperity_solid_solve_energy, only: add_increment, energy_ledger
+   use asperity_solid_solve_gather, only: gather_met_facets, gather_model
    use asperity_solid_solve_increment, only: increment_type, solve_increment
    use asperity_solid_solve_record, only: increment_record, new_record
    implicit none
@@ -37,9 +39,12 @@ module asperity_solid_solve_programme
       integer :: increments = 0, iterations = 0, cutbacks = 0
    end type solid_run
 
-   !> Who watches a run: progress, files.
+   !> Who watches a run: progress, files. Of several ranks the first sees points and contact of all
+   !> after a stroke, and after an increment that it wants whole; the others see their own.
    type, abstract :: solid_observer
    contains
+      !> Whether the first rank is to see all of an increment, which no one wants unless it says so
+      procedure :: wants_whole
       !> After an increment
       procedure(after), deferred :: after_increment
       !> After a stroke, and after the beam was fitted
@@ -62,17 +67,21 @@ module asperity_solid_solve_programme
 
 contains
 
-   !> A run at its beginning.
-   subroutine new_solid_run(run, model, petsc)
+   !> A run at its beginning, its work shared by the ranks. `error` is set when it cannot be.
+   subroutine new_solid_run(run, model, petsc, error)
       !> Result
       type(solid_run), intent(out) :: run
       !> The joint
       type(solid_model), intent(in) :: model
       !> PETSc, loaded
       type(petsc_library), intent(in) :: petsc
+      !> Set when there are more ranks than elements, or METIS is missing
+      type(error_type), allocatable, intent(out) :: error
 
       run%model = model
       run%system%solver%petsc = petsc
+      call share_work(run%model, petsc%ranks, error)
+      if (allocated(error)) return
       allocate (run%displacement(3, size(model%mesh%nodes, 2)), source=0.0_wp)
       run%before = run%displacement
       allocate (run%records(0))
@@ -98,11 +107,52 @@ contains
          end if
          if (allocated(error)) exit
          run%strokes_done = run%strokes_done + 1
-         call observer%after_stroke(run, error)
+         call after_stroke(run, observer, error)
          if (allocated(error)) exit
       end do
       call run%system%solver%release()
    end subroutine run_programme
+
+   !> Whether an increment is wanted whole: all ranks must say the same.
+   logical function wants_whole(self, run)
+      !> The observer
+      class(solid_observer), intent(in) :: self
+      !> The run
+      type(solid_run), intent(in) :: run
+
+      wants_whole = .false.
+      associate (unused => self, unused_too => run)
+      end associate
+   end function wants_whole
+
+   !> Show the observers of all ranks an increment, and the first all of it where it asks for that.
+   subroutine after_increment(run, observer, error)
+      type(solid_run), intent(inout) :: run
+      class(solid_observer), intent(inout) :: observer
+      type(error_type), allocatable, intent(out) :: error
+
+      if (observer%wants_whole(run)) call gather(run)
+      call observer%after_increment(run, error)
+      call run%system%solver%petsc%ranks%agree(error)
+   end subroutine after_increment
+
+   !> ... and a stroke, which the first sees whole.
+   subroutine after_stroke(run, observer, error)
+      type(solid_run), intent(inout) :: run
+      class(solid_observer), intent(inout) :: observer
+      type(error_type), allocatable, intent(out) :: error
+
+      call gather(run)
+      call gather_met_facets(run%model, run%system%solver%petsc%ranks)
+      call observer%after_stroke(run, error)
+      call run%system%solver%petsc%ranks%agree(error)
+   end subroutine after_stroke
+
+   subroutine gather(run)
+      type(solid_run), intent(inout) :: run
+
+      call gather_model(run%model, run%system%solver%petsc%ranks)
+   end subroutine gather
 
    !> No pattern, no factors, no facets but those that are met.
    subroutine begin_anew(run)
@@ -137,12 +187,12 @@ contains
          end if
          call keep(run, increment)
          if (i == 0 .and. run%model%swelling > 0.0_wp) cycle
-         call observer%after_increment(run, error)
+         call after_increment(run, observer, error)
          if (allocated(error)) return
       end do
       run%ledger = energy_ledger()
       call add_increment(run%ledger, run%model, run%model%points, run%displacement, &
-         run%system%load_force)
+         run%system%load_force, run%system%solver%petsc%ranks)
    end subroutine seat
 
    !> One stroke.
@@ -176,7 +226,7 @@ contains
                last_motion = increment%motion
                is_fresh = .false.
                call keep(run, increment)
-               call observer%after_increment(run, error)
+               call after_increment(run, observer, error)
                if (allocated(error)) return
                if (increment%iterations > settings%most_iterations - few_iterations) then
                   length = shrinkage*length
@@ -212,7 +262,8 @@ contains
       call solve_increment(increment, run%model, run%system, run%displacement, run%before, &
          last_motion, error)
       if (.not. allocated(error) .and. increment%is_solved .and. run%strokes_done >= 0) &
-         call add_increment(run%ledger, run%model, points, run%displacement, run%system%load_force)
+         call add_increment(run%ledger, run%model, points, run%displacement, &
+         run%system%load_force, run%system%solver%petsc%ranks)
       run%iterations = run%iterations + increment%iterations
    end subroutine try
 
@@ -220,11 +271,13 @@ contains
    subroutine keep(run, increment)
       type(solid_run), intent(inout) :: run
       type(increment_type), intent(in) :: increment
+      type(increment_record) :: record
 
       run%increments = run%increments + 1
       if (run%strokes_done < 0) return
-      run%records = [run%records, new_record(run%model, run%displacement, run%ledger, &
-         run%system%n_yielding, run%strokes_done + 1, increment%iterations)]
+      call new_record(record, run%model, run%displacement, run%ledger, run%system%n_yielding, &
+         run%strokes_done + 1, increment%iterations, run%system%solver%petsc%ranks)
+      run%records = [run%records, record]
    end subroutine keep
 
 end module asperity_solid_solve_programme

@@ -3,6 +3,7 @@ module asperity_solid_solve_record
    use asperity_base_kinds, only: wp
    use asperity_contact_state, only: status_slip, status_stick
    use asperity_law_validity, only: valid
+   use asperity_solid_engine_ranks, only: rank_team
    use asperity_solid_model_model, only: solid_model
    use asperity_solid_solve_energy, only: energy_ledger
    implicit none
@@ -35,9 +36,11 @@ module asperity_solid_solve_record
 
 contains
 
-   !> The record of the present state.
-   pure function new_record(model, displacement, ledger, n_yielding, stroke, iterations) &
-         result(record)
+   !> The record of the present state, of all ranks.
+   subroutine new_record(record, model, displacement, ledger, n_yielding, stroke, iterations, &
+         ranks)
+      !> Result
+      type(increment_record), intent(out) :: record
       !> The joint, and its displacements, mm
       type(solid_model), intent(in) :: model
       real(wp), intent(in) :: displacement(:, :)
@@ -45,9 +48,10 @@ contains
       type(energy_ledger), intent(in) :: ledger
       !> How many points yield; stroke and iterations
       integer, intent(in) :: n_yielding, stroke, iterations
-      type(increment_record) :: record
+      !> The ranks, each with its elements and faces
+      type(rank_team), intent(in) :: ranks
       real(wp), parameter :: halves = 2.0_wp, joule = 1.0e3_wp
-      integer :: i, j, k
+      integer :: i, j, k, n
 
       record%stroke = stroke
       record%iterations = iterations
@@ -63,10 +67,11 @@ contains
       record%edge = halves*ledger%edge/joule
       record%balance = halves*ledger%balance/joule
       record%yielding = real(n_yielding, wp)/size(model%points)
-      record%plastic_strain = maxval(model%points%equivalent_strain)
+      record%plastic_strain = maxval(model%points(:, model%own_elements)%equivalent_strain)
       do i = 1, size(model%pairs)
          record%friction_energy(i) = halves*model%pairs(i)%energy%dissipation/joule
-         do j = 1, size(model%pairs(i)%faces)
+         do n = 1, size(model%pairs(i)%own)
+            j = model%pairs(i)%own(n)
             do k = 1, size(model%pairs(i)%faces(j)%cells)
                associate (cell => model%pairs(i)%faces(j)%cells(k))
                   if (.not. cell%coverage > 0.0_wp) cycle
@@ -84,7 +89,39 @@ contains
             end do
          end do
       end do
-   end function new_record
+      call combine(record, ranks)
+   end subroutine new_record
+
+   !> Sums over the ranks of what is a sum over faces, the largest of what is a largest, and flags
+   !> of all.
+   subroutine combine(record, ranks)
+      type(increment_record), intent(inout) :: record
+      type(rank_team), intent(in) :: ranks
+      real(wp) :: sums(most_pairs, 4), largest(most_pairs + 1), flags(bit_size(record%validity))
+      integer :: i
+
+      sums(:, 1) = record%normal_force
+      sums(:, 2) = record%stick_area
+      sums(:, 3) = record%slip_area
+      sums(:, 4) = record%friction_energy
+      largest(:most_pairs) = record%largest_pressure
+      largest(most_pairs + 1) = record%plastic_strain
+      do i = 1, size(flags)
+         flags(i) = merge(1.0_wp, 0.0_wp, btest(record%validity, i - 1))
+      end do
+      call ranks%sum(sums)
+      call ranks%maximum(largest)
+      call ranks%maximum(flags)
+      record%normal_force = sums(:, 1)
+      record%stick_area = sums(:, 2)
+      record%slip_area = sums(:, 3)
+      record%friction_energy = sums(:, 4)
+      record%largest_pressure = largest(:most_pairs)
+      record%plastic_strain = largest(most_pairs + 1)
+      do i = 1, size(flags)
+         if (flags(i) > 0.5_wp) record%validity = ibset(record%validity, i - 1)
+      end do
+   end subroutine combine
 
    !> Rotation of the beam's section at the column face, positive where the load point rises, by
    !> least squares, rad, and its mean displacement out of the mortise, mm.

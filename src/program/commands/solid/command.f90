@@ -219,9 +219,11 @@ contains
       if (.not. allocated(error)) call new_solid_model(model, deck, self%case%settings, error)
       if (allocated(error)) return
       if (remark == '') remark = trim(mesh_remark(deck))
-      call new_solid_run(run, model, petsc)
+      call new_solid_run(run, model, petsc, error)
+      if (allocated(error)) return
       deallocate (deck, model)
-      call new_observer(observer, 'solid: '//trim(legends(which)), checkpoint, self%vtk)
+      call new_observer(observer, 'solid: '//trim(legends(which)), checkpoint, self%vtk, &
+         petsc%ranks%rank == 0)
       call begin(self%resumes, checkpoint, run, observer, error)
       if (allocated(error)) return
       call run_programme(run, observer, error)
@@ -231,10 +233,10 @@ contains
             checkpoint%path//' with --resume'
          return
       end if
-      if (self%vtk /= '') call write_vtk_series(self%vtk, which, ends_of(run), error)
+      if (self%vtk /= '' .and. observer%is_first) call write_vtk_series(self%vtk, which, ends_of(run), error)
       if (allocated(error)) return
       call new_outcome(outcome, run, observer%snapshots, seconds_of(observer), error)
-      call tell_terminal(observer%name//': '//to_text(run%increments)//' increments, '// &
+      if (observer%is_first) call tell_terminal(observer%name//': '//to_text(run%increments)//' increments, '// &
          to_text(run%iterations)//' iterations, '//to_text(seconds_of(observer), 3)//' s')
    end subroutine run_model
 

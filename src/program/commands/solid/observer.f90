@@ -24,19 +24,21 @@ module asperity_program_commands_solid_observer
       type(checkpoint_file) :: checkpoint
       !> Folder of files for ParaView, empty for none
       character(len=:), allocatable :: vtk
+      !> Whether this is the rank that tells and writes
+      logical :: is_first = .true.
       !> What was looked at
       type(solid_snapshot), allocatable :: snapshots(:)
       !> Time spent before this process, s, and when it began
       real(wp) :: seconds_before = 0.0_wp
       integer(int64), private :: began = 0_int64
    contains
-      procedure :: after_increment, after_stroke
+      procedure :: wants_whole, after_increment, after_stroke
    end type run_observer
 
 contains
 
    !> Begin to watch.
-   subroutine new_observer(observer, name, checkpoint, vtk)
+   subroutine new_observer(observer, name, checkpoint, vtk, is_first)
       !> Result
       type(run_observer), intent(out) :: observer
       !> What is under way
@@ -45,8 +47,11 @@ contains
       type(checkpoint_file), intent(in) :: checkpoint
       !> Folder of files for ParaView, empty for none
       character(len=*), intent(in) :: vtk
+      !> Whether this is the rank that tells and writes
+      logical, intent(in) :: is_first
 
       observer%name = name
+      observer%is_first = is_first
       observer%checkpoint = checkpoint
       observer%vtk = vtk
       allocate (observer%snapshots(0))
@@ -63,6 +68,14 @@ contains
       seconds_of = observer%seconds_before + real(now - observer%began, wp)/real(rate, wp)
    end function seconds_of
 
+   !> Whether pictures are made of an increment.
+   logical function wants_whole(self, run)
+      class(run_observer), intent(in) :: self
+      type(solid_run), intent(in) :: run
+
+      wants_whole = allocated(self%snapshots) .and. snapshot_kind(run) /= no_snapshot
+   end function wants_whole
+
    !> Show how far the run is, and keep what the pictures show.
    subroutine after_increment(self, run, error)
       class(run_observer), intent(inout) :: self
@@ -78,7 +91,7 @@ contains
       if (run%strokes_done >= 0) text = ', stroke '//to_text(run%strokes_done + 1)//' of '// &
          to_text(size(run%model%turns) - 1)//', '//to_text(nint(100.0_wp*share))//' %, about '// &
          time_words(left)//' left'
-      call show_stage(self%name//text)
+      if (self%is_first) call show_stage(self%name//text)
       kind = snapshot_kind(run)
       if (kind /= no_snapshot) call keep(self%snapshots, run, kind)
    end subroutine after_increment
@@ -106,6 +119,7 @@ contains
       type(solid_run), intent(in) :: run
       type(error_type), allocatable, intent(out) :: error
 
+      if (.not. self%is_first) return
       if (self%vtk /= '' .and. run%strokes_done > 0) call write_vtk_step(self%vtk, run, error)
       if (.not. allocated(error)) &
          call self%checkpoint%save(run, self%snapshots, seconds_of(self), error)
