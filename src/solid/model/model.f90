@@ -46,6 +46,8 @@ module asperity_solid_model_model
       real(wp) :: column_load = 0.0_wp, axial_stiffness = 0.0_wp, holding_stiffness = 0.0_wp
       !> Force that is small against those of the joint, N: residuals below are none
       real(wp) :: small_force = 0.0_wp
+      !> Residual that rounding of the displacements leaves, N
+      real(wp) :: rounding = 0.0_wp
       !> Distance of the load from the column face, mm
       real(wp) :: arm = 0.0_wp
       !> Where the load point turns, mm, from 0
@@ -138,6 +140,13 @@ contains
       end associate
       allocate (model%shapes(n))
       model%shapes = shapes(:n)
+      do i = 1, size(model%shape_of)
+         associate (shape => model%shapes(model%shape_of(i)))
+            model%rounding = model%rounding + (epsilon(1.0_wp)*maxval(abs(shape%stiffness)) &
+               *maxval(abs(shape%corners)))**2
+         end associate
+      end do
+      model%rounding = sqrt(model%rounding)
    end subroutine find_shapes
 
    !> Faces of the mortise against those of the tenon.

@@ -34,8 +34,8 @@ module asperity_solid_model_settings
       integer :: stroke_increments = 10
    end type solid_settings
 
-   !> Least tolerance: below it is the round-off of a joint at rest
-   real(wp), parameter :: least_tolerance = 1.0e-8_wp
+   !> Least tolerance: below it is rounding
+   real(wp), parameter :: least_tolerance = 1.0e-12_wp
    !> Amplitude beyond which a stroke takes twice as many increments, mm
    real(wp), parameter, public :: large_amplitude = 16.5_wp
    !> Increments in which the beam swells between the sides

@@ -66,7 +66,7 @@ contains
       sums = forces
       call sum_over_ranks(system, sums)
       system%scale = norm2(sums)
-      call add_elements(system, model, positions, load%swelling, forces, wants_tangent)
+      call add_elements(system, model, displacement, load%swelling, forces, wants_tangent)
       call sum_over_ranks(system, forces, wants_tangent)
       if (system%is_inverted) return
       stiffness = [model%axial_stiffness, model%holding_stiffness]
@@ -128,13 +128,13 @@ contains
    end subroutine sum_over_ranks
 
    !> Elements.
-   subroutine add_elements(system, model, positions, swelling, forces, wants_tangent)
+   subroutine add_elements(system, model, displacement, swelling, forces, wants_tangent)
       type(equation_system), intent(inout) :: system
       type(solid_model), intent(inout) :: model
-      real(wp), intent(in) :: positions(:, :), swelling
+      real(wp), intent(in) :: displacement(:, :), swelling
       real(wp), intent(inout) :: forces(:, :)
       logical, intent(in) :: wants_tangent
-      real(wp) :: at_nodes(3, 8), tangent(24, 24), eigenstrain(6, 2), began
+      real(wp) :: corners(3, 8), at_nodes(3, 8), tangent(24, 24), eigenstrain(6, 2), began
       integer :: i, k, n_yielding
       logical :: is_inverted
 
@@ -147,13 +147,16 @@ contains
          i = model%own_elements(k)
          associate (nodes => model%mesh%elements(:, i), part => model%mesh%part(i), &
                shape => model%shapes(model%shape_of(i)))
+            ! from the first: places in the whole joint have fewer digits
+            corners = shape%corners + displacement(:, nodes) &
+               - spread(displacement(:, nodes(1)), 2, 8)
             if (wants_tangent) then
-               call brick_response(shape, model%wood(part), positions(:, nodes), &
+               call brick_response(shape, model%wood(part), corners, &
                   eigenstrain(:, part), model%points(:, i), model%trial_points(:, i), at_nodes, &
                   n_yielding, tangent, is_inverted)
                call add_block(system, model, nodes, system%places(k)%at, tangent)
             else
-               call brick_response(shape, model%wood(part), positions(:, nodes), &
+               call brick_response(shape, model%wood(part), corners, &
                   eigenstrain(:, part), model%points(:, i), model%trial_points(:, i), at_nodes, &
                   n_yielding, inverted=is_inverted)
             end if

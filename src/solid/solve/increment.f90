@@ -122,7 +122,8 @@ contains
                end if
             end if
             increment%residual = residual/system%scale
-            if (increment%iterations > 0 .and. increment%residual < settings%tolerance) then
+            if (increment%iterations > 0 .and. &
+               residual < max(settings%tolerance*system%scale, model%rounding)) then
                increment%is_solved = .true.
                return
             else if (.not. increment%residual < lost) then
