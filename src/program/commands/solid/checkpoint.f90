@@ -8,6 +8,7 @@ module asperity_program_commands_solid_checkpoint
    use asperity_program_commands_solid_snapshots_file, only: read_snapshots, write_snapshots
    use asperity_program_system_atomic_files, only: open_target, output_file
    use asperity_program_system_files, only: remove_file, rename_file
+   use asperity_program_system_process, only: held_interrupts, hold_interrupts, release_interrupts
    use asperity_solid_solve_checkpoint, only: read_run, write_run
    use asperity_solid_solve_programme, only: solid_run
    implicit none
@@ -59,12 +60,14 @@ contains
       real(wp), intent(in) :: seconds
       !> Set when it cannot be written
       type(error_type), allocatable, intent(out) :: error
+      type(held_interrupts) :: held
       character(len=:), allocatable :: reason
       character(len=256) :: message
       integer(int64) :: next, bytes
       integer :: unit, status, late_status
 
       message = 'the disk may be full'
+      call hold_interrupts(held)
       open (newunit=unit, file=self%path//part, access='stream', form='unformatted', &
          status='replace', action='write', iostat=status, iomsg=message)
       if (status == 0) then
@@ -80,6 +83,7 @@ contains
          if (status == 0) call rename_file(self%path//part, self%path, reason)
          if (status /= 0 .or. allocated(reason)) call remove_file(self%path//part)
       end if
+      call release_interrupts(held)
       if (status /= 0) reason = trim(message)
       if (allocated(reason)) call fatal_error(error, 'checkpoint '//self%path// &
          ' cannot be written: '//reason, file_error)
