@@ -233,23 +233,12 @@ contains
             checkpoint%path//' with --resume'
          return
       end if
-      if (self%vtk /= '' .and. observer%is_first) call write_vtk_series(self%vtk, which, ends_of(run), error)
+      if (self%vtk /= '' .and. observer%is_first) call write_vtk_series(self%vtk, run, error)
       if (allocated(error)) return
       call new_outcome(outcome, run, observer%snapshots, seconds_of(observer), error)
       if (observer%is_first) call tell_terminal(observer%name//': '//to_text(run%increments)//' increments, '// &
          to_text(run%iterations)//' iterations, '//to_text(seconds_of(observer), 3)//' s')
    end subroutine run_model
-
-   !> Last increment of every stroke.
-   pure function ends_of(run) result(ends)
-      type(solid_run), intent(in) :: run
-      integer, allocatable :: ends(:)
-      integer :: i
-
-      associate (stroke => run%records%stroke)
-         ends = pack([(i, i=1, size(stroke))], [stroke(2:) /= stroke(:size(stroke) - 1), .true.])
-      end associate
-   end function ends_of
 
    !> Go on from a checkpoint, if there is one and it is asked for, else from the start.
    subroutine begin(resumes, checkpoint, run, observer, error)

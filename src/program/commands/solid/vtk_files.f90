@@ -52,27 +52,39 @@ contains
       if (.not. allocated(error)) call write_files(files, error)
    end subroutine write_vtk_step
 
-   !> Write the series of all steps of one model. `error` is set when a file cannot be written.
-   subroutine write_vtk_series(folder, model, steps, error)
+   !> Write the series of all steps of a run that is done. `error` is set when a file cannot be
+   !> written.
+   subroutine write_vtk_series(folder, run, error)
       !> Where the steps are
       character(len=*), intent(in) :: folder
-      !> `hard` or `rough`
-      integer, intent(in) :: model
-      !> Increments whose steps were written, rising
-      integer, intent(in) :: steps(:)
+      !> The run
+      type(solid_run), intent(in) :: run
       !> Set on failure
       type(error_type), allocatable, intent(out) :: error
       type(output_file) :: files(size(kinds))
       integer :: i, j
 
-      do i = 1, size(kinds)
-         call open_target(files(i), option, folder//'/'//series_name(model, i), error)
-         if (.not. allocated(error)) call write_pvd(real(steps, wp), &
-            [(step_name(model, i, steps(j)), j=1, size(steps))], files(i)%text, error)
-         if (allocated(error)) return
-      end do
+      associate (model => model_of(run%model), steps => ends_of(run))
+         do i = 1, size(kinds)
+            call open_target(files(i), option, folder//'/'//series_name(model, i), error)
+            if (.not. allocated(error)) call write_pvd(real(steps, wp), &
+               [(step_name(model, i, steps(j)), j=1, size(steps))], files(i)%text, error)
+            if (allocated(error)) return
+         end do
+      end associate
       call write_files(files, error)
    end subroutine write_vtk_series
+
+   !> Last increment of every stroke.
+   pure function ends_of(run) result(ends)
+      type(solid_run), intent(in) :: run
+      integer, allocatable :: ends(:)
+      integer :: i
+
+      associate (stroke => run%records%stroke)
+         ends = pack([(i, i=1, size(stroke))], [stroke(2:) /= stroke(:size(stroke) - 1), .true.])
+      end associate
+   end function ends_of
 
    pure integer function model_of(model)
       type(solid_model), intent(in) :: model
