@@ -42,7 +42,8 @@ module asperity_program_command_line
    !> How names of case files end
    character(len=*), parameter :: case_ending = '.nml'
    !> Standard input as an argument, and as a file
-   character(len=*), parameter :: dash = '-', standard_input = '/dev/stdin'
+   character(len=*), parameter :: dash = '-'
+   character(len=*), parameter, public :: standard_input = '/dev/stdin'
    character(len=*), parameter :: help_words(*) = [character(len=6) :: 'help', '--help', '-h']
    character(len=*), parameter :: version_words(*) = [character(len=9) :: 'version', '--version', &
       '-V']

@@ -4,6 +4,7 @@ module asperity_program_commands_command
    use asperity_program_input_key, only: kind_file, kind_picture, kind_sweep
    use asperity_program_input_key_list, only: key_list
    use asperity_program_report_report, only: report_type
+   use asperity_program_system_launch, only: launch_type
    implicit none
    private
    public :: command_type
@@ -23,6 +24,10 @@ module asperity_program_commands_command
          'Properties of the faces, also keys of a case file', 'The test, also keys of a case file']
       !> Whether it takes a case file
       logical :: takes_case = .true.
+      !> Whether ranks of MPI share its work; else rank 0 does it
+      logical :: uses_ranks = .false.
+      !> The rank that runs it. Those above 0 say and write nothing
+      type(launch_type) :: launch
       !> The input is to be printed as a case file
       logical :: prints_case = .false.
       !> Paths of the outputs of all commands

@@ -6,7 +6,7 @@ module asperity_program_system_path
    use asperity_program_system_strings, only: starts_with
    implicit none
    private
-   public :: resolved_path, find_target, may_write
+   public :: resolved_path, find_target, link_text, may_write
 
    integer(c_int), parameter :: write_access = 2_c_int
    integer, parameter :: longest_path = 4096
@@ -60,6 +60,7 @@ contains
 
    !> What a link says, or nothing when a path is none.
    function link_text(path) result(text)
+      !> The path
       character(len=*), intent(in) :: path
       character(len=:), allocatable :: text
       character(len=longest_path) :: buffer

@@ -6,9 +6,9 @@ module asperity_program_system_posix
    implicit none
    private
    public :: c_access, c_close, c_creat, c_errno_location, c_fchmod, c_fchown, c_ferror, c_fileno, &
-      c_flock, c_fsync, c_ftruncate, c_fwrite, c_getpid, c_gmtime_r, c_ioctl, c_isatty, c_pclose, &
-      c_popen, c_readlink, c_realpath, c_rename, c_signal, c_statx, c_strerror, c_strftime, &
-      c_system, c_time, c_unlink, c_write, statx_type
+      c_flock, c_fsync, c_ftruncate, c_fwrite, c_getpid, c_getppid, c_gmtime_r, c_ioctl, c_isatty, &
+      c_pclose, c_popen, c_readlink, c_realpath, c_rename, c_signal, c_sleep, c_statx, c_strerror, &
+      c_strftime, c_system, c_time, c_unlink, c_write, statx_type
 
    !> Signals
    integer(c_int), parameter, public :: sigkill = 9_c_int, sigpipe = 13_c_int, sigchld = 17_c_int, &
@@ -121,6 +121,13 @@ module asperity_program_system_posix
       integer(c_int) function c_getpid() bind(c, name='getpid')
          import :: c_int
       end function c_getpid
+      integer(c_int) function c_getppid() bind(c, name='getppid')
+         import :: c_int
+      end function c_getppid
+      integer(c_int) function c_sleep(seconds) bind(c, name='sleep')
+         import :: c_int
+         integer(c_int), value :: seconds
+      end function c_sleep
       integer(c_int) function c_system(command) bind(c, name='system')
          import :: c_char, c_int
          character(kind=c_char), intent(in) :: command(*)

@@ -4,7 +4,10 @@ module asperity_program_system_progress
    use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
    use asperity_program_system_files, only: is_terminal, standard_error, write_text
-   use asperity_program_system_strings, only: newline
+   use asperity_program_system_launch, only: find_launch, launch_type
+   use asperity_program_system_path, only: link_text
+   use asperity_program_system_posix, only: c_getppid
+   use asperity_program_system_strings, only: newline, starts_with
    implicit none
    private
    public :: progress_type, show_steps, show_stage, show_share, clear_steps, tell_terminal
@@ -43,7 +46,7 @@ contains
       character(len=*), intent(in) :: name
 
       self%name = name
-      self%on_terminal = is_terminal(standard_error)
+      self%on_terminal = is_watched()
       call system_clock(self%began)
    end subroutine start
 
@@ -87,7 +90,7 @@ contains
       if (mod(done, look_every) /= 0) return
       call cpu_time(seconds)
       if (seconds < patience) return
-      if (is_terminal(standard_error)) call write_text(standard_error, line_start//'asperity '// &
+      if (is_watched()) call write_text(standard_error, line_start//'asperity '// &
          what//', step '//to_text(done)//' of '//to_text(amount)//clear_line, reason)
    end subroutine show_steps
 
@@ -100,7 +103,7 @@ contains
 
       call cpu_time(seconds)
       if (seconds < patience) return
-      if (is_terminal(standard_error)) call write_text(standard_error, line_start//'asperity '// &
+      if (is_watched()) call write_text(standard_error, line_start//'asperity '// &
          what//clear_line, reason)
    end subroutine show_stage
 
@@ -116,7 +119,7 @@ contains
    subroutine clear_steps()
       character(len=:), allocatable :: reason
 
-      if (is_terminal(standard_error)) call write_text(standard_error, line_start//clear_line, &
+      if (is_watched()) call write_text(standard_error, line_start//clear_line, &
          reason)
    end subroutine clear_steps
 
@@ -126,7 +129,7 @@ contains
       character(len=*), intent(in) :: what
       character(len=:), allocatable :: reason
 
-      if (is_terminal(standard_error)) &
+      if (is_watched()) &
          call write_text(standard_error, 'asperity '//what//newline, reason)
    end subroutine tell_terminal
 
@@ -139,6 +142,21 @@ contains
       if (self%shown) call write_text(standard_error, line_start//clear_line, reason)
       self%shown = .false.
    end subroutine finish
+
+   !> Whether somebody sees what standard error says: a terminal, or that of the mpirun that reads
+   !> it from a pipe, on the machine of rank 0. No other rank says how far it is.
+   logical function is_watched()
+      type(launch_type) :: launch
+
+      launch = find_launch()
+      is_watched = launch%rank == 0
+      if (.not. is_watched) return
+      is_watched = is_terminal(standard_error)
+      if (is_watched .or. launch%size == 1) return
+      is_watched = starts_with(link_text('/proc/self/fd/2'), 'pipe:')
+      if (is_watched) is_watched = &
+         starts_with(link_text('/proc/'//to_text(int(c_getppid()))//'/fd/2'), '/dev/pts/')
+   end function is_watched
 
    !> Write over the line. A terminal that is gone is no reason to stop.
    subroutine write_line(self, text)

@@ -60,6 +60,7 @@ contains
       class(solid_command), intent(inout) :: self
 
       self%name = 'solid'
+      self%uses_ranks = .true.
       self%summary = 'tenon joint as a solid of plastic wood, hard against rough'
       self%usage = '[CASE.nml] [options]'
       self%purpose = 'Finite-element analysis of the straight tenon joint, as the paper''s: '// &
@@ -117,12 +118,14 @@ contains
       if (allocated(error)) return
       call self%declare(report%keys)
       report%faces = self%case%joint%faces%words()
-      if (self%vtk /= '') call check_vtk_folder(self%vtk, error)
+      if (self%vtk /= '' .and. self%launch%rank == 0) call check_vtk_folder(self%vtk, error)
       if (allocated(error)) return
       call load_petsc(petsc, error)
       if (allocated(error)) return
       call report_models(self, petsc, report, error)
       call unload_petsc(petsc)
+      ! All ranks know it: rank 0 tells it
+      if (allocated(error) .and. self%launch%rank > 0) deallocate (error)
    end subroutine run
 
    !> Remove the checkpoints.
