@@ -7,7 +7,8 @@ module test_solid_brick
    use asperity_solid_material_material, only: material_point, solid_material
    use asperity_solid_small_matrices, only: cross
    use brick_model, only: assemble, box, new_box, rotation_about, set_shapes
-   use brick_states, only: criteria, edge, random_brick, random_places, random_rotation, wood_of
+   use brick_states, only: criteria, edge, measures, random_brick, random_places, &
+      random_rotation, wood_of
    use funit, only: assertEqual, assertFalse, assertGreaterThan, assertLessThan, TestMethod, &
       TestSuite
    use random_inputs, only: random_stream
@@ -43,7 +44,7 @@ contains
       material = wood_of('none')
       scale = maxval(material%stiffness)*edge**2
       do k = 1, 50
-         call random_brick(shape, stream, material)
+         call random_brick(shape, stream, material, measures(1 + mod(k, 2)))
          call brick_response(shape, material, matmul(random_rotation(stream), shape%corners) &
             + spread([1.0_wp, -2.0_wp, 3.0_wp]*edge, 2, 8), spread(0.0_wp, 1, 6), start, end, &
             forces, n_yielding, inverted=inverted)
@@ -102,7 +103,7 @@ contains
       do c = 1, size(criteria)
          material = wood_of(criteria(c))
          do k = 1, 10
-            call random_brick(shape, stream, material)
+            call random_brick(shape, stream, material, measures(1 + mod(k, 2)))
             places = matmul(random_rotation(stream), shape%corners &
                + random_places(stream, 0.15_wp*edge))
             call brick_response(shape, material, places, eigenstrain, start, end, forces, &
@@ -149,7 +150,7 @@ contains
       material = wood_of('none')
       eigenstrain = [0.01_wp, 0.02_wp, -0.01_wp, 0.01_wp, 0.0_wp, -0.02_wp]
       do k = 1, 20
-         call random_brick(shape, stream, material)
+         call random_brick(shape, stream, material, measures(1 + mod(k, 2)))
          places = matmul(random_rotation(stream), shape%corners &
             + random_places(stream, 0.15_wp*edge))
          way = random_places(stream, edge)
@@ -172,16 +173,19 @@ contains
       type(solid_material) :: material
       type(brick) :: shape
       real(wp) :: axis(3, 3), ways(3, 8, 2), work(2)
+      integer :: m
 
       stream = random_stream(seed + 6)
       material = wood_of('none')
-      call random_brick(shape, stream, material)
-      axis = random_rotation(stream)
-      ways(:, :, 1) = random_places(stream, 0.1_wp*edge)
-      ways(:, :, 2) = random_places(stream, 0.1_wp*edge)
-      work = [work_of(40), work_of(80)]
-      call assertLessThan(abs(work(1)), 0.01_wp*maxval(material%stiffness)*edge**3*0.1_wp**2)
-      call assertEqual(4.0_wp, work(1)/work(2), tolerance=0.1_wp)
+      do m = 1, size(measures)
+         call random_brick(shape, stream, material, measures(m))
+         axis = random_rotation(stream)
+         ways(:, :, 1) = random_places(stream, 0.1_wp*edge)
+         ways(:, :, 2) = random_places(stream, 0.1_wp*edge)
+         work = [work_of(40), work_of(80)]
+         call assertLessThan(abs(work(1)), 0.01_wp*maxval(material%stiffness)*edge**3*0.1_wp**2)
+         call assertEqual(4.0_wp, work(1)/work(2), tolerance=0.1_wp)
+      end do
    contains
       real(wp) function work_of(steps)
          integer, intent(in) :: steps

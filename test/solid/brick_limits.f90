@@ -6,7 +6,7 @@ module test_solid_brick_limits
    use asperity_solid_element_rotation, only: polar_rotation
    use asperity_solid_material_material, only: material_point, solid_material
    use brick_model, only: box, new_box
-   use brick_states, only: edge, random_brick, random_rotation, wood_of
+   use brick_states, only: edge, measures, random_brick, random_rotation, wood_of
    use funit, only: assertEqual, assertFalse, assertLessThan, assertTrue, TestMethod, TestSuite
    use random_inputs, only: random_stream
    implicit none
@@ -76,22 +76,29 @@ contains
       type(solid_material) :: material
       type(brick) :: shape
       type(material_point) :: start(8)
-      real(wp) :: flat(3, 3)
+      real(wp) :: flat(3, 3), places(3, 8)
+      integer :: m
 
       stream = random_stream(seed + 1)
       material = wood_of('crushing')
-      call random_brick(shape, stream, material)
       start%equivalent_strain = 0.5_wp
-      flat = identity
-      flat(3, 3) = -1.0_wp
-      call check(matmul(flat, shape%corners), .true.)
-      flat(3, 3) = 0.0_wp
-      call check(matmul(flat, shape%corners), .true.)
-      call check(spread([1.0_wp, 2.0_wp, 3.0_wp], 2, 8), .true.)
-      call check(1.0e200_wp*shape%corners, .true.)
-      flat(3, 3) = 0.01_wp
-      call check(matmul(flat, shape%corners), .false.)
-      call check(10.0_wp*shape%corners, .false.)
+      do m = 1, size(measures)
+         call random_brick(shape, stream, material, measures(m))
+         flat = identity
+         flat(3, 3) = -1.0_wp
+         call check(matmul(flat, shape%corners), .true.)
+         flat(3, 3) = 0.0_wp
+         call check(matmul(flat, shape%corners), .true.)
+         call check(spread([1.0_wp, 2.0_wp, 3.0_wp], 2, 8), .true.)
+         call check(1.0e200_wp*shape%corners, .true.)
+         flat(3, 3) = 0.01_wp
+         call check(matmul(flat, shape%corners), .false.)
+         call check(10.0_wp*shape%corners, .false.)
+         ! a corner beyond the middle of the opposite face: inside out at one point, not on average
+         places = shape%corners
+         places(:, 7) = 0.1_wp*places(:, 7)
+         call check(places, shape%is_logarithmic)
+      end do
    contains
       subroutine check(places, expected)
          real(wp), intent(in) :: places(3, 8)
@@ -129,7 +136,7 @@ contains
 
       stream = random_stream(seed + 2)
       material = wood_of('crushing')
-      call random_brick(shape, stream, material)
+      call random_brick(shape, stream, material, measures(1))
       pressed = identity
       pressed(1, 1) = 0.95_wp
       call brick_response(shape, material, matmul(pressed, shape%corners), spread(0.0_wp, 1, 6), &

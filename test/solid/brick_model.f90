@@ -20,6 +20,8 @@ module brick_model
       type(solid_material) :: material
       type(material_point), allocatable :: start(:, :), end(:, :)
       real(wp) :: eigenstrain(6) = 0.0_wp
+      !> Whether strain is logarithmic
+      logical :: is_logarithmic = .false.
       !> Equations that couple: their numbers differ by at most that
       integer :: bandwidth = 0
    end type box
@@ -84,6 +86,7 @@ contains
             model%material%stiffness, error)
          if (allocated(error)) error stop 'brick_model: an element is inverted'
       end do
+      model%shapes%is_logarithmic = model%is_logarithmic
       model%bandwidth = 3*maxval(maxval(model%elements, 1) - minval(model%elements, 1)) + 2
    end subroutine set_shapes
 

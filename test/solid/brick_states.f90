@@ -9,10 +9,13 @@ module brick_states
    use random_inputs, only: random_stream
    implicit none
    private
-   public :: wood_of, random_places, random_rotation, random_brick
+   public :: wood_of, random_places, random_rotation, random_stretch, random_brick
 
    !> Edge of an element, mm
    real(wp), parameter, public :: edge = 30.0_wp
+   !> Strain measures of an element, whether logarithmic, and their names
+   logical, parameter, public :: measures(2) = [.false., .true.]
+   character(len=11), parameter, public :: measure_names(2) = ['engineering', 'logarithmic']
    character(len=8), parameter, public :: criteria(4) = &
       ['none    ', 'mises   ', 'hill    ', 'crushing']
 
@@ -55,11 +58,29 @@ contains
       rotation = rotation_about(axis, stream%uniform(-pi, pi))
    end function random_rotation
 
-   !> A distorted element of a material.
-   subroutine random_brick(shape, stream, material)
+   !> A symmetric matrix with eigenvalues between two numbers, and its logarithm.
+   function random_stretch(stream, least, most, logarithm) result(stretch)
+      type(random_stream), intent(inout) :: stream
+      real(wp), intent(in) :: least, most
+      real(wp), intent(out), optional :: logarithm(3, 3)
+      real(wp) :: stretch(3, 3), axes(3, 3), values(3)
+      integer :: i
+
+      axes = random_rotation(stream)
+      do i = 1, 3
+         values(i) = stream%log_uniform(least, most)
+      end do
+      stretch = matmul(axes, spread(values, 2, 3)*transpose(axes))
+      if (present(logarithm)) &
+         logarithm = matmul(axes, spread(log(values), 2, 3)*transpose(axes))
+   end function random_stretch
+
+   !> A distorted element of a material and strain measure.
+   subroutine random_brick(shape, stream, material, is_logarithmic)
       type(brick), intent(out) :: shape
       type(random_stream), intent(inout) :: stream
       type(solid_material), intent(in) :: material
+      logical, intent(in) :: is_logarithmic
       type(error_type), allocatable :: error
       type(box) :: one
 
@@ -67,6 +88,7 @@ contains
       call new_brick(shape, one%nodes(:, one%elements(:, 1)) + random_places(stream, 0.1_wp*edge), &
          material%stiffness, error)
       if (allocated(error)) error stop 'brick_states: an element is inverted'
+      shape%is_logarithmic = is_logarithmic
    end subroutine random_brick
 
 end module brick_states

@@ -5,6 +5,7 @@ program test_solid
    use test_solid_joint_mesh, only: suite_joint_mesh
    use test_solid_brick, only: suite_brick
    use test_solid_brick_limits, only: suite_brick_limits
+   use test_solid_brick_logarithmic, only: suite_brick_logarithmic
    use test_solid_brick_structures, only: suite_brick_structures
    use test_solid_brick_tangent, only: suite_brick_tangent
    use test_solid_contact_energy, only: suite_contact_energy
@@ -15,6 +16,7 @@ program test_solid
    use test_solid_contact_paths, only: suite_contact_paths
    use test_solid_contact_tangent, only: suite_contact_tangent
    use test_solid_vtu, only: suite_vtu
+   use test_solid_logarithm, only: suite_logarithm
    use test_solid_material_elasticity, only: suite_material_elasticity
    use test_solid_material_return, only: suite_material_return
    use test_solid_material_strengths, only: suite_material_strengths
@@ -35,10 +37,12 @@ program test_solid
    call suite%addTest(suite_material_strengths())
    call suite%addTest(suite_material_return())
    call suite%addTest(suite_material_tangent())
+   call suite%addTest(suite_logarithm())
    call suite%addTest(suite_brick())
    call suite%addTest(suite_brick_limits())
    call suite%addTest(suite_brick_tangent())
    call suite%addTest(suite_brick_structures())
+   call suite%addTest(suite_brick_logarithmic())
    call suite%addTest(suite_contact_geometry())
    call suite%addTest(suite_contact_patch())
    call suite%addTest(suite_contact_paths())

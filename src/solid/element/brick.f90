@@ -1,13 +1,15 @@
-!> Eight-node brick with 2 x 2 x 2 integration points and mean dilatation (B-bar), corotational:
-!> strains are small in a frame that turns with the element, so that its operators stay those of
-!> the undeformed shape.
+!> Eight-node brick with 2 x 2 x 2 integration points and mean dilatation (B-bar), of one of two
+!> strain measures. Logarithmic strain has a module of its own. With engineering strain the brick
+!> is corotational: strains are small in a frame that turns with the element, so that its operators
+!> stay those of the undeformed shape.
 !>
-!> Stress is that of Biot, the force over the undeformed area, and goes with engineering strain:
-!> what crushing tests of wood measure. Voigt order xx yy zz xy yz zx, engineering shear strains.
+!> Stress is then that of Biot, the force over the undeformed area: what crushing tests of wood
+!> measure. Voigt order xx yy zz xy yz zx, engineering shear strains.
 module asperity_solid_element_brick
    use asperity_base_kinds, only: wp
    use asperity_solid_element_corotation, only: balance_forces, complete_tangent, element_frame, &
       new_frame
+   use asperity_solid_element_logarithmic_brick, only: logarithmic_response
    use asperity_solid_element_shape, only: add_stiffness, brick, new_brick
    use asperity_solid_material_material, only: material_point, solid_material, update_material
    implicit none
@@ -25,7 +27,8 @@ contains
       type(solid_material), intent(in) :: material
       !> Where the corners are, mm
       real(wp), intent(in) :: positions(3, 8)
-      !> Strain without stress, as of swelling, along the axes of the undeformed element
+      !> Strain without stress, as of swelling, along the axes of the undeformed element, in the
+      !> element's measure
       real(wp), intent(in) :: eigenstrain(6)
       !> Integration points at the start of the increment
       type(material_point), intent(in) :: start(8)
@@ -44,6 +47,11 @@ contains
       real(wp) :: f0(3, 8), balanced(3, 8), turned(3)
       integer :: a
 
+      if (shape%is_logarithmic) then
+         call logarithmic_response(shape, material, positions, eigenstrain, start, end, forces, &
+            n_yielding, tangent, inverted)
+         return
+      end if
       call new_frame(frame, shape%corners, shape%mean_gradients, positions)
       inverted = frame%inverted
       if (inverted) then

@@ -4,7 +4,7 @@ module asperity_solid_element_rotation
    use asperity_solid_small_matrices, only: invert
    implicit none
    private
-   public :: polar_rotation
+   public :: polar_rotation, is_inverted
 
    !> Largest entry of a gradient and smallest determinant of one whose largest entry is 1: beyond
    !> them an iterate has gone astray, and strains of it are of no use
@@ -29,13 +29,10 @@ contains
       real(wp) :: inverse(3, 3), next(3, 3), determinant, scale, change
       integer :: iteration
 
-      scale = maxval(abs(gradient))
-      inverted = .not. (scale > 0.0_wp .and. scale < largest_stretch)
+      inverted = is_inverted(gradient)
       if (inverted) return
-      rotation = gradient/scale
+      rotation = gradient/maxval(abs(gradient))
       call invert(rotation, inverse, determinant)
-      inverted = .not. determinant > smallest_volume
-      if (inverted) return
       do iteration = 1, most_iterations
          scale = sqrt(sqrt(sum(inverse**2)/sum(rotation**2)))
          next = 0.5_wp*(scale*rotation + transpose(inverse)/scale)
@@ -45,5 +42,18 @@ contains
          call invert(rotation, inverse, determinant)
       end do
    end subroutine polar_rotation
+
+   !> Whether a gradient turns inside out, is flat, or stretches a thousandfold.
+   pure logical function is_inverted(gradient)
+      !> Deformation gradient F
+      real(wp), intent(in) :: gradient(3, 3)
+      real(wp) :: inverse(3, 3), determinant, scale
+
+      scale = maxval(abs(gradient))
+      is_inverted = .not. (scale > 0.0_wp .and. scale < largest_stretch)
+      if (is_inverted) return
+      call invert(gradient/scale, inverse, determinant)
+      is_inverted = .not. determinant > smallest_volume
+   end function is_inverted
 
 end module asperity_solid_element_rotation

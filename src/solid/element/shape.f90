@@ -21,12 +21,14 @@ module asperity_solid_element_shape
       real(wp) :: strain_operator(6, 24, 8) = 0.0_wp
       !> Volume of each integration point, mm^3
       real(wp) :: weights(8) = 0.0_wp
-      !> Mean gradients of the corners' shape functions, 1/mm
-      real(wp) :: mean_gradients(3, 8) = 0.0_wp
+      !> Gradients of the corners' shape functions at each integration point, and their means, 1/mm
+      real(wp) :: gradients(3, 8, 8) = 0.0_wp, mean_gradients(3, 8) = 0.0_wp
       !> Elastic stiffness of the undeformed element, N/mm
       real(wp) :: stiffness(24, 24) = 0.0_wp
       !> Corners from the first, mm
       real(wp) :: corners(3, 8) = 0.0_wp
+      !> Whether strain is logarithmic, not engineering strain
+      logical :: is_logarithmic = .false.
    end type brick
 
 contains
@@ -41,7 +43,7 @@ contains
       real(wp), intent(in) :: stiffness(6, 6)
       !> Set when the corners enclose no volume at an integration point
       type(error_type), allocatable, intent(out) :: error
-      real(wp) :: gradients(3, 8, 8), jacobian(3, 3), inverse(3, 3), longest
+      real(wp) :: jacobian(3, 3), inverse(3, 3), longest
       integer :: g, a
 
       do a = 1, 8
@@ -49,8 +51,8 @@ contains
       end do
       longest = maxval(abs(shape%corners))
       do g = 1, 8
-         gradients(:, :, g) = natural_gradients(natural_corners(:, g)/sqrt(3.0_wp))
-         jacobian = matmul(shape%corners, transpose(gradients(:, :, g)))
+         shape%gradients(:, :, g) = natural_gradients(natural_corners(:, g)/sqrt(3.0_wp))
+         jacobian = matmul(shape%corners, transpose(shape%gradients(:, :, g)))
          call invert(jacobian, inverse, shape%weights(g))
          if (.not. 8.0_wp*shape%weights(g) > flat*longest**3) then
             call fatal_error(error, 'an element is inverted or flat: by its shape at '// &
@@ -59,12 +61,12 @@ contains
                '4 go round one face, clockwise seen from outside, 5 to 8 lie opposite to them')
             return
          end if
-         gradients(:, :, g) = matmul(transpose(inverse), gradients(:, :, g))
-         shape%mean_gradients = shape%mean_gradients + shape%weights(g)*gradients(:, :, g)
+         shape%gradients(:, :, g) = matmul(transpose(inverse), shape%gradients(:, :, g))
+         shape%mean_gradients = shape%mean_gradients + shape%weights(g)*shape%gradients(:, :, g)
       end do
       shape%mean_gradients = shape%mean_gradients/sum(shape%weights)
       do g = 1, 8
-         call set_strain_operator(shape%strain_operator(:, :, g), gradients(:, :, g), &
+         call set_strain_operator(shape%strain_operator(:, :, g), shape%gradients(:, :, g), &
             shape%mean_gradients)
          call add_stiffness(shape%stiffness, shape%strain_operator(:, :, g), &
             shape%weights(g)*stiffness)
