@@ -39,7 +39,7 @@ module asperity_solid_model_model
       type(contact_pair), allocatable :: pairs(:)
       !> Points of the elements at the start of the increment, and as found last
       type(material_point), allocatable :: points(:, :), trial_points(:, :)
-      !> Strain by which the beam swells across, in full
+      !> Strain by which the beam swells across, in full, in the measure of its elements
       real(wp) :: swelling = 0.0_wp
       !> Half of the column's load, N; of the axial spring, N/mm, zero where the node is held; the
       !> spring that holds the open joint, N/mm
@@ -93,6 +93,7 @@ contains
          model%trial_points(8, size(model%mesh%elements, 2)))
       associate (s => deck%settings)
          model%swelling = deck%swelling
+         if (settings%is_logarithmic) model%swelling = log(1.0_wp + deck%swelling)
          model%column_load = 0.5_wp*s%column_load
          if (s%axial_rule == 'spring') model%axial_stiffness = 0.5_wp*s%axial_stiffness
          model%holding_stiffness = settings%holding_stiffness
@@ -134,6 +135,7 @@ contains
                part_of(n) = mesh%part(i)
                call new_brick(shapes(n), corners, model%wood(mesh%part(i))%stiffness, error)
                if (allocated(error)) return
+               shapes(n)%is_logarithmic = model%settings%is_logarithmic
             end if
             model%shape_of(i) = j
          end do

@@ -1,4 +1,4 @@
-!> How a solid joint is solved: contact, tolerances, steps. Nothing of it is in the paper.
+!> How a solid joint is solved: strain, contact, tolerances, steps. Nothing of it is in the paper.
 module asperity_solid_model_settings
    use asperity_base_checks, only: check_positive, check_range
    use asperity_base_error, only: error_type
@@ -12,6 +12,8 @@ module asperity_solid_model_settings
 
    !> Choices of the analysis.
    type :: solid_settings
+      !> Whether wood's strain is logarithmic, not engineering strain
+      logical :: is_logarithmic = .false.
       !> Contact points along each edge of a face; two are 1 % softer at 60 mm, five change nothing
       integer :: cells = default_cells
       !> Pressure of hard contact over penetration, MPa/mm, beyond a soft start of

@@ -52,6 +52,8 @@ contains
       call keys%follows(self%joint%height_key, 'a tenth of height')
       call declare_grading(self%mesh, keys)
       associate (s => self%settings)
+         call keys%choice('strain', s%is_logarithmic, 'engineering logarithmic', &
+            'strain of the wood, with which its stress goes')
          call keys%whole('contact_cells', s%cells, &
             'contact points along each edge of a face of the mortise')
          call keys%real('penalty', s%penalty, 'MPa/mm', &

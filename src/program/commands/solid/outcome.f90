@@ -28,6 +28,8 @@ module asperity_program_commands_solid_outcome
       real(wp) :: arm = 0.0_wp
       !> Forces below this are none, N
       real(wp) :: small_force = 0.0_wp
+      !> Whether strain is logarithmic, which bears what is large
+      logical :: is_logarithmic = .false.
    end type solid_outcome
 
 contains
@@ -58,6 +60,7 @@ contains
          outcome%unknowns = model%n_unknowns
          outcome%arm = model%arm
          outcome%small_force = model%small_force
+         outcome%is_logarithmic = model%settings%is_logarithmic
       end associate
       outcome%increments = run%increments
       outcome%iterations = run%iterations

@@ -41,6 +41,7 @@ module asperity_program_commands_solid_page_texts
       origin_type('mesh_size', chosen//'a tenth of the height; finer meshes are softer'), &
       origin_type('rim_mesh_size', chosen//'an even mesh unless given'), &
       origin_type('mesh_growth', chosen//'neighbouring elements are not too unlike'), &
+      origin_type('strain', chosen//'what crushing tests measure; logarithmic strain bears more'), &
       origin_type('contact_cells', chosen//'two are softer by 1 % at 60 mm, five change nothing'), &
       origin_type('penalty', chosen//'0.05 mm at 50 MPa; ten times as much moves the force by '// &
       '0.3 %'), &
@@ -58,8 +59,8 @@ module asperity_program_commands_solid_page_texts
    !> What the model leaves out or simplifies
    character(len=*), parameter, public :: assumptions(*) = [character(len=360) :: &
       'Half the joint is analysed, as it is symmetric. Column and beam are bricks of eight '// &
-      'corners with mean dilatation that follow large rotations; strains are taken as small in '// &
-      'the turned element.', &
+      'corners with mean dilatation that follow large rotations; engineering strains are taken '// &
+      'as small in the turned element, logarithmic ones are of any size.', &
       'Wood is elastic along three axes, with the grain along column and beam, and yields by '// &
       'the criterion of the case; hardening is isotropic. Nothing splits, wears or creeps.', &
       'Contact is integrated over the faces of the mortise, cell by cell, and ends where a '// &
