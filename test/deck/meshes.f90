@@ -6,8 +6,9 @@ module test_deck_meshes
    use asperity_deck_mesh_hexahedra, only: faces_in_box, hex_mesh, least_jacobian, mesh_volume, &
       new_grid_mesh, nodes_in_box
    use asperity_deck_options, only: check_deck_choice, deck_choice
+   use asperity_deck_tenon_column, only: new_column
    use asperity_deck_tenon_parts, only: check_tenon_sizes, default_mesh_size, default_tenon_sizes, &
-      new_beam, new_column, node_near, tenon_elements, tenon_sizes
+      new_beam, node_near, tenon_elements, tenon_sizes
    use asperity_replay_tenon_settings, only: tenon_settings
    use extremes, only: worsen
    use funit, only: assertEqual, assertFalse, assertGreaterThan, assertLessThan, assertTrue, &

@@ -11,8 +11,8 @@ module asperity_deck_tenon_deck
    use asperity_deck_mesh_cheek_interference, only: side_interference
    use asperity_deck_mesh_hexahedra, only: check_mesh_room, hex_mesh
    use asperity_deck_options, only: check_deck_choice, deck_choice, for_calculix
-   use asperity_deck_tenon_parts, only: check_tenon_sizes, new_beam, new_column, &
-      tenon_elements, tenon_sizes
+   use asperity_deck_tenon_column, only: new_column
+   use asperity_deck_tenon_parts, only: check_tenon_sizes, new_beam, tenon_elements, tenon_sizes
    use asperity_deck_tenon_sets, only: new_tenon_sets, tenon_sets
    use asperity_replay_tenon_check_settings, only: check_tenon_settings
    use asperity_replay_tenon_load_path, only: tenon_programme

@@ -7,15 +7,16 @@ module asperity_deck_tenon_parts
    use asperity_base_error, only: error_type, fatal_error
    use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
-   use asperity_deck_mesh_cuts, only: add_cut, even_cuts, graded_cuts, joined_cuts
+   use asperity_deck_mesh_cuts, only: even_cuts, joined_cuts
    use asperity_deck_mesh_hexahedra, only: hex_mesh, new_grid_mesh
    use asperity_deck_options, only: check_mesh_size, deck_choice
+   use asperity_deck_tenon_rims, only: cut_part
    use asperity_replay_sizes, only: check_size
    use asperity_replay_tenon_settings, only: tenon_face_arm, tenon_settings
    implicit none
    private
    public :: tenon_sizes, default_tenon_sizes, default_mesh_size, check_tenon_sizes, &
-      tenon_elements, new_column, new_beam, node_near
+      tenon_elements, new_beam, node_near
 
    !> Sizes that the plane replay does not have; chosen ones by `default_tenon_sizes`.
    type :: tenon_sizes
@@ -104,43 +105,6 @@ contains
          to_text(settings%width)//' mm wide', subject='column_width')
    end subroutine check_tenon_sizes
 
-   !> The column with its mortise.
-   pure subroutine new_column(mesh, choice, settings, sizes)
-      !> Result
-      type(hex_mesh), intent(out) :: mesh
-      !> Choices of the deck
-      type(deck_choice), intent(in) :: choice
-      !> Checked settings of the joint
-      type(tenon_settings), intent(in) :: settings
-      !> Further sizes
-      type(tenon_sizes), intent(in) :: sizes
-      real(wp), allocatable :: x(:), y(:), z(:), inner(:), outer(:)
-      logical, allocatable :: keep(:, :, :)
-      integer :: in_mortise, above, below, hollow
-
-      associate (top => 0.5_wp*settings%height + sizes%gap_above, &
-            bottom => -0.5_wp*settings%height - sizes%gap_below, &
-            side => 0.5_wp*settings%width - sizes%side_overlap)
-         call cut_mortise(choice, -settings%length, 0.0_wp, [sizes%edge_relief, 0.0_wp], x)
-         call even_cuts(0.0_wp, side, choice%mesh_size, 1, inner)
-         call even_cuts(side, 0.5_wp*sizes%column_width, choice%mesh_size, 1, outer)
-         hollow = size(inner) - 1
-         call joined_cuts(inner, outer, y)
-         call cut_part(choice, -0.5_wp*sizes%column_height, bottom, [.false., .true.], 1, inner)
-         call cut_mortise(choice, bottom, top, [sizes%edge_relief, sizes%edge_relief], outer)
-         below = size(inner) - 1
-         in_mortise = size(outer) - 1
-         call joined_cuts(inner, outer, z)
-         inner = z
-         call cut_part(choice, top, 0.5_wp*sizes%column_height, [.true., .false.], 1, outer)
-         above = size(outer) - 1
-         call joined_cuts(inner, outer, z)
-      end associate
-      allocate (keep(size(x) - 1, size(y) - 1, below + in_mortise + above), source=.true.)
-      keep(:, :hollow, below + 1:below + in_mortise) = .false.
-      call new_grid_mesh(mesh, x, y, z, keep)
-   end subroutine new_column
-
    !> The beam, with nodes at mid-height, and with a section at the column face when it is graded.
    pure subroutine new_beam(mesh, choice, settings, sizes)
       !> Result
@@ -172,45 +136,6 @@ contains
       end associate
       call new_grid_mesh(mesh, x, y, z)
    end subroutine new_beam
-
-   !> Planes of a length of a part, which has rims of the mortise or the tenon at its ends.
-   pure subroutine cut_part(choice, from, to, rims, least, cuts)
-      type(deck_choice), intent(in) :: choice
-      !> Ends of the length, mm, and which of them are rims
-      real(wp), intent(in) :: from, to
-      logical, intent(in) :: rims(2)
-      !> Fewest cells, of which the number is a multiple, 2 with two rims only
-      integer, intent(in) :: least
-      !> Places of the planes, mm
-      real(wp), allocatable, intent(out) :: cuts(:)
-
-      if (allocated(choice%rim_mesh_size)) then
-         call graded_cuts(from, to, rims, choice%rim_mesh_size, choice%mesh_size, &
-            choice%mesh_growth, cuts)
-      else
-         call even_cuts(from, to, choice%mesh_size, least, cuts)
-      end if
-   end subroutine cut_part
-
-   !> Planes of a length of the mortise, with planes where contact begins.
-   pure subroutine cut_mortise(choice, from, to, relief, cuts)
-      type(deck_choice), intent(in) :: choice
-      !> Ends of the length, which are rims, and how far from them contact begins, mm
-      real(wp), intent(in) :: from, to, relief(2)
-      !> Places of the planes, mm
-      real(wp), allocatable, intent(out) :: cuts(:)
-
-      if (allocated(choice%rim_mesh_size)) then
-         ! cells grow from where contact begins, so that none is a sliver
-         call cut_part(choice, from + relief(1), to - relief(2), [.true., .true.], 1, cuts)
-         if (relief(1) > 0.0_wp) cuts = [from, cuts]
-         if (relief(2) > 0.0_wp) cuts = [cuts, to]
-      else
-         call cut_part(choice, from, to, [.true., .true.], 1, cuts)
-         call add_cut(cuts, from + relief(1))
-         call add_cut(cuts, to - relief(2))
-      end if
-   end subroutine cut_mortise
 
    !> About how many elements the parts have, not fewer.
    pure real(wp) function tenon_elements(choice, settings, sizes)
