@@ -162,8 +162,7 @@ contains
       case = joint_case(side_pressure=0.0_wp, amplitudes=[16.0_wp])
       do k = 1, 3
          call new_joint(model, case)
-         model%axial_stiffness = 0.0_wp
-         model%holding_stiffness = 0.0_wp
+         model%springs%stiffness = 0.0_wp
          call new_solid_run(run, model, petsc, error)
          associate (x => model%mesh%nodes)
             scale = largest(stretch*x)

@@ -113,12 +113,13 @@ contains
          integer :: gone
 
          call new_joint(model, case)
-         gone = model%numbers(3, model%mesh%head(1))
-         model%numbers(3, model%mesh%head) = held
+         associate (head => model%mesh%heads(1)%nodes)
+            gone = model%numbers(3, head(1))
+            model%numbers(3, head) = held
+         end associate
          where (model%numbers > gone) model%numbers = model%numbers - 1
          model%n_unknowns = model%n_unknowns - 1
-         ! what is left for the column's load, which is zero
-         model%mesh%head = [model%mesh%hold_node]
+         model%column_loads = model%column_loads(:0)
          call new_solid_run(run, model, petsc, error)
       end subroutine begin
 

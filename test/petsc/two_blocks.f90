@@ -164,16 +164,14 @@ contains
       wide = wide - spread(wide(:, 1), 2, 8)
       call new_brick(model%shapes(2), wide, model%wood(2)%stiffness, error)
       call assertFalse(allocated(error))
-      allocate (model%mesh%mortise(1)%facets(4, 1), model%mesh%tenon(1)%facets(4, 1))
       ! face 2 is the upper one, face 1 the lower one
       call new_contact_pair(model%pairs(1), 'blocks', model%mesh%nodes, &
          reshape(model%mesh%elements(face_corners(:, 2), 1), [4, 1]), &
          reshape(model%mesh%elements(face_corners(:, 1), 2), [4, 1]), 3, law, error)
       call assertFalse(allocated(error))
       model%mesh%load = [13, 14, 15, 16]
-      model%mesh%head = [5]
-      model%mesh%axial_node = 1
-      model%mesh%hold_node = 1
+      allocate (model%springs(0), model%column_loads(0))
+      model%pairs_of_joint = 1
       model%small_force = 100.0_wp
       model%settings%tolerance = 1.0e-8_wp
       allocate (model%numbers(3, 16), source=held)

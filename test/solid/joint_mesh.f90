@@ -78,13 +78,13 @@ contains
       call new_solid_mesh(mesh, deck, error)
       call write_tenon_deck(deck, text, error)
       call check('BOTTOM', mesh%foot)
-      call check('TOP', mesh%head)
+      call check('TOP', mesh%heads(1)%nodes)
       call check('SYMMETRY', mesh%middle)
       call check('TIP', mesh%load)
       call check('AXIAL', [mesh%axial_node])
       associate (x => mesh%nodes)
          call assertTrue(all(abs(x(3, mesh%foot) + 500.0_wp) < 1.0e-9_wp), 'foot')
-         call assertTrue(all(abs(x(3, mesh%head) - 500.0_wp) < 1.0e-9_wp), 'head')
+         call assertTrue(all(abs(x(3, mesh%heads(1)%nodes) - 500.0_wp) < 1.0e-9_wp), 'head')
          call assertTrue(all(abs(x(2, mesh%middle)) < 1.0e-9_wp), 'plane of symmetry')
          call assertTrue(all(abs(x(1, mesh%load) - 500.0_wp) + abs(x(3, mesh%load)) < 1.0e-9_wp), &
             'load')
@@ -121,20 +121,21 @@ contains
       call new_solid_mesh(mesh, deck, error)
       side = 52.5_wp - deck%sizes%side_overlap
       high = 300.0_wp + deck%sizes%gap_above + deck%sizes%gap_below
-      call check(mesh%mortise(face_top)%facets, [0.0_wp, 0.0_wp, -297.0_wp*side], 'upper slave')
-      call check(mesh%mortise(face_bottom)%facets, [0.0_wp, 0.0_wp, 297.0_wp*side], 'lower slave')
-      call check(mesh%mortise(face_side)%facets, [0.0_wp, -297.0_wp*(high - 6.0_wp), 0.0_wp], &
+      call check(mesh%mortise(face_top, 1)%facets, [0.0_wp, 0.0_wp, -297.0_wp*side], 'upper slave')
+      call check(mesh%mortise(face_bottom, 1)%facets, [0.0_wp, 0.0_wp, 297.0_wp*side], &
+         'lower slave')
+      call check(mesh%mortise(face_side, 1)%facets, [0.0_wp, -297.0_wp*(high - 6.0_wp), 0.0_wp], &
          'slave at the side')
-      call check(mesh%tenon(face_top)%facets, [0.0_wp, 0.0_wp, 800.0_wp*52.5_wp], 'upper master')
-      call check(mesh%tenon(face_bottom)%facets, [0.0_wp, 0.0_wp, -800.0_wp*52.5_wp], &
+      call check(mesh%tenon(face_top, 1)%facets, [0.0_wp, 0.0_wp, 800.0_wp*52.5_wp], 'upper master')
+      call check(mesh%tenon(face_bottom, 1)%facets, [0.0_wp, 0.0_wp, -800.0_wp*52.5_wp], &
          'lower master')
-      call check(mesh%tenon(face_side)%facets, [0.0_wp, 800.0_wp*300.0_wp, 0.0_wp], &
+      call check(mesh%tenon(face_side, 1)%facets, [0.0_wp, 800.0_wp*300.0_wp, 0.0_wp], &
          'master at the side')
       s%side_pressure = 0.0_wp
       call make(deck, s, 60.0_wp)
       call new_solid_mesh(mesh, deck, error)
-      call assertEqual([0, 0], [size(mesh%mortise(face_side)%facets, 2), &
-         size(mesh%tenon(face_side)%facets, 2)], 'no sides')
+      call assertEqual([0, 0], [size(mesh%mortise(face_side, 1)%facets, 2), &
+         size(mesh%tenon(face_side, 1)%facets, 2)], 'no sides')
    contains
       subroutine check(facets, expected, name)
          integer, intent(in) :: facets(:, :)
@@ -170,8 +171,8 @@ contains
       call assertEqual([0.0_wp, 0.0_wp, 0.0_wp], mesh%nodes(:, mesh%axial_node), &
          tolerance=1.0e-12_wp)
       do i = face_top, face_side
-         associate (x => mesh%nodes(1, mesh%mortise(i)%facets(1, :)), &
-               y => mesh%nodes(1, mesh%mortise(i)%facets(3, :)))
+         associate (x => mesh%nodes(1, mesh%mortise(i, 1)%facets(1, :)), &
+               y => mesh%nodes(1, mesh%mortise(i, 1)%facets(3, :)))
             call assertEqual([-300.0_wp, 0.0_wp], [min(minval(x), minval(y)), &
                max(maxval(x), maxval(y))], tolerance=1.0e-12_wp, message='ends at the rims')
          end associate

@@ -31,7 +31,8 @@ contains
 
       allocate (mesh%nodes(3, 8), source=0.0_wp)
       mesh%foot = [1, 2]
-      mesh%head = [3, 4]
+      allocate (mesh%heads(1))
+      mesh%heads(1)%nodes = [3, 4]
       mesh%middle = [5]
       mesh%load = [6]
       mesh%axial_node = 7

@@ -9,12 +9,14 @@ module asperity_solid_mesh_joint
    use asperity_solid_mesh_checks, only: check_solid_mesh
    implicit none
    private
-   public :: solid_mesh, facet_set, new_solid_mesh
+   public :: solid_mesh, facet_set, node_list, new_solid_mesh, take_facets
    ! places of the pairs in `mortise` and `tenon`
    public :: face_top, face_bottom, face_side
 
-   !> Parts, as `part` numbers them
-   integer, parameter, public :: part_column = 1, part_beam = 2
+   !> Parts, as `part` numbers them; the last is for ends of columns that turn on a hinge
+   integer, parameter, public :: part_column = 1, part_beam = 2, part_shoe = 3
+   !> How many there are
+   integer, parameter, public :: n_parts = 3
 
    !> Facets of a surface.
    type :: facet_set
@@ -22,23 +24,34 @@ module asperity_solid_mesh_joint
       integer, allocatable :: facets(:, :)
    end type facet_set
 
+   !> Some nodes.
+   type :: node_list
+      !> Their numbers
+      integer, allocatable :: nodes(:)
+   end type node_list
+
    !> Nodes, elements and what is found on them; half the joint, see asperity_deck_tenon_parts for
-   !> the axes.
+   !> the axes. A frame has several columns, beams and joints.
    type :: solid_mesh
       !> Coordinates of each node, mm; those of the column first
       real(wp), allocatable :: nodes(:, :)
       !> The eight nodes of each element, in the order of C3D8, and its part
       integer, allocatable :: elements(:, :), part(:)
       !> Surfaces in contact: slave facets of the mortise and master facets of the beam, at
-      !> `face_top`, `face_bottom` and `face_side`; none at the side when it has no contact
-      type(facet_set) :: mortise(3), tenon(3)
-      !> Nodes of the column's foot, which are held; of its top, which are free in z only and stay
-      !> level; the others in the plane of symmetry, which are held in y; and of the beam that are
-      !> moved in z
-      integer, allocatable :: foot(:), head(:), middle(:), load(:)
+      !> `face_top`, `face_bottom` and `face_side`, of each joint; none at the side when it has no
+      !> contact
+      type(facet_set), allocatable :: mortise(:, :), tenon(:, :)
+      !> Nodes of the columns' feet, which are held; the others in the plane of symmetry, which are
+      !> held in y; and those that the programme moves, in this direction
+      integer, allocatable :: foot(:), middle(:), load(:)
+      integer :: load_direction = 3
+      !> Nodes of the head of each column, which are held in y and, unless they are moved, in x, and
+      !> stay level
+      type(node_list), allocatable :: heads(:)
       !> Node of the spring or hold in x, and of the soft spring in z at the end of the tenon
       integer :: axial_node = 0, hold_node = 0
-      !> Nodes of the beam's section nearest to the column face, whose rotation is the joint's
+      !> Nodes of the beam's section nearest to the column face, whose rotation is that of a single
+      !> joint
       integer, allocatable :: section(:)
    end type solid_mesh
 
@@ -66,12 +79,13 @@ contains
          mesh%elements(:, size(column%elements, 2) + 1:) = before + beam%elements
          mesh%part = [(merge(part_column, part_beam, i <= size(column%elements, 2)), &
             i=1, size(mesh%elements, 2))]
+         allocate (mesh%mortise(3, 1), mesh%tenon(3, 1), mesh%heads(1))
          do i = 1, size(mesh%tenon)
-            call take_facets(mesh, sets%mortise(i), mesh%mortise(i))
-            call take_facets(mesh, sets%tenon(i), mesh%tenon(i))
+            call take_facets(mesh, sets%mortise(i), mesh%mortise(i, 1))
+            call take_facets(mesh, sets%tenon(i), mesh%tenon(i, 1))
          end do
          mesh%foot = sets%foot
-         mesh%head = sets%head
+         mesh%heads(1)%nodes = sets%head
          mesh%middle = sets%middle
          mesh%load = sets%tip
          mesh%axial_node = sets%axial_node
@@ -85,6 +99,7 @@ contains
 
    !> Nodes of faces.
    pure subroutine take_facets(mesh, list, set)
+      !> The mesh, with its elements
       type(solid_mesh), intent(in) :: mesh
       !> Element and number of each face
       type(face_list), intent(in) :: list

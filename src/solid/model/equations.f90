@@ -10,7 +10,7 @@ module asperity_solid_model_equations
 
 contains
 
-   !> Number the displacements. The head of the column stays level: its nodes have one unknown.
+   !> Number the displacements. The head of a column stays level: its nodes have one unknown.
    pure subroutine number_equations(mesh, holds_axially, numbers, n)
       !> The joint
       type(solid_mesh), intent(in) :: mesh
@@ -24,12 +24,16 @@ contains
 
       allocate (numbers(3, size(mesh%nodes, 2)), source=1)
       numbers(:, mesh%foot) = held
-      numbers(1:2, mesh%head) = held
+      do i = 1, size(mesh%heads)
+         numbers(1:2, mesh%heads(i)%nodes) = held
+      end do
       numbers(2, mesh%middle) = held
-      numbers(3, mesh%load) = moved
+      numbers(mesh%load_direction, mesh%load) = moved
       if (holds_axially) numbers(1, mesh%axial_node) = held
-      ! all of the head but its first node
-      numbers(3, mesh%head(2:)) = held
+      do i = 1, size(mesh%heads)
+         ! all of the head but its first node
+         numbers(3, mesh%heads(i)%nodes(2:)) = held
+      end do
       n = 0
       do i = 1, size(numbers, 2)
          do j = 1, 3
@@ -38,7 +42,9 @@ contains
             numbers(j, i) = n
          end do
       end do
-      numbers(3, mesh%head) = numbers(3, mesh%head(1))
+      do i = 1, size(mesh%heads)
+         numbers(3, mesh%heads(i)%nodes) = numbers(3, mesh%heads(i)%nodes(1))
+      end do
    end subroutine number_equations
 
 end module asperity_solid_model_equations

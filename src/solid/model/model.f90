@@ -8,14 +8,23 @@ module asperity_solid_model_model
    use asperity_solid_contact_pair, only: contact_pair, new_contact_pair
    use asperity_solid_element_brick, only: brick, new_brick
    use asperity_solid_material_material, only: material_point, new_solid_material, solid_material
-   use asperity_solid_mesh_joint, only: face_side, new_solid_mesh, solid_mesh
+   use asperity_solid_mesh_joint, only: face_side, n_parts, new_solid_mesh, part_beam, &
+      part_column, solid_mesh
    use asperity_solid_model_equations, only: number_equations
    use asperity_solid_model_interface, only: new_interface_law
    use asperity_solid_contact_law, only: solid_law
    use asperity_solid_model_settings, only: check_solid_settings, solid_settings
    implicit none
    private
-   public :: solid_model, new_solid_model
+   public :: solid_model, ground_spring, new_solid_model, complete_model, load_place
+
+   !> A spring to the ground.
+   type :: ground_spring
+      !> Its node, and its direction, 1 to 3
+      integer :: node = 0, direction = 0
+      !> Stiffness, of the half joint, N/mm
+      real(wp) :: stiffness = 0.0_wp
+   end type ground_spring
 
    !> The joint and its history.
    type :: solid_model
@@ -30,20 +39,22 @@ module asperity_solid_model_model
       !> Elements that this rank works on, and the first equation of each rank, from 0, and one more:
       !> set when the work is shared
       integer, allocatable :: own_elements(:), first_rows(:)
-      !> Wood of column and beam
-      type(solid_material) :: wood(2)
+      !> Wood of column and beam, and what shoes are of
+      type(solid_material) :: wood(n_parts)
       !> Elements of one shape and wood, and which of them each element is
       type(brick), allocatable :: shapes(:)
       integer, allocatable :: shape_of(:)
-      !> Faces above, below and at the side
+      !> Faces above, below and at the side, joint by joint, and how many of them a joint has
       type(contact_pair), allocatable :: pairs(:)
+      integer :: pairs_of_joint = 0
       !> Points of the elements at the start of the increment, and as found last
       type(material_point), allocatable :: points(:, :), trial_points(:, :)
       !> Strain by which the beam swells across, in full, in the measure of its elements
       real(wp) :: swelling = 0.0_wp
-      !> Half of the column's load, N; of the axial spring, N/mm, zero where the node is held; the
-      !> spring that holds the open joint, N/mm
-      real(wp) :: column_load = 0.0_wp, axial_stiffness = 0.0_wp, holding_stiffness = 0.0_wp
+      !> Half of the load of each column, N
+      real(wp), allocatable :: column_loads(:)
+      !> The axial spring, and what holds the open joint
+      type(ground_spring), allocatable :: springs(:)
       !> Force that is small against those of the joint, N: residuals below are none
       real(wp) :: small_force = 0.0_wp
       !> Residual that rounding of the displacements leaves, N
@@ -73,18 +84,42 @@ contains
       type(error_type), allocatable, intent(out) :: error
 
       call check_solid_settings(settings, error)
+      if (.not. allocated(error)) call new_solid_mesh(model%mesh, deck, error)
       if (allocated(error)) return
+      allocate (model%springs(2))
+      associate (s => deck%settings, springs => model%springs)
+         springs%node = [model%mesh%axial_node, model%mesh%hold_node]
+         springs%direction = [1, 3]
+         springs%stiffness = [0.5_wp*s%axial_stiffness, settings%holding_stiffness]
+         ! the node is held
+         if (s%axial_rule /= 'spring') springs(1)%stiffness = 0.0_wp
+         model%column_loads = [0.5_wp*s%column_load]
+         model%arm = tenon_face_arm(s)
+      end associate
+      call complete_model(model, deck, settings, error)
+   end subroutine new_solid_model
+
+   !> Equations, wood, contact and points of a model that has its mesh and what holds and loads it.
+   !> `error` is set when a value is refused.
+   subroutine complete_model(model, deck, settings, error)
+      !> The model
+      type(solid_model), intent(inout) :: model
+      !> The joint, or one of a frame's
+      type(tenon_deck), intent(in) :: deck
+      !> Checked settings of the analysis
+      type(solid_settings), intent(in) :: settings
+      !> Set when a value is refused
+      type(error_type), allocatable, intent(out) :: error
+
       model%settings = settings
       model%is_hard = deck%choice%contact == 'hard'
-      call new_solid_mesh(model%mesh, deck, error)
-      if (allocated(error)) return
-      call number_equations(model%mesh, deck%settings%axial_rule == 'fixed', model%numbers, &
-         model%n_unknowns)
+      call number_equations(model%mesh, model%mesh%axial_node > 0 &
+         .and. deck%settings%axial_rule == 'fixed', model%numbers, model%n_unknowns)
       ! the column's grain is along z and the beam's along x; R lies along y and z
       associate (wood => deck%settings%wood)
-         call new_solid_material(model%wood(1), wood, 3, 2, .true., error)
+         call new_solid_material(model%wood(part_column), wood, 3, 2, .true., error)
          if (.not. allocated(error)) &
-            call new_solid_material(model%wood(2), wood, 1, 3, .false., error)
+            call new_solid_material(model%wood(part_beam), wood, 1, 3, .false., error)
       end associate
       if (.not. allocated(error)) call find_shapes(model, error)
       if (.not. allocated(error)) call find_contact(model, deck, error)
@@ -94,15 +129,21 @@ contains
       associate (s => deck%settings)
          model%swelling = deck%swelling
          if (settings%is_logarithmic) model%swelling = log(1.0_wp + deck%swelling)
-         model%column_load = 0.5_wp*s%column_load
-         if (s%axial_rule == 'spring') model%axial_stiffness = 0.5_wp*s%axial_stiffness
-         model%holding_stiffness = settings%holding_stiffness
          model%small_force = small_share*0.5_wp*s%wood%compression_strengths(2)*s%width &
             *s%length
-         model%arm = tenon_face_arm(s)
          model%turns = deck%turns
       end associate
-   end subroutine new_solid_model
+   end subroutine complete_model
+
+   !> Where the programme has moved the load, mm.
+   pure real(wp) function load_place(model, displacement)
+      !> The model
+      type(solid_model), intent(in) :: model
+      !> Displacements of all nodes, mm
+      real(wp), intent(in) :: displacement(:, :)
+
+      load_place = displacement(model%mesh%load_direction, model%mesh%load(1))
+   end function load_place
 
    !> Elements of equal edges share their matrices.
    subroutine find_shapes(model, error)
@@ -151,28 +192,33 @@ contains
       model%rounding = sqrt(model%rounding)
    end subroutine find_shapes
 
-   !> Faces of the mortise against those of the tenon.
+   !> Faces of the mortises against those of the tenons.
    subroutine find_contact(model, deck, error)
       type(solid_model), intent(inout) :: model
       type(tenon_deck), intent(in) :: deck
       type(error_type), allocatable, intent(out) :: error
       character(len=8), parameter :: names(3) = [character(len=8) :: 'upper', 'lower', 'side']
       class(solid_law), allocatable :: law
-      integer :: i
+      integer :: i, joint, face
 
-      allocate (model%pairs(merge(3, 2, deck%has_sides)))
-      do i = 1, size(model%pairs)
-         if (i == face_side) then
-            call new_interface_law(law, deck%sides%properties, model%is_hard, model%settings)
-         else
-            call new_interface_law(law, deck%faces%properties, model%is_hard, model%settings)
-         end if
-         call new_contact_pair(model%pairs(i), names(i), model%mesh%nodes, &
-            model%mesh%mortise(i)%facets, model%mesh%tenon(i)%facets, model%settings%cells, law, &
-            error)
-         if (allocated(error)) return
-         model%pairs(i)%search_distance = model%settings%search_distance
-      end do
+      model%pairs_of_joint = merge(3, 2, deck%has_sides)
+      associate (mesh => model%mesh, n => model%pairs_of_joint)
+         allocate (model%pairs(n*size(mesh%mortise, 2)))
+         do i = 1, size(model%pairs)
+            joint = (i - 1)/n + 1
+            face = i - n*(joint - 1)
+            if (face == face_side) then
+               call new_interface_law(law, deck%sides%properties, model%is_hard, model%settings)
+            else
+               call new_interface_law(law, deck%faces%properties, model%is_hard, model%settings)
+            end if
+            call new_contact_pair(model%pairs(i), names(face), mesh%nodes, &
+               mesh%mortise(face, joint)%facets, mesh%tenon(face, joint)%facets, &
+               model%settings%cells, law, error)
+            if (allocated(error)) return
+            model%pairs(i)%search_distance = model%settings%search_distance
+         end do
+      end associate
    end subroutine find_contact
 
 end module asperity_solid_model_model

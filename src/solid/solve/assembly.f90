@@ -5,8 +5,9 @@ module asperity_solid_solve_assembly
    use asperity_base_kinds, only: wp
    use asperity_solid_contact_response, only: face_response
    use asperity_solid_element_brick, only: brick_response
+   use asperity_solid_mesh_joint, only: n_parts, part_beam
    use asperity_solid_model_equations, only: moved
-   use asperity_solid_model_model, only: solid_model
+   use asperity_solid_model_model, only: ground_spring, solid_model
    use asperity_solid_solve_equations, only: equation_system, has_grown, load_state, renew_pattern
    use asperity_solid_solve_times, only: seconds_now
    implicit none
@@ -55,7 +56,7 @@ contains
       logical, intent(in) :: wants_tangent
       type(error_type), allocatable, intent(out) :: error
       real(wp) :: positions(3, size(displacement, 2)), forces(3, size(displacement, 2)), &
-         sums(3, size(displacement, 2)), stiffness(2)
+         sums(3, size(displacement, 2))
       integer :: i, j
 
       positions = model%mesh%nodes + displacement
@@ -69,9 +70,9 @@ contains
       call add_elements(system, model, displacement, load%swelling, forces, wants_tangent)
       call sum_over_ranks(system, forces, wants_tangent)
       if (system%is_inverted) return
-      stiffness = [model%axial_stiffness, model%holding_stiffness]
-      call add_spring(1, 1, model%mesh%axial_node)
-      call add_spring(2, 3, model%mesh%hold_node)
+      do i = 1, size(model%springs)
+         call add_spring(model%springs(i), size(system%places) - size(model%springs) + i)
+      end do
       system%residual = 0.0_wp
       system%load_force = 0.0_wp
       do j = 1, size(forces, 2)
@@ -84,22 +85,26 @@ contains
             end if
          end do
       end do
-      associate (level => model%numbers(3, model%mesh%head(1)))
-         system%residual(level) = system%residual(level) + load%column*model%column_load
-      end associate
+      do i = 1, size(model%column_loads)
+         associate (level => model%numbers(3, model%mesh%heads(i)%nodes(1)))
+            system%residual(level) = system%residual(level) + load%column*model%column_loads(i)
+         end associate
+      end do
       system%scale = system%scale + abs(system%load_force) + model%small_force
 
    contains
 
       !> A spring to ground.
-      subroutine add_spring(number, direction, node)
-         integer, intent(in) :: number, direction, node
+      subroutine add_spring(spring, place)
+         type(ground_spring), intent(in) :: spring
+         !> Of its block in the pattern, which the first rank has
+         integer, intent(in) :: place
 
-         forces(direction, node) = forces(direction, node) &
-            + stiffness(number)*displacement(direction, node)
+         forces(spring%direction, spring%node) = forces(spring%direction, spring%node) &
+            + spring%stiffness*displacement(spring%direction, spring%node)
          if (.not. wants_tangent .or. system%solver%petsc%ranks%rank > 0) return
-         associate (at => system%places(size(system%places))%at(number, number))
-            if (at > 0) system%solver%values(at) = system%solver%values(at) + stiffness(number)
+         associate (at => system%places(place)%at(1, 1))
+            if (at > 0) system%solver%values(at) = system%solver%values(at) + spring%stiffness
          end associate
       end subroutine add_spring
 
@@ -134,13 +139,13 @@ contains
       real(wp), intent(in) :: displacement(:, :), swelling
       real(wp), intent(inout) :: forces(:, :)
       logical, intent(in) :: wants_tangent
-      real(wp) :: corners(3, 8), at_nodes(3, 8), tangent(24, 24), eigenstrain(6, 2), began
+      real(wp) :: corners(3, 8), at_nodes(3, 8), tangent(24, 24), eigenstrain(6, n_parts), began
       integer :: i, k, n_yielding
       logical :: is_inverted
 
       began = seconds_now()
       eigenstrain = 0.0_wp
-      eigenstrain(2, 2) = swelling*model%swelling
+      eigenstrain(2, part_beam) = swelling*model%swelling
       system%n_yielding = 0
       system%is_inverted = .false.
       do k = 1, size(model%own_elements)

@@ -4,14 +4,14 @@ module asperity_solid_solve_energy
    use asperity_solid_contact_energy, only: contact_energy
    use asperity_solid_engine_ranks, only: rank_team
    use asperity_solid_material_material, only: elastic_energy_density, material_point
-   use asperity_solid_model_model, only: solid_model
+   use asperity_solid_model_model, only: load_place, solid_model
    implicit none
    private
    public :: energy_ledger, add_increment
 
    !> Sums since the beam was fitted, of the half joint, J/1000.
    type :: energy_ledger
-      !> Work of the moved load and of the column's
+      !> Work of the moved load and of the columns'
       real(wp) :: work = 0.0_wp
       !> Stored in wood, springs and contact, above what was stored at first
       real(wp) :: stored = 0.0_wp
@@ -23,7 +23,7 @@ module asperity_solid_solve_energy
       real(wp) :: coupling = 0.0_wp, edge = 0.0_wp
       !> Work less all the rest: falls with the increments
       real(wp) :: balance = 0.0_wp
-      !> What the next increment begins from
+      !> What the next increment begins from; place of the heads is their mean, by their loads
       logical :: has_begun = .false.
       real(wp) :: stored_at_first = 0.0_wp, load_force = 0.0_wp, load_place = 0.0_wp, &
          head_place = 0.0_wp, contact_at_first(4) = 0.0_wp
@@ -47,7 +47,7 @@ contains
       !> The ranks, each with its elements and faces
       type(rank_team), intent(in) :: ranks
       type(contact_energy) :: contact
-      real(wp) :: stored, plastic, load_place, head_place, sums(6)
+      real(wp) :: stored, plastic, place, column_load, head_place, sums(6)
       integer :: i, j, k
 
       contact = contact_energy()
@@ -63,8 +63,14 @@ contains
       end do
       stored = contact%normal + contact%tangential
       plastic = 0.0_wp
-      load_place = displacement(3, model%mesh%load(1))
-      head_place = displacement(3, model%mesh%head(1))
+      place = load_place(model, displacement)
+      column_load = sum(model%column_loads)
+      head_place = 0.0_wp
+      do i = 1, size(model%column_loads)
+         if (.not. column_load > 0.0_wp) exit
+         head_place = head_place + model%column_loads(i)/column_load &
+            *displacement(3, model%mesh%heads(i)%nodes(1))
+      end do
       do k = 1, size(model%own_elements)
          j = model%own_elements(k)
          associate (shape => model%shapes(model%shape_of(j)), &
@@ -82,8 +88,13 @@ contains
       sums = [stored, plastic, contact%dissipation, contact%coupling, contact%edge, &
          contact%plastic]
       call ranks%sum(sums)
-      stored = sums(1) + 0.5_wp*model%axial_stiffness*displacement(1, model%mesh%axial_node)**2 &
-         + 0.5_wp*model%holding_stiffness*displacement(3, model%mesh%hold_node)**2
+      stored = sums(1)
+      do i = 1, size(model%springs)
+         associate (spring => model%springs(i))
+            stored = stored &
+               + 0.5_wp*spring%stiffness*displacement(spring%direction, spring%node)**2
+         end associate
+      end do
       ledger%plastic = ledger%plastic + sums(2)
       if (.not. ledger%has_begun) then
          ledger%stored_at_first = stored
@@ -91,8 +102,8 @@ contains
          ledger%has_begun = .true.
       else
          ledger%work = ledger%work &
-            + 0.5_wp*(load_force + ledger%load_force)*(load_place - ledger%load_place) &
-            - model%column_load*(head_place - ledger%head_place)
+            + 0.5_wp*(load_force + ledger%load_force)*(place - ledger%load_place) &
+            - column_load*(head_place - ledger%head_place)
       end if
       ledger%stored = stored - ledger%stored_at_first
       ledger%friction = sums(3) - ledger%contact_at_first(1)
@@ -102,7 +113,7 @@ contains
       ledger%balance = ledger%work - ledger%stored - ledger%plastic - ledger%face_plastic &
          - ledger%friction + ledger%coupling - ledger%edge
       ledger%load_force = load_force
-      ledger%load_place = load_place
+      ledger%load_place = place
       ledger%head_place = head_place
    end subroutine add_increment
 

@@ -22,7 +22,7 @@ module asperity_solid_solve_equations
       !> Matrix and its solver
       type(linear_solver) :: solver
       !> Where the matrices of this rank's elements go, then those of its slave faces, pair by pair,
-      !> and those of the springs
+      !> and on the first rank those of the springs
       type(block_places), allocatable :: places(:)
       !> Internal less external forces, N
       real(wp), allocatable :: residual(:)
@@ -62,15 +62,17 @@ contains
       type(block_list), allocatable :: blocks(:)
       integer, allocatable :: row_start(:), columns(:)
       real(wp) :: began
-      integer :: i, j, n
+      integer :: i, j, n, springs
 
       began = seconds_now()
+      springs = 0
+      if (system%solver%petsc%ranks%rank == 0) springs = size(model%springs)
       n = size(model%own_elements)
       do i = 1, size(model%pairs)
          call foresee_pattern(model%pairs(i))
          n = n + size(model%pairs(i)%own)
       end do
-      allocate (blocks(n + 1))
+      allocate (blocks(n + springs))
       n = size(model%own_elements)
       do i = 1, n
          associate (nodes => model%mesh%elements(:, model%own_elements(i)))
@@ -85,25 +87,15 @@ contains
             end associate
          end do
       end do
-      blocks(n + 1)%numbers = spring_numbers(system, model)
+      do i = 1, springs
+         associate (spring => model%springs(i))
+            blocks(n + i)%numbers = [model%numbers(spring%direction, spring%node)]
+         end associate
+      end do
       model%pairs%has_grown = .false.
       call find_pattern(model%n_unknowns, blocks, row_start, columns, system%places)
       call system%solver%set_pattern(row_start, columns, model%first_rows, error)
       system%times%patterns = system%times%patterns + seconds_now() - began
    end subroutine renew_pattern
-
-   !> Unknowns of the springs, whose stiffness the first rank adds; what is held is 0.
-   pure function spring_numbers(system, model) result(numbers)
-      type(equation_system), intent(in) :: system
-      type(solid_model), intent(in) :: model
-      integer, allocatable :: numbers(:)
-
-      if (system%solver%petsc%ranks%rank == 0) then
-         numbers = [model%numbers(1, model%mesh%axial_node), &
-            model%numbers(3, model%mesh%hold_node)]
-      else
-         allocate (numbers(0))
-      end if
-   end function spring_numbers
 
 end module asperity_solid_solve_equations

@@ -7,7 +7,7 @@ module asperity_solid_solve_programme
    use asperity_solid_contact_pair, only: forget_pattern
    use asperity_solid_engine_petsc, only: petsc_library
    use asperity_solid_material_material, only: material_point
-   use asperity_solid_model_model, only: solid_model
+   use asperity_solid_model_model, only: load_place, solid_model
    use asperity_solid_model_share, only: share_work
    use asperity_solid_model_settings, only: easy_iterations, few_iterations, fit_increments, &
       growth, large_amplitude, shortest_increment, shrinkage
@@ -211,7 +211,7 @@ contains
          if (max(abs(from), abs(from + way)) > large_amplitude) longest = 0.5_wp*longest
          length = longest
          ! a run that has failed goes on from where it stands
-         done = (run%displacement(3, run%model%mesh%load(1)) - from)/way
+         done = (load_place(run%model, run%displacement) - from)/way
          is_fresh = .true.
          last_motion = 0.0_wp
          do while (done < 1.0_wp)

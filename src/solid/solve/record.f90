@@ -4,29 +4,29 @@ module asperity_solid_solve_record
    use asperity_contact_state, only: status_slip, status_stick
    use asperity_law_validity, only: valid
    use asperity_solid_engine_ranks, only: rank_team
-   use asperity_solid_model_model, only: solid_model
+   use asperity_solid_model_model, only: load_place, solid_model
    use asperity_solid_solve_energy, only: energy_ledger
    implicit none
    private
    public :: increment_record, new_record
 
-   !> Most pairs of faces
+   !> Most pairs of faces of a joint
    integer, parameter :: most_pairs = 3
 
-   !> One increment; forces and energies are those of the whole joint.
+   !> One increment; forces and energies are those of the whole joint, or of all joints of a frame.
    type :: increment_record
       !> Number of the stroke, from 1, and iterations
       integer :: stroke = 0, iterations = 0
-      !> Displacement of the load, mm; force, N; rotation of the beam at the column face, rad;
-      !> pull-out there, mm
+      !> Displacement of the load, mm; force, N; of a single joint, rotation of the beam at the
+      !> column face, rad, and pull-out there, mm
       real(wp) :: displacement = 0.0_wp, force = 0.0_wp, rotation = 0.0_wp, pull_out = 0.0_wp
       !> Energies, J
       real(wp) :: work = 0.0_wp, stored = 0.0_wp, plastic = 0.0_wp, friction = 0.0_wp, &
          face_plastic = 0.0_wp, coupling = 0.0_wp, edge = 0.0_wp, balance = 0.0_wp
       !> Share of the wood's points that yield, and largest equivalent plastic strain
       real(wp) :: yielding = 0.0_wp, plastic_strain = 0.0_wp
-      !> Of each pair: normal force, N; largest pressure, MPa; area that sticks and that slips,
-      !> mm^2; energy lost to friction, J
+      !> Of each kind of pair, upper, lower and side: normal force, N; largest pressure, MPa; area
+      !> that sticks and that slips, mm^2; energy lost to friction, J
       real(wp) :: normal_force(most_pairs) = 0.0_wp, largest_pressure(most_pairs) = 0.0_wp, &
          stick_area(most_pairs) = 0.0_wp, slip_area(most_pairs) = 0.0_wp, &
          friction_energy(most_pairs) = 0.0_wp
@@ -51,13 +51,14 @@ contains
       !> The ranks, each with its elements and faces
       type(rank_team), intent(in) :: ranks
       real(wp), parameter :: halves = 2.0_wp, joule = 1.0e3_wp
-      integer :: i, j, k, n
+      integer :: i, j, k, n, face
 
       record%stroke = stroke
       record%iterations = iterations
-      record%displacement = displacement(3, model%mesh%load(1))
+      record%displacement = load_place(model, displacement)
       record%force = halves*ledger%load_force
-      call joint_rotation(model, displacement, record%rotation, record%pull_out)
+      if (allocated(model%mesh%section)) &
+         call joint_rotation(model, displacement, record%rotation, record%pull_out)
       record%work = halves*ledger%work/joule
       record%stored = halves*ledger%stored/joule
       record%plastic = halves*ledger%plastic/joule
@@ -69,21 +70,24 @@ contains
       record%yielding = real(n_yielding, wp)/size(model%points)
       record%plastic_strain = maxval(model%points(:, model%own_elements)%equivalent_strain)
       do i = 1, size(model%pairs)
-         record%friction_energy(i) = halves*model%pairs(i)%energy%dissipation/joule
+         face = modulo(i - 1, model%pairs_of_joint) + 1
+         record%friction_energy(face) = record%friction_energy(face) &
+            + halves*model%pairs(i)%energy%dissipation/joule
          do n = 1, size(model%pairs(i)%own)
             j = model%pairs(i)%own(n)
             do k = 1, size(model%pairs(i)%faces(j)%cells)
                associate (cell => model%pairs(i)%faces(j)%cells(k))
                   if (.not. cell%coverage > 0.0_wp) cycle
                   record%validity = ior(record%validity, cell%trial%validity)
-                  record%normal_force(i) = record%normal_force(i) &
+                  record%normal_force(face) = record%normal_force(face) &
                      + halves*cell%area*cell%coverage*cell%trial%traction(1)
-                  record%largest_pressure(i) = max(record%largest_pressure(i), &
+                  record%largest_pressure(face) = max(record%largest_pressure(face), &
                      cell%trial%traction(1))
                   if (cell%trial%status == status_stick) &
-                     record%stick_area(i) = record%stick_area(i) &
+                     record%stick_area(face) = record%stick_area(face) &
                      + halves*cell%area*cell%coverage
-                  if (cell%trial%status == status_slip) record%slip_area(i) = record%slip_area(i) &
+                  if (cell%trial%status == status_slip) &
+                     record%slip_area(face) = record%slip_area(face) &
                      + halves*cell%area*cell%coverage
                end associate
             end do
