@@ -63,6 +63,18 @@ asperity_test_suite(solid asperity_solid)
 # With PETSc, or left out
 asperity_test_suite(petsc asperity_solid)
 set_tests_properties(petsc_tests PROPERTIES SKIP_RETURN_CODE 77)
+# On one rank, and on three where there is MPI
+asperity_test_suite(ranks asperity_solid)
+set_tests_properties(ranks_tests PROPERTIES SKIP_RETURN_CODE 77)
+find_program(ASPERITY_MPIRUN mpirun)
+mark_as_advanced(ASPERITY_MPIRUN)
+if(ASPERITY_MPIRUN)
+   add_test(NAME three_ranks_tests
+      COMMAND ${ASPERITY_MPIRUN} --oversubscribe -n 3 $<TARGET_FILE:asperity_ranks_tests>
+      WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
+   set_tests_properties(three_ranks_tests PROPERTIES SKIP_RETURN_CODE 77 PROCESSORS 2 ENVIRONMENT
+      "OMPI_ALLOW_RUN_AS_ROOT=1;OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1")
+endif()
 if(ASPERITY_BUILD_PROGRAM)
    asperity_test_suite(program_input asperity_commands)
    asperity_test_suite(program_fit asperity_commands)

@@ -58,7 +58,7 @@ contains
       call keep_motions(run%model%pairs)
       watcher%increments = 14
       call run_programme(run, watcher, error)
-      call find_failed_point(run%model%pairs, failed)
+      call find_failed_point(run%model%pairs, failed, petsc%ranks)
       call assertEqual(0, failed%pair, 'stopped, nothing failed')
       run%model%settings%most_iterations = 4
       run%model%settings%forcing = 0.5_wp
@@ -66,7 +66,7 @@ contains
       watcher%increments = huge(1)
       call run_programme(run, watcher, error)
       call assertTrue(allocated(error), 'it fails')
-      call find_failed_point(run%model%pairs, failed)
+      call find_failed_point(run%model%pairs, failed, petsc%ranks)
       call assertTrue(failed%pair > 0, 'at a point')
       if (failed%pair == 0) return
       n = size(failed%path%time)

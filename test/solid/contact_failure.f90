@@ -9,6 +9,7 @@ module test_solid_contact_failure
    use asperity_replay_abaqus_host, only: host_point, new_host_point
    use asperity_replay_path_replay, only: path_step, replay_path
    use asperity_solid_contact_failed_point, only: failed_point, find_failed_point, keep_motions
+   use asperity_solid_engine_ranks, only: rank_team
    use asperity_solid_contact_hard, only: hard_law
    use asperity_solid_contact_law, only: solid_law
    use asperity_solid_contact_pair, only: begin_increment, contact_pair
@@ -199,9 +200,10 @@ contains
       type(motion), intent(in) :: m
       type(failed_point), intent(out) :: failed
       type(contact_pair) :: pairs(1)
+      type(rank_team) :: alone
 
       pairs(1) = m%pair
-      call find_failed_point(pairs, failed)
+      call find_failed_point(pairs, failed, alone)
    end subroutine find
 
    !> An increment that is not accepted.

@@ -10,6 +10,7 @@ module asperity_solid_contact_failed_point
    use asperity_solid_contact_law, only: solid_law
    use asperity_solid_contact_pair, only: contact_pair
    use asperity_solid_contact_rough, only: rough_law
+   use asperity_solid_engine_ranks, only: rank_team
    implicit none
    private
    public :: failed_point, keep_motions, find_failed_point
@@ -48,24 +49,26 @@ contains
    end subroutine keep_motions
 
    !> The point that the law refused, else that whose force changed most: an increment that fails is
-   !> next to nothing long, and began in balance.
-   subroutine find_failed_point(pairs, failed)
+   !> next to nothing long, and began in balance. All ranks find the same.
+   subroutine find_failed_point(pairs, failed, ranks)
       !> The pairs, after an increment that failed
       type(contact_pair), intent(inout) :: pairs(:)
       !> The point
       type(failed_point), intent(out) :: failed
-      real(wp) :: change, largest
-      logical :: is_refused
-      integer :: i, j, k
+      !> The ranks, each with its faces
+      type(rank_team), intent(in) :: ranks
+      real(wp) :: change, largest, place(3), greatest(1)
+      logical :: is_refused, is_own
+      integer :: i, j, k, n
 
-      do i = 1, size(pairs)
-         if (.not. allocated(pairs(i)%motions)) return
-      end do
-      failed%is_known = .true.
+      failed%is_known = .not. ranks%any(any([(.not. allocated(pairs(i)%motions), &
+         i=1, size(pairs))]))
+      if (.not. failed%is_known) return
       if (.not. any([(pairs(i)%motions%is_under_way, i=1, size(pairs))])) return
       largest = 0.0_wp
       search: do i = 1, size(pairs)
-         do j = 1, size(pairs(i)%faces)
+         do n = 1, size(pairs(i)%own)
+            j = pairs(i)%own(n)
             do k = 1, size(pairs(i)%faces(j)%cells)
                associate (cell => pairs(i)%faces(j)%cells(k))
                   ! what is no number cannot be replayed
@@ -80,12 +83,27 @@ contains
                   failed%pair = i
                   failed%face = j
                   failed%cell = k
-                  if (is_refused) exit search
+                  if (.not. is_refused) cycle
+                  largest = huge(1.0_wp)
+                  exit search
                end associate
             end do
          end do
       end do search
-      if (failed%pair > 0) call follow(pairs(failed%pair), failed)
+      ! of several ranks with as much the last
+      greatest = largest
+      call ranks%maximum(greatest)
+      is_own = failed%pair > 0 .and. .not. largest < greatest(1)
+      greatest = merge(real(ranks%rank, wp), -1.0_wp, is_own)
+      call ranks%maximum(greatest)
+      is_own = is_own .and. nint(greatest(1)) == ranks%rank
+      place = 0.0_wp
+      if (is_own) place = real([failed%pair, failed%face, failed%cell], wp)
+      call ranks%sum(place)
+      failed%pair = nint(place(1))
+      failed%face = nint(place(2))
+      failed%cell = nint(place(3))
+      if (failed%pair > 0) call follow(pairs(failed%pair), failed, is_own, ranks)
    end subroutine find_failed_point
 
    !> By how much the force of a cell changes in an increment, N.
@@ -100,24 +118,29 @@ contains
          - cell%start_coverage*start%traction)
    end function change_of
 
-   !> Motion and properties of the point.
-   subroutine follow(pair, failed)
+   !> Motion and properties of the point, which one rank has followed.
+   subroutine follow(pair, failed, is_own, ranks)
       type(contact_pair), intent(in) :: pair
       type(failed_point), intent(inout) :: failed
+      logical, intent(in) :: is_own
+      type(rank_team), intent(in) :: ranks
       real(wp), allocatable :: values(:, :)
       integer :: i, n
 
       n = pair%motions%increments
-      allocate (values(3, n + 1))
+      allocate (values(3, n + 1), source=0.0_wp)
       associate (face => failed%face, cell => failed%cell, &
             x => pair%faces(failed%face)%cells(failed%cell)%position)
          failed%words = 'the point of the '//trim(pair%name)//' faces at x, y, z = '// &
             to_text(x(1), 5)//', '//to_text(x(2), 5)//', '//to_text(x(3), 5)//' mm'
-         do i = 1, n
-            values(:, i) = pair%motions%at(i)%values(:, cell, face)
-         end do
-         values(:, n + 1) = motion_of(pair%faces(face)%cells(cell))
-         if (n > 0) values(2:, n + 1) = values(2:, n + 1) + values(2:, n)
+         if (is_own) then
+            do i = 1, n
+               values(:, i) = pair%motions%at(i)%values(:, cell, face)
+            end do
+            values(:, n + 1) = motion_of(pair%faces(face)%cells(cell))
+            if (n > 0) values(2:, n + 1) = values(2:, n + 1) + values(2:, n)
+         end if
+         call ranks%sum(values)
       end associate
       failed%path%time = real([(i, i=1, n + 1)], wp)
       failed%path%overclosure = values(1, :)

@@ -29,6 +29,7 @@ module asperity_program_commands_solid_command
    use asperity_replay_tenon_settings, only: complete_tenon_settings, tenon_settings
    use asperity_solid_contact_failed_point, only: failed_point, find_failed_point, keep_motions
    use asperity_solid_engine_petsc, only: load_petsc, petsc_library, unload_petsc
+   use asperity_solid_engine_ranks, only: rank_team
    use asperity_solid_mesh_checks, only: mesh_remark
    use asperity_solid_model_model, only: new_solid_model, solid_model
    use asperity_solid_solve_programme, only: new_solid_run, run_programme, solid_run
@@ -231,7 +232,7 @@ contains
       if (allocated(error)) return
       call run_programme(run, observer, error)
       if (allocated(error)) then
-         call keep_point(error, run%model)
+         call keep_point(error, run%model, petsc%ranks)
          if (is_there(checkpoint%path)) error%message = error%message//'. It begins again from '// &
             checkpoint%path//' with --resume'
          return
@@ -239,8 +240,9 @@ contains
       if (self%vtk /= '' .and. observer%is_first) call write_vtk_series(self%vtk, run, error)
       if (allocated(error)) return
       call new_outcome(outcome, run, observer%snapshots, seconds_of(observer), error)
-      if (observer%is_first) call tell_terminal(observer%name//': '//to_text(run%increments)//' increments, '// &
-         to_text(run%iterations)//' iterations, '//to_text(seconds_of(observer), 3)//' s')
+      if (observer%is_first) call tell_terminal(observer%name//': '//to_text(run%increments)// &
+         ' increments, '//to_text(run%iterations)//' iterations, '// &
+         to_text(seconds_of(observer), 3)//' s')
    end subroutine run_model
 
    !> Go on from a checkpoint, if there is one and it is asked for, else from the start.
@@ -259,13 +261,16 @@ contains
    end subroutine begin
 
    !> Keep the motion of the contact point at which an increment failed, if UINTER can be led along.
-   subroutine keep_point(error, model)
+   subroutine keep_point(error, model, ranks)
       type(error_type), intent(inout) :: error
       type(solid_model), intent(inout) :: model
+      type(rank_team), intent(in) :: ranks
       type(failed_point) :: failed
 
       if (error%category /= computation_error .or. model%is_hard) return
-      call find_failed_point(model%pairs, failed)
+      call find_failed_point(model%pairs, failed, ranks)
+      ! one tells and writes
+      if (ranks%rank > 0) return
       if (failed%pair > 0) then
          call keep_failed_point(error, failed%path, failed%properties, trim(failed%words))
       else if (.not. failed%is_known) then
