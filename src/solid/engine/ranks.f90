@@ -198,23 +198,21 @@ contains
    end function any_rank
 
    !> Let all ranks have the error of the first of them that has one. Its message says which rank it
-   !> was unless all have an error.
+   !> was, but for the first rank, which tells it.
    subroutine agree(self, error)
       !> The team
       class(rank_team), intent(in) :: self
       !> The error of this rank, then that of all
       type(error_type), allocatable, intent(inout) :: error
       character(len=:), allocatable :: message, subject
-      real(wp) :: first(1), count(1)
+      real(wp) :: first(1)
       integer :: from, numbers(3)
 
       if (self%size == 1) return
       first = 0.0_wp
       if (allocated(error)) first = real(self%size - self%rank, wp)
-      count = merge(1.0_wp, 0.0_wp, allocated(error))
       call self%maximum(first)
       if (.not. first(1) > 0.0_wp) return
-      call self%sum(count)
       from = self%size - nint(first(1))
       numbers = 0
       if (from == self%rank) numbers = [error%category, len(error%message), len(error%subject)]
@@ -227,7 +225,7 @@ contains
       end if
       call copy_text(self, message, from)
       call copy_text(self, subject, from)
-      if (nint(count(1)) < self%size) message = 'rank '//to_text(from)//': '//message
+      if (from > 0) message = 'rank '//to_text(from)//': '//message
       call fatal_error(error, message, numbers(1), subject)
    end subroutine agree
 
