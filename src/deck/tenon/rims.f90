@@ -30,21 +30,23 @@ contains
    end subroutine cut_part
 
    !> Planes of a length of the mortise, with planes where contact begins.
-   pure subroutine cut_mortise(choice, from, to, relief, cuts)
+   pure subroutine cut_mortise(choice, from, to, relief, least, cuts)
       !> Choices of the deck
       type(deck_choice), intent(in) :: choice
       !> Ends of the length, which are rims, and how far from them contact begins, mm
       real(wp), intent(in) :: from, to, relief(2)
+      !> Fewest cells, of which the number is a multiple, but for those where contact begins
+      integer, intent(in) :: least
       !> Places of the planes, mm
       real(wp), allocatable, intent(out) :: cuts(:)
 
       if (allocated(choice%rim_mesh_size)) then
          ! cells grow from where contact begins, so that none is a sliver
-         call cut_part(choice, from + relief(1), to - relief(2), [.true., .true.], 1, cuts)
+         call cut_part(choice, from + relief(1), to - relief(2), [.true., .true.], least, cuts)
          if (relief(1) > 0.0_wp) cuts = [from, cuts]
          if (relief(2) > 0.0_wp) cuts = [cuts, to]
       else
-         call cut_part(choice, from, to, [.true., .true.], 1, cuts)
+         call cut_part(choice, from, to, [.true., .true.], least, cuts)
          call add_cut(cuts, from + relief(1))
          call add_cut(cuts, to - relief(2))
       end if

@@ -7,9 +7,10 @@ module asperity_deck_tenon_sets
    use asperity_replay_tenon_settings, only: tenon_face_arm, tenon_settings
    implicit none
    private
-   public :: tenon_sets, face_list, new_tenon_sets
+   public :: tenon_sets, face_list, new_tenon_sets, find_joint_faces
 
-   real(wp), parameter :: far = huge(1.0_wp)
+   !> Further than any part reaches, mm
+   real(wp), parameter, public :: far = huge(1.0_wp)
    !> Stiffness of the spring that holds the open joint, N/mm: nothing beside wood
    real(wp), parameter, public :: holding_stiffness = 0.1_wp
    !> Places of the upper, the lower and the side face in lists of pairs
@@ -56,7 +57,12 @@ contains
       before = size(column%nodes, 2)
       end_of_column = 0.5_wp*sizes%column_height
       tip = tenon_face_arm(settings)
-      call find_faces(sets, settings, sizes, has_sides, column, beam)
+      call find_joint_faces(sets%mortise, sets%tenon, settings, sizes, has_sides, column, beam, &
+         [0.0_wp, 0.0_wp], [.true., .false.])
+      do i = 1, size(sets%tenon)
+         sets%tenon(i)%faces(1, :) = size(column%elements, 2) + sets%tenon(i)%faces(1, :)
+      end do
+      call faces_in_box(column, [-far, -far, end_of_column], [far, far, far], sets%loaded%faces)
       call nodes_in_box(column, [-far, -far, -end_of_column], [far, far, -end_of_column], sets%foot)
       call nodes_in_box(column, [-far, -far, end_of_column], [far, far, end_of_column], sets%head)
       call nodes_in_box(column, [-far, 0.0_wp, -far], [far, 0.0_wp, far], sets%middle)
@@ -70,43 +76,48 @@ contains
       sets%hold_node = before + node_near(beam, [-settings%length - sizes%tail, 0.0_wp, 0.0_wp])
    end subroutine new_tenon_sets
 
-   !> Faces in contact and under load.
-   pure subroutine find_faces(sets, settings, sizes, has_sides, column, beam)
-      type(tenon_sets), intent(inout) :: sets
+   !> Faces of a joint that touch, elements numbered as in their parts.
+   pure subroutine find_joint_faces(mortise, tenon, settings, sizes, has_sides, column, beam, &
+         place, has_relief)
+      !> Faces of the mortise and of the beam, at `face_top` and so on
+      type(face_list), intent(inout) :: mortise(3), tenon(3)
+      !> Settings of the joint, and what a plane joint has not
       type(tenon_settings), intent(in) :: settings
       type(tenon_sizes), intent(in) :: sizes
+      !> Whether the sides touch
       logical, intent(in) :: has_sides
+      !> The parts
       type(hex_mesh), intent(in) :: column, beam
-      real(wp) :: top, bottom, side, half, half_width, back, relief
-      integer :: i
+      !> Front face of the column, and height of the beam's axis, mm
+      real(wp), intent(in) :: place(2)
+      !> Whether contact begins at a distance from the back and the front face
+      logical, intent(in) :: has_relief(2)
+      real(wp) :: upper, lower, top, bottom, side, half_width, back, front, relief
 
-      half = 0.5_wp*settings%height
-      half_width = 0.5_wp*settings%width
       relief = sizes%edge_relief
-      back = -settings%length + relief
-      top = half + sizes%gap_above
-      bottom = -half - sizes%gap_below
+      back = place(1) - settings%length
+      if (has_relief(1)) back = back + relief
+      front = place(1)
+      if (has_relief(2)) front = front - relief
+      upper = place(2) + 0.5_wp*settings%height
+      lower = place(2) - 0.5_wp*settings%height
+      half_width = 0.5_wp*settings%width
+      top = upper + sizes%gap_above
+      bottom = lower - sizes%gap_below
       side = half_width - sizes%side_overlap
-      associate (mortise => sets%mortise, tenon => sets%tenon)
-         call faces_in_box(column, [back, 0.0_wp, top], [far, side, top], mortise(face_top)%faces)
-         call faces_in_box(column, [back, 0.0_wp, bottom], [far, side, bottom], &
-            mortise(face_bottom)%faces)
-         call faces_in_box(beam, [-far, -far, half], [far, far, half], tenon(face_top)%faces)
-         call faces_in_box(beam, [-far, -far, -half], [far, far, -half], tenon(face_bottom)%faces)
-         if (has_sides) then
-            call faces_in_box(column, [back, side, bottom + relief], [far, side, top - relief], &
-               mortise(face_side)%faces)
-            call faces_in_box(beam, [-far, half_width, -far], [far, half_width, far], &
-               tenon(face_side)%faces)
-         else
-            allocate (mortise(face_side)%faces(2, 0), tenon(face_side)%faces(2, 0))
-         end if
-         do i = 1, size(tenon)
-            tenon(i)%faces(1, :) = size(column%elements, 2) + tenon(i)%faces(1, :)
-         end do
-      end associate
-      call faces_in_box(column, [-far, -far, 0.5_wp*sizes%column_height], [far, far, far], &
-         sets%loaded%faces)
-   end subroutine find_faces
+      call faces_in_box(column, [back, 0.0_wp, top], [front, side, top], mortise(face_top)%faces)
+      call faces_in_box(column, [back, 0.0_wp, bottom], [front, side, bottom], &
+         mortise(face_bottom)%faces)
+      call faces_in_box(beam, [-far, -far, upper], [far, far, upper], tenon(face_top)%faces)
+      call faces_in_box(beam, [-far, -far, lower], [far, far, lower], tenon(face_bottom)%faces)
+      if (has_sides) then
+         call faces_in_box(column, [back, side, bottom + relief], [front, side, top - relief], &
+            mortise(face_side)%faces)
+         call faces_in_box(beam, [-far, half_width, -far], [far, half_width, far], &
+            tenon(face_side)%faces)
+      else
+         allocate (mortise(face_side)%faces(2, 0), tenon(face_side)%faces(2, 0))
+      end if
+   end subroutine find_joint_faces
 
 end module asperity_deck_tenon_sets

@@ -9,7 +9,7 @@ module asperity_solid_mesh_joint
    use asperity_solid_mesh_checks, only: check_solid_mesh
    implicit none
    private
-   public :: solid_mesh, facet_set, node_list, new_solid_mesh, take_facets
+   public :: solid_mesh, facet_set, node_list, joint_nodes, new_solid_mesh, take_facets
    ! places of the pairs in `mortise` and `tenon`
    public :: face_top, face_bottom, face_side
 
@@ -29,6 +29,15 @@ module asperity_solid_mesh_joint
       !> Their numbers
       integer, allocatable :: nodes(:)
    end type node_list
+
+   !> A joint of a frame: its beam and its column, and the nodes of both by which its rotation is
+   !> measured.
+   type :: joint_nodes
+      !> Numbers of the beam and the column
+      integer :: beam = 0, column = 0
+      !> Nodes of both within the mortise's depth and height
+      integer, allocatable :: beam_nodes(:), column_nodes(:)
+   end type joint_nodes
 
    !> Nodes, elements and what is found on them; half the joint, see asperity_deck_tenon_parts for
    !> the axes. A frame has several columns, beams and joints.
@@ -53,6 +62,8 @@ module asperity_solid_mesh_joint
       !> Nodes of the beam's section nearest to the column face, whose rotation is that of a single
       !> joint
       integer, allocatable :: section(:)
+      !> The joints of a frame; not allocated for a single one
+      type(joint_nodes), allocatable :: joints(:)
    end type solid_mesh
 
 contains

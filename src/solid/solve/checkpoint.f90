@@ -24,9 +24,9 @@ contains
       integer :: i
 
       write (unit, iostat=status) run%strokes_done, run%increments, run%iterations, run%cutbacks, &
-         size(run%displacement), size(run%records)
+         size(run%displacement), size(run%records), size(run%joints, 1)
       if (status == 0) write (unit, iostat=status) run%displacement, run%ledger, &
-         run%model%points, run%records
+         run%model%points, run%records, run%joints
       if (status /= 0) return
       do i = 1, size(run%model%pairs)
          associate (history => pack_history(run%model%pairs(i)), &
@@ -47,17 +47,17 @@ contains
       integer, intent(out) :: status
       real(wp), allocatable :: history(:)
       integer, allocatable :: facets(:)
-      integer :: i, n, n_facets, n_displacements, n_records
+      integer :: i, n, n_facets, n_displacements, n_records, n_joints
 
       read (unit, iostat=status) run%strokes_done, run%increments, run%iterations, run%cutbacks, &
-         n_displacements, n_records
+         n_displacements, n_records, n_joints
       if (status /= 0) return
       status = 1
-      if (n_displacements /= size(run%displacement) .or. n_records < 0) return
-      deallocate (run%records)
-      allocate (run%records(n_records), stat=status)
+      if (n_displacements /= size(run%displacement) .or. min(n_records, n_joints) < 0) return
+      deallocate (run%records, run%joints)
+      allocate (run%records(n_records), run%joints(n_joints, n_records), stat=status)
       if (status == 0) read (unit, iostat=status) run%displacement, run%ledger, &
-         run%model%points, run%records
+         run%model%points, run%records, run%joints
       do i = 1, size(run%model%pairs)
          if (status == 0) read (unit, iostat=status) n, n_facets
          if (status /= 0) return

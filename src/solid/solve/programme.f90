@@ -15,6 +15,7 @@ module asperity_solid_solve_programme
    use asperity_solid_solve_energy, only: add_increment, energy_ledger
    use asperity_solid_solve_gather, only: gather_met_facets, gather_model
    use asperity_solid_solve_increment, only: increment_type, solve_increment
+   use asperity_solid_solve_joints, only: find_joint_records, joint_record
    use asperity_solid_solve_record, only: increment_record, new_record
    implicit none
    private
@@ -33,6 +34,8 @@ module asperity_solid_solve_programme
       type(energy_ledger) :: ledger
       !> Every increment of the strokes so far
       type(increment_record), allocatable :: records(:)
+      !> The joints of a frame in each of them
+      type(joint_record), allocatable :: joints(:, :)
       !> Strokes that are done; -1 before the beam is fitted
       integer :: strokes_done = -1
       !> Increments, iterations and increments that were halved, with those before the strokes
@@ -84,7 +87,7 @@ contains
       if (allocated(error)) return
       allocate (run%displacement(3, size(model%mesh%nodes, 2)), source=0.0_wp)
       run%before = run%displacement
-      allocate (run%records(0))
+      allocate (run%records(0), run%joints(0, 0))
       allocate (run%system%residual(model%n_unknowns), run%system%by_motion(model%n_unknowns))
    end subroutine new_solid_run
 
@@ -272,12 +275,15 @@ contains
       type(solid_run), intent(inout) :: run
       type(increment_type), intent(in) :: increment
       type(increment_record) :: record
+      type(joint_record), allocatable :: joints(:)
 
       run%increments = run%increments + 1
       if (run%strokes_done < 0) return
       call new_record(record, run%model, run%displacement, run%ledger, run%system%n_yielding, &
          run%strokes_done + 1, increment%iterations, run%system%solver%petsc%ranks)
       run%records = [run%records, record]
+      call find_joint_records(joints, run%model, run%displacement, run%system%solver%petsc%ranks)
+      run%joints = reshape([run%joints, joints], [size(joints), size(run%records)])
    end subroutine keep
 
 end module asperity_solid_solve_programme
