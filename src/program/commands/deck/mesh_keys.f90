@@ -7,7 +7,7 @@ module asperity_program_commands_deck_mesh_keys
    use asperity_program_input_key_list, only: key_list
    implicit none
    private
-   public :: declare_joint_sizes, declare_grading
+   public :: declare_joint_sizes, declare_mortise_sizes, declare_grading
 
 contains
 
@@ -20,13 +20,27 @@ contains
       !> The keys
       type(key_list), intent(inout) :: keys
       type(tenon_sizes) :: usual
-      real(wp), allocatable :: side_interference
 
       usual = default_tenon_sizes(case%joint)
       sizes%column_height = usual%column_height
       call keys%real('column_height', sizes%column_height, 'mm', &
          'height of the column; 10/3 of height unless given')
       call keys%follows(case%height_key, '10/3 of height')
+      call declare_mortise_sizes(sizes, case, keys)
+   end subroutine declare_joint_sizes
+
+   !> Declare all of them but the height of the column.
+   pure subroutine declare_mortise_sizes(sizes, case, keys)
+      !> The sizes
+      type(tenon_sizes), intent(inout) :: sizes
+      !> The joint, declared
+      type(tenon_case), intent(in) :: case
+      !> The keys
+      type(key_list), intent(inout) :: keys
+      type(tenon_sizes) :: usual
+      real(wp), allocatable :: side_interference
+
+      usual = default_tenon_sizes(case%joint)
       sizes%column_width = usual%column_width
       call keys%real('column_width', sizes%column_width, 'mm', &
          'width of the column across the beam; length unless given')
@@ -39,7 +53,7 @@ contains
       call keys%optional_real('side_interference', side_interference, 'mm', &
          'interference at each side; made for side_pressure unless given')
       if (allocated(side_interference)) sizes%side_interference = side_interference
-   end subroutine declare_joint_sizes
+   end subroutine declare_mortise_sizes
 
    !> Declare what makes the mesh of the joint finer at its rims.
    pure subroutine declare_grading(choice, keys)

@@ -4,16 +4,20 @@ module asperity_program_commands_solid_checkpoint
    use, intrinsic :: iso_fortran_env, only: int64
    use asperity_base_error, only: error_type, fatal_error, file_error
    use asperity_base_kinds, only: wp
+   use asperity_base_version, only: version
    use asperity_program_commands_solid_snapshot, only: solid_snapshot
    use asperity_program_commands_solid_snapshots_file, only: read_snapshots, write_snapshots
+   use asperity_program_input_key_list, only: key_list
+   use asperity_program_input_print_case, only: case_heading, case_text
    use asperity_program_system_atomic_files, only: open_target, output_file
    use asperity_program_system_files, only: remove_file, rename_file
    use asperity_program_system_process, only: held_interrupts, hold_interrupts, release_interrupts
+   use asperity_program_system_strings, only: newline
    use asperity_solid_solve_checkpoint, only: read_run, write_run
    use asperity_solid_solve_programme, only: solid_run
    implicit none
    private
-   public :: checkpoint_file, is_there
+   public :: checkpoint_file, is_there, name_checkpoints
 
    !> A checkpoint.
    type :: checkpoint_file
@@ -143,5 +147,43 @@ contains
 
       call remove_file(self%path)
    end subroutine remove
+
+   !> Name the checkpoints of the models. `error` is set when one cannot be written, when one is
+   !> there that is not to be gone on from, or when there is none that is.
+   subroutine name_checkpoints(files, stem, names, command, resumes, keys, error)
+      !> The checkpoints, one for each model
+      type(checkpoint_file), intent(inout) :: files(:)
+      !> How their paths begin; the command unless given
+      character(len=:), allocatable, intent(inout) :: stem
+      !> Names of the models, and of the command
+      character(len=*), intent(in) :: names(:), command
+      !> Whether to go on from them
+      logical, intent(in) :: resumes
+      !> The input
+      type(key_list), intent(in) :: keys
+      !> Set then
+      type(error_type), allocatable, intent(out) :: error
+      logical :: are_there(size(names))
+      integer :: i
+
+      if (stem == '') stem = command
+      do i = 1, size(names)
+         associate (file => files(i))
+            file%path = stem//'.'//trim(names(i))//'.checkpoint'
+            file%head = 'asperity '//version//newline//case_text(keys, case_heading(command))
+            call file%check_place(error)
+            if (allocated(error)) return
+            are_there(i) = is_there(file%path)
+         end associate
+      end do
+      if (resumes .and. .not. any(are_there)) then
+         call fatal_error(error, 'there is no '//files(1)%path//': begin without '// &
+            '--resume, or name the checkpoints with --checkpoint', subject='resume')
+      else if (any(are_there) .and. .not. resumes) then
+         call fatal_error(error, files(findloc(are_there, .true., 1))%path// &
+            ' is there, of a run that was interrupted or is under way: go on from it with '// &
+            '--resume, remove it, or name others with --checkpoint', subject='checkpoint')
+      end if
+   end subroutine name_checkpoints
 
 end module asperity_program_commands_solid_checkpoint

@@ -1,38 +1,31 @@
 !> `asperity solid`: the tenon joint as a solid of plastic wood, through the whole programme, under
 !> hard contact and under the rough law.
 module asperity_program_commands_solid_command
-   use asperity_base_error, only: computation_error, error_type, fatal_error
-   use asperity_base_kinds, only: wp
-   use asperity_base_number_text, only: to_text
-   use asperity_base_version, only: version
+   use asperity_base_error, only: error_type
    use asperity_deck_tenon_deck, only: tenon_deck
    use asperity_program_commands_command, only: command_type
-   use asperity_program_commands_joint_loops, only: legends
+   use asperity_program_commands_joint_solid_run, only: follow_model
    use asperity_program_commands_opensees_joint, only: add_joint_material, check_history
    use asperity_program_commands_opensees_output, only: opensees_output
-   use asperity_program_commands_replay_failed_point, only: keep_failed_point
-   use asperity_program_commands_solid_checkpoint, only: checkpoint_file, is_there
+   use asperity_program_commands_solid_checkpoint, only: checkpoint_file, name_checkpoints
    use asperity_program_commands_solid_keys, only: solid_case
-   use asperity_program_commands_solid_observer, only: new_observer, run_observer, seconds_of
+   use asperity_program_commands_solid_observer, only: run_observer, seconds_of
    use asperity_program_commands_solid_outcome, only: new_outcome, solid_outcome
    use asperity_program_commands_solid_page, only: solid_page
    use asperity_program_commands_solid_report, only: fill_report
-   use asperity_program_commands_solid_vtk_files, only: check_vtk_folder, write_vtk_series
+   use asperity_program_commands_solid_vtk_files, only: check_vtk_folder
    use asperity_program_commands_tenon_history, only: follow_history, history_type, read_history
    use asperity_program_commands_tenon_paper_joint, only: is_paper_joint
    use asperity_program_input_key, only: kind_picture, kind_place
    use asperity_program_input_key_list, only: key_list
-   use asperity_program_input_print_case, only: case_heading, case_text
    use asperity_program_report_report, only: report_type
-   use asperity_program_system_progress, only: clear_steps, tell_terminal
-   use asperity_program_system_strings, only: newline, string_type
+   use asperity_program_system_progress, only: clear_steps
+   use asperity_program_system_strings, only: string_type
    use asperity_replay_tenon_settings, only: complete_tenon_settings, tenon_settings
-   use asperity_solid_contact_failed_point, only: failed_point, find_failed_point, keep_motions
    use asperity_solid_engine_petsc, only: load_petsc, petsc_library, unload_petsc
-   use asperity_solid_engine_ranks, only: rank_team
    use asperity_solid_mesh_checks, only: mesh_remark
    use asperity_solid_model_model, only: new_solid_model, solid_model
-   use asperity_solid_solve_programme, only: new_solid_run, run_programme, solid_run
+   use asperity_solid_solve_programme, only: solid_run
    implicit none
    private
    public :: solid_command
@@ -157,7 +150,8 @@ contains
 
       models = pack([1, 2], names == self%case%contact .or. self%case%contact == 'both')
       allocate (outcomes(size(models)), self%checkpoints(size(models)))
-      call name_checkpoints(self, names(models), report%keys, error)
+      call name_checkpoints(self%checkpoints, self%checkpoint, names(models), 'solid', &
+         self%resumes, report%keys, error)
       if (allocated(error)) return
       line%text = ''
       do i = 1, size(models)
@@ -173,36 +167,6 @@ contains
       if (line%text /= '') call report%add_remark(line%text)
       if (self%page /= '') report%page = page_of(self, report, beside_paper)
    end subroutine report_models
-
-   !> Name the checkpoints of the models. `error` is set when one cannot be written, when one is
-   !> there that is not to be gone on from, or when there is none that is.
-   subroutine name_checkpoints(self, names, keys, error)
-      class(solid_command), intent(inout) :: self
-      character(len=*), intent(in) :: names(:)
-      type(key_list), intent(in) :: keys
-      type(error_type), allocatable, intent(out) :: error
-      logical :: are_there(size(names))
-      integer :: i
-
-      if (self%checkpoint == '') self%checkpoint = 'solid'
-      do i = 1, size(names)
-         associate (file => self%checkpoints(i))
-            file%path = self%checkpoint//'.'//trim(names(i))//'.checkpoint'
-            file%head = 'asperity '//version//newline//case_text(keys, case_heading('solid'))
-            call file%check_place(error)
-            if (allocated(error)) return
-            are_there(i) = is_there(file%path)
-         end associate
-      end do
-      if (self%resumes .and. .not. any(are_there)) then
-         call fatal_error(error, 'there is no '//self%checkpoints(1)%path//': begin without '// &
-            '--resume, or name the checkpoints with --checkpoint', subject='resume')
-      else if (any(are_there) .and. .not. self%resumes) then
-         call fatal_error(error, self%checkpoints(findloc(are_there, .true., 1))%path// &
-            ' is there, of a run that was interrupted or is under way: go on from it with '// &
-            '--resume, remove it, or name others with --checkpoint', subject='checkpoint')
-      end if
-   end subroutine name_checkpoints
 
    !> Run one model.
    subroutine run_model(self, petsc, which, checkpoint, outcome, remark, error)
@@ -223,60 +187,11 @@ contains
       if (.not. allocated(error)) call new_solid_model(model, deck, self%case%settings, error)
       if (allocated(error)) return
       if (remark == '') remark = trim(mesh_remark(deck))
-      call new_solid_run(run, model, petsc, error)
-      if (allocated(error)) return
-      deallocate (deck, model)
-      call new_observer(observer, 'solid: '//trim(legends(which)), checkpoint, self%vtk, &
-         petsc%ranks%rank == 0)
-      call begin(self%resumes, checkpoint, run, observer, error)
-      if (allocated(error)) return
-      call run_programme(run, observer, error)
-      if (allocated(error)) then
-         call keep_point(error, run%model, petsc%ranks)
-         if (is_there(checkpoint%path)) error%message = error%message//'. It begins again from '// &
-            checkpoint%path//' with --resume'
-         return
-      end if
-      if (self%vtk /= '' .and. observer%is_first) call write_vtk_series(self%vtk, run, error)
-      if (allocated(error)) return
-      call new_outcome(outcome, run, observer%snapshots, seconds_of(observer), error)
-      if (observer%is_first) call tell_terminal(observer%name//': '//to_text(run%increments)// &
-         ' increments, '//to_text(run%iterations)//' iterations, '// &
-         to_text(seconds_of(observer), 3)//' s')
+      call follow_model(run, observer, model, petsc, 'solid', checkpoint, self%resumes, self%vtk, &
+         error)
+      if (.not. allocated(error)) &
+         call new_outcome(outcome, run, observer%snapshots, seconds_of(observer), error)
    end subroutine run_model
-
-   !> Go on from a checkpoint, if there is one and it is asked for, else from the start.
-   subroutine begin(resumes, checkpoint, run, observer, error)
-      logical, intent(in) :: resumes
-      type(checkpoint_file), intent(in) :: checkpoint
-      type(solid_run), intent(inout) :: run
-      type(run_observer), intent(inout) :: observer
-      type(error_type), allocatable, intent(out) :: error
-
-      if (is_there(checkpoint%path) .and. resumes) then
-         call checkpoint%load(run, observer%snapshots, observer%seconds_before, error)
-      else
-         call keep_motions(run%model%pairs)
-      end if
-   end subroutine begin
-
-   !> Keep the motion of the contact point at which an increment failed, if UINTER can be led along.
-   subroutine keep_point(error, model, ranks)
-      type(error_type), intent(inout) :: error
-      type(solid_model), intent(inout) :: model
-      type(rank_team), intent(in) :: ranks
-      type(failed_point) :: failed
-
-      if (error%category /= computation_error .or. model%is_hard) return
-      call find_failed_point(model%pairs, failed, ranks)
-      ! one tells and writes
-      if (ranks%rank > 0) return
-      if (failed%pair > 0) then
-         call keep_failed_point(error, failed%path, failed%properties, trim(failed%words))
-      else if (.not. failed%is_known) then
-         error%message = error%message//'; no motion of a point is left (resumed, or no memory)'
-      end if
-   end subroutine keep_point
 
    !> The page.
    function page_of(self, report, beside_paper) result(parts)

@@ -26,7 +26,7 @@ module asperity_program_commands_solid_keys
       !> How it is solved
       type(solid_settings) :: settings
    contains
-      procedure :: declare, deck_of
+      procedure :: declare, declare_contact, declare_analysis, deck_of
    end type solid_case
 
 contains
@@ -39,7 +39,7 @@ contains
       type(key_list), intent(inout) :: keys
 
       call self%joint%declare_faces(keys)
-      call keys%choice('contact', self%contact, 'hard rough both', 'law of all faces')
+      call self%declare_contact(keys)
       call self%joint%declare_sizes(keys)
       call self%joint%declare_hold(keys, is_replay=.false.)
       call declare_column(self%joint%joint, keys)
@@ -47,6 +47,27 @@ contains
          ageing=self%joint%faces%ageing)
       call self%joint%declare_programme(keys)
       call declare_joint_sizes(self%sizes, self%joint, keys)
+      call self%declare_analysis(keys)
+      call self%joint%declare_reading(keys)
+   end subroutine declare
+
+   !> Declare the law of the faces.
+   pure subroutine declare_contact(self, keys)
+      !> The case
+      class(solid_case), intent(inout) :: self
+      !> The keys
+      type(key_list), intent(inout) :: keys
+
+      call keys%choice('contact', self%contact, 'hard rough both', 'law of all faces')
+   end subroutine declare_contact
+
+   !> Declare the mesh and how the case is solved.
+   pure subroutine declare_analysis(self, keys)
+      !> The case, its joint declared
+      class(solid_case), intent(inout) :: self
+      !> The keys
+      type(key_list), intent(inout) :: keys
+
       self%mesh%mesh_size = default_mesh_size(self%joint%joint)
       call keys%real('mesh_size', self%mesh%mesh_size, 'mm', 'edge of an element aimed at')
       call keys%follows(self%joint%height_key, 'a tenth of height')
@@ -78,8 +99,7 @@ contains
             'what updates a contact point of the rough law')
          call keys%unused(self%contact == 'hard')
       end associate
-      call self%joint%declare_reading(keys)
-   end subroutine declare
+   end subroutine declare_analysis
 
    !> The joint as its deck has it. `error` is set when a value is refused.
    subroutine deck_of(self, is_hard, deck, error)

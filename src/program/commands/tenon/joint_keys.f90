@@ -50,8 +50,8 @@ module asperity_program_commands_tenon_joint_keys
       !> Places of the first and the last key of the sides, which follow each other
       integer, private :: side_keys(2) = 0
    contains
-      procedure :: declare_faces, declare_sizes, declare_hold, declare_programme
-      procedure :: declare_reading, sections, check
+      procedure :: declare_faces, declare_sizes, declare_hold, declare_side_pressure
+      procedure :: declare_programme, declare_amplitudes, declare_reading, sections, check
    end type tenon_case
 
 contains
@@ -180,10 +180,7 @@ contains
             'distance of the load point from arm_datum; the moment is force times arm')
          call keys%choice('arm_datum', t%arm_datum, 'column_face column_axis', &
             'where the arm is measured from')
-         call keys%real('side_pressure', t%side_pressure, 'MPa', &
-            'pressure on each side face, 0 for none')
-         if (.not. t%side_pressure > 0.0_wp) &
-            keys%rows(self%side_keys(1):self%side_keys(2))%unused = .true.
+         call self%declare_side_pressure(keys)
          call keys%choice('axial_rule', t%axial_rule, 'spring fixed free force', &
             'what resists pull-out')
          call keys%real('axial_stiffness', t%axial_stiffness, 'N/mm', &
@@ -213,39 +210,67 @@ contains
       end associate
    end subroutine declare_hold
 
+   !> Declare the pressure of the sides, without which their faces are of no use.
+   pure subroutine declare_side_pressure(self, keys)
+      !> The case
+      class(tenon_case), intent(inout) :: self
+      !> The keys
+      type(key_list), intent(inout) :: keys
+
+      call keys%real('side_pressure', self%joint%side_pressure, 'MPa', &
+         'pressure on each side face, 0 for none')
+      if (.not. self%joint%side_pressure > 0.0_wp) &
+         keys%rows(self%side_keys(1):self%side_keys(2))%unused = .true.
+   end subroutine declare_side_pressure
+
    !> Declare amplitudes, or the record in their place.
    pure subroutine declare_programme(self, keys)
       !> The case
       class(tenon_case), intent(inout) :: self
       !> The keys
       type(key_list), intent(inout) :: keys
-      integer :: amplitudes, cycles
-      logical :: has_amplitudes
+      integer :: cycles
 
-      associate (t => self%joint)
-         t%amplitudes = joint_amplitudes
-         call keys%list('amplitudes', t%amplitudes, 'mm', 'amplitudes at the load point, growing')
-         amplitudes = keys%last
-         has_amplitudes = keys%given()
-         t%cycles = joint_cycles
-         if (has_amplitudes) then
-            deallocate (t%cycles)
-            allocate (t%cycles(size(t%amplitudes)), source=1)
-         end if
-         call keys%list('cycles', t%cycles, '', &
-            'cycles at each amplitude; 1 each unless given with the amplitudes')
-         if (has_amplitudes) call keys%follows(amplitudes, '1 each')
-         cycles = keys%last
-      end associate
+      call self%declare_amplitudes(keys, joint_amplitudes, joint_cycles, &
+         'amplitudes at the load point, growing')
+      cycles = keys%last
       call keys%text('history', self%history, &
          'CSV file of recorded displacements or rotations, in place of amplitudes')
       call keys%reads('history', is_argument=.false.)
-      keys%rows([amplitudes, cycles])%unused = self%history /= ''
+      keys%rows([cycles - 1, cycles])%unused = self%history /= ''
       call keys%choice('history_quantity', self%history_quantity, 'displacement rotation', &
          'what is taken of the history; rotation is displacement over arm; as its columns say')
       self%has_quantity = keys%given()
       if (allocated(self%quantity_source)) call keys%said_by(self%quantity_source)
    end subroutine declare_programme
+
+   !> Declare amplitudes and cycles, the last two keys.
+   pure subroutine declare_amplitudes(self, keys, amplitudes, cycles, help)
+      !> The case
+      class(tenon_case), intent(inout) :: self
+      !> The keys
+      type(key_list), intent(inout) :: keys
+      !> Amplitudes, mm, and cycles of each by default
+      real(wp), intent(in) :: amplitudes(:)
+      integer, intent(in) :: cycles(:)
+      !> What the amplitudes are of
+      character(len=*), intent(in) :: help
+      logical :: are_given
+
+      associate (t => self%joint)
+         t%amplitudes = amplitudes
+         call keys%list('amplitudes', t%amplitudes, 'mm', help)
+         are_given = keys%given()
+         t%cycles = cycles
+         if (are_given) then
+            deallocate (t%cycles)
+            allocate (t%cycles(size(t%amplitudes)), source=1)
+         end if
+         call keys%list('cycles', t%cycles, '', &
+            'cycles at each amplitude; 1 each unless given with the amplitudes')
+         if (are_given) call keys%follows(keys%last - 1, '1 each')
+      end associate
+   end subroutine declare_amplitudes
 
    !> Declare how the record is read.
    pure subroutine declare_reading(self, keys)
