@@ -7,6 +7,7 @@ module asperity_program_commands_registry
    use asperity_program_commands_deck_shear, only: shear_deck_command
    use asperity_program_commands_deck_tenon, only: tenon_deck_command
    use asperity_program_commands_fit_command, only: fit_command
+   use asperity_program_commands_frame_command, only: frame_command
    use asperity_program_commands_hysteresis_command, only: hysteresis_command
    use asperity_program_commands_pairs, only: pairs_command
    use asperity_program_commands_press, only: press_command
@@ -23,7 +24,7 @@ module asperity_program_commands_registry
    public :: command_entry, list_commands, find_command, all_keys, owners
 
    !> How many there are
-   integer, parameter, public :: n_commands = 15
+   integer, parameter, public :: n_commands = 16
 
    !> A command in a list.
    type :: command_entry
@@ -43,16 +44,17 @@ contains
       allocate (shear_command :: list(3)%command)
       allocate (tenon_command :: list(4)%command)
       allocate (solid_command :: list(5)%command)
-      allocate (table_command :: list(6)%command)
-      allocate (shear_deck_command :: list(7)%command)
-      allocate (tenon_deck_command :: list(8)%command)
-      allocate (hysteresis_command :: list(9)%command)
-      allocate (fit_command :: list(10)%command)
-      allocate (surface_command :: list(11)%command)
-      allocate (pairs_command :: list(12)%command)
-      allocate (replay_command :: list(13)%command)
-      allocate (compare_command :: list(14)%command)
-      allocate (check_command :: list(15)%command)
+      allocate (frame_command :: list(6)%command)
+      allocate (table_command :: list(7)%command)
+      allocate (shear_deck_command :: list(8)%command)
+      allocate (tenon_deck_command :: list(9)%command)
+      allocate (hysteresis_command :: list(10)%command)
+      allocate (fit_command :: list(11)%command)
+      allocate (surface_command :: list(12)%command)
+      allocate (pairs_command :: list(13)%command)
+      allocate (replay_command :: list(14)%command)
+      allocate (compare_command :: list(15)%command)
+      allocate (check_command :: list(16)%command)
       do i = 1, size(list)
          call list(i)%command%describe()
       end do
