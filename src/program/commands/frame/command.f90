@@ -48,6 +48,7 @@ contains
       class(frame_command), intent(inout) :: self
 
       self%name = 'frame'
+      self%uses_ranks = .true.
       self%summary = 'plane frame with many tenon joints as one solid'
       self%usage = '[CASE.nml] [options]'
       self%purpose = 'Finite-element analysis of a plane frame of columns and of beams that '// &
@@ -96,12 +97,14 @@ contains
 
       call self%declare(report%keys)
       report%faces = self%case%joints%joint%faces%words()
-      if (self%vtk /= '') call check_vtk_folder(self%vtk, error)
+      if (self%vtk /= '' .and. self%launch%rank == 0) call check_vtk_folder(self%vtk, error)
       if (allocated(error)) return
       call load_petsc(petsc, error)
       if (allocated(error)) return
       call report_models(self, petsc, report, error)
       call unload_petsc(petsc)
+      ! All ranks know it: rank 0 tells it
+      if (allocated(error) .and. self%launch%rank > 0) deallocate (error)
    end subroutine run
 
    !> Remove the checkpoints.
