@@ -142,8 +142,8 @@ contains
       do k = 1, 3
          do j = 1, 3
             do i = 1, 3
-               associate (entry => stiffness(place_of(i, k), place_of(k, j)))
-                  entry = entry + stress(place_of(i, j))*curvature(i, k, j) &
+               associate (place => stiffness(place_of(i, k), place_of(k, j)))
+                  place = place + stress(place_of(i, j))*curvature(i, k, j) &
                      *merge(2.0_wp, 1.0_wp, i == k)*merge(2.0_wp, 1.0_wp, k == j)
                end associate
             end do
