@@ -116,6 +116,17 @@ check 'solid: other wood does, and bears less' sh -c '
          "BEGIN { exit !(least > 0.99*elastic && least < 0) }" || { echo "$criterion"; exit 1; }
    done'
 
+# Logarithmic strain: at small strains nearly the same joint
+run solid "${one[@]}" --strain logarithmic --csv logarithmic.csv
+check 'solid: logarithmic strain' is_quiet
+csv_column s.csv force >s.force
+csv_column logarithmic.csv force >l.force
+check 'solid: is nearly engineering strain at 8 mm' sh -c 'paste -d , s.force l.force | awk -F, "{ d = \$1 - \$2
+   if (d*d > most) most = d*d; if (\$1*\$1 > peak) peak = \$1*\$1 }
+   END { print most, peak; exit !(most > 1e-8*peak && most < 1e-4*peak) }"'
+check 'solid: and its work is accounted for' csv logarithmic.csv '
+   if (c["increment"] > 3 && abs(c["energy_balance"]) > 0.05*c["work"]) fail("balance")'
+
 # Bad input: named, and nothing half-written
 while read -r key value what; do
    refuses "solid: $key" 2 "--${key//_/-}: $key = $value.* $what" solid --mesh-size 100 --amplitudes 8 \
