@@ -90,6 +90,16 @@ def test_interrupt(tmp_path, monkeypatch):
     assert not list(tmp_path.glob("asperity-*"))
 
 
+def test_rank_of_a_study(monkeypatch):
+    """Started by a rank of MPI, the program is none."""
+    expected = program.tenon(amplitudes=8).data["moment"]
+    for name, value in {"OMPI_COMM_WORLD_RANK": "1", "OMPI_COMM_WORLD_SIZE": "2", "PMI_RANK": "1",
+                        "PMI_SIZE": "2", "PMIX_RANK": "1", "SLURM_PROCID": "1",
+                        "SLURM_STEP_NUM_TASKS": "2"}.items():
+        monkeypatch.setenv(name, value)
+    np.testing.assert_array_equal(program.tenon(amplitudes=8).data["moment"], expected)
+
+
 def test_odd_names(tmp_path, monkeypatch):
     """Names that look like options, with blanks, quotes and bytes that are no text."""
     monkeypatch.chdir(tmp_path)

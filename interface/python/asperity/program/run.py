@@ -26,6 +26,9 @@ _GET_IT = ("It is no part of this package, as it is linked with libraries under 
            "from asperity's sources by `./run build`, or install it by cmake, and put its folder on "
            f"PATH or its path into {VARIABLE}")
 
+# What tells a program that it is a rank of MPI: a rank of a parameter study starts one of its own
+_LAUNCHERS = ("OMPI_", "PMI_", "PMIX_", "SLURM_PROCID")
+
 # Seconds that an interrupted program has
 _PATIENCE = 5.0
 
@@ -68,9 +71,10 @@ def _ended(words: list[str], standard_input: str = "") -> subprocess.CompletedPr
         InputError: more words than the system takes
     """
     pipe = subprocess.PIPE
+    alone = {name: value for name, value in os.environ.items() if not name.startswith(_LAUNCHERS)}
     try:
         process = subprocess.Popen(words, stdin=pipe, stdout=pipe, stderr=pipe, encoding="utf-8",
-                                   errors="replace")
+                                   errors="replace", env=alone)
     except OSError as problem:
         if problem.errno == errno.E2BIG:
             raise InputError("a list is too long for a command line: give it in a case file, by "
