@@ -5,6 +5,7 @@ program test_petsc
    use funit, only: TestSuite
    use run_suites, only: run_suite
    use test_petsc_engine, only: petsc
+   use test_petsc_frame, only: suite_frame
    use test_petsc_joint_checkpoint, only: suite_joint_checkpoint
    use test_petsc_joint_equations, only: suite_joint_equations
    use test_petsc_joint_failure, only: suite_joint_failure
@@ -28,6 +29,7 @@ program test_petsc
    call suite%addTest(suite_joint_programme())
    call suite%addTest(suite_joint_failure())
    call suite%addTest(suite_joint_checkpoint())
+   call suite%addTest(suite_frame())
    call run_suite(suite)
    call unload_petsc(petsc)
 end program test_petsc

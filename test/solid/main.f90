@@ -2,6 +2,7 @@
 program test_solid
    use funit, only: TestSuite
    use run_suites, only: run_suite
+   use test_solid_frame_mesh, only: suite_frame_mesh
    use test_solid_joint_mesh, only: suite_joint_mesh
    use test_solid_brick, only: suite_brick
    use test_solid_brick_limits, only: suite_brick_limits
@@ -30,6 +31,7 @@ program test_solid
    suite = TestSuite('solid')
    call suite%addTest(suite_small_matrices())
    call suite%addTest(suite_joint_mesh())
+   call suite%addTest(suite_frame_mesh())
    call suite%addTest(suite_vtu())
    call suite%addTest(suite_pattern())
    call suite%addTest(suite_wood_check())

@@ -10,7 +10,7 @@ run help deck shear
 check 'help deck shear' has out 'usage: asperity deck shear'
 refuses 'deck without a model' 2 'deck needs a model: deck shear or deck tenon' deck
 refuses 'deck of an unknown model' 2 "unknown command 'deck beam'" deck beam
-refuses 'option of the other deck' 2 '--tail: is an option of solid, deck tenon' deck shear --tail 3
+refuses 'option of the other deck' 2 '--tail: is an option of solid, frame, deck tenon' deck shear --tail 3
 
 # A stiff case, unlike the defaults, whose numbers must be in every deck
 cat >case.nml <<'CASE'
