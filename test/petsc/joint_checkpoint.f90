@@ -91,8 +91,8 @@ contains
             numbers = [numbers, real(r%stroke, wp), real(r%iterations, wp), r%displacement, &
                r%force, r%rotation, r%pull_out, r%work, r%stored, r%plastic, r%friction, &
                r%coupling, r%edge, r%balance, r%yielding, r%plastic_strain, r%normal_force, &
-               r%largest_pressure, r%stick_area, r%slip_area, r%friction_energy, &
-               real(r%validity, wp)]
+               r%largest_pressure, r%largest_mean_pressure, r%stick_area, r%slip_area, &
+               r%friction_energy, real(r%validity, wp)]
          end associate
       end do
       do j = 1, size(run%model%points, 2)

@@ -10,6 +10,7 @@ program test_petsc
    use test_petsc_joint_equations, only: suite_joint_equations
    use test_petsc_joint_failure, only: suite_joint_failure
    use test_petsc_joint_programme, only: suite_joint_programme
+   use test_petsc_joint_record, only: suite_joint_record
    use test_petsc_linear_solver, only: suite_linear_solver
    use test_petsc_two_blocks, only: suite_two_blocks
    implicit none
@@ -27,6 +28,7 @@ program test_petsc
    call suite%addTest(suite_joint_equations())
    call suite%addTest(suite_two_blocks())
    call suite%addTest(suite_joint_programme())
+   call suite%addTest(suite_joint_record())
    call suite%addTest(suite_joint_failure())
    call suite%addTest(suite_joint_checkpoint())
    call suite%addTest(suite_frame())

@@ -58,6 +58,7 @@ contains
             displacement=displacement(i), force=force(i), rotation=0.6_wp*displacement(i)/arm, &
             pull_out=0.01_wp*i, work=2.0_wp*i, friction=share*i, plastic=0.5_wp*i)
          outcome%records(i)%largest_pressure = [real(wp) :: i, 2*i, 0.0_wp]
+         outcome%records(i)%largest_mean_pressure = 1.5_wp*i
          outcome%records(i)%normal_force = [max(0.0_wp, force(i)), max(0.0_wp, -force(i)), 100.0_wp]
       end do
       outcome%pairs = [character(len=8) :: 'upper', 'lower', 'side']

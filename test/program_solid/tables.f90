@@ -166,6 +166,7 @@ contains
       call assertEqual(2.0_wp*n, value(table, 'work_of_load', 1), 0.0_wp)
       call assertEqual(share*n, value(table, 'friction_dissipation', 2), round_off)
       call assertEqual(2.0_wp*n, value(table, 'largest_pressure', 2), 0.0_wp)
+      call assertEqual(1.5_wp*n, value(table, 'largest_mean_pressure', 2), 0.0_wp)
       call assertEqual(0.6_wp*24.0_wp/arm, value(table, 'largest_rotation', 1), round_off)
    end subroutine test_totals
 

@@ -30,6 +30,9 @@ module asperity_solid_solve_record
       real(wp) :: normal_force(most_pairs) = 0.0_wp, largest_pressure(most_pairs) = 0.0_wp, &
          stick_area(most_pairs) = 0.0_wp, slip_area(most_pairs) = 0.0_wp, &
          friction_energy(most_pairs) = 0.0_wp
+      !> Largest force of a cell over its whole area, covered or not, MPa: the pressure of a cell
+      !> of which next to nothing is covered is of no weight
+      real(wp) :: largest_mean_pressure = 0.0_wp
       !> Limits of the law that points have passed, flags
       integer :: validity = valid
    end type increment_record
@@ -83,6 +86,8 @@ contains
                      + halves*cell%area*cell%coverage*cell%trial%traction(1)
                   record%largest_pressure(face) = max(record%largest_pressure(face), &
                      cell%trial%traction(1))
+                  record%largest_mean_pressure = max(record%largest_mean_pressure, &
+                     cell%coverage*cell%trial%traction(1))
                   if (cell%trial%status == status_stick) &
                      record%stick_area(face) = record%stick_area(face) &
                      + halves*cell%area*cell%coverage
@@ -101,7 +106,7 @@ contains
    subroutine combine(record, ranks)
       type(increment_record), intent(inout) :: record
       type(rank_team), intent(in) :: ranks
-      real(wp) :: sums(most_pairs, 4), largest(most_pairs + 1), flags(bit_size(record%validity))
+      real(wp) :: sums(most_pairs, 4), largest(most_pairs + 2), flags(bit_size(record%validity))
       integer :: i
 
       sums(:, 1) = record%normal_force
@@ -109,7 +114,7 @@ contains
       sums(:, 3) = record%slip_area
       sums(:, 4) = record%friction_energy
       largest(:most_pairs) = record%largest_pressure
-      largest(most_pairs + 1) = record%plastic_strain
+      largest(most_pairs + 1:) = [record%plastic_strain, record%largest_mean_pressure]
       do i = 1, size(flags)
          flags(i) = merge(1.0_wp, 0.0_wp, btest(record%validity, i - 1))
       end do
@@ -122,6 +127,7 @@ contains
       record%friction_energy = sums(:, 4)
       record%largest_pressure = largest(:most_pairs)
       record%plastic_strain = largest(most_pairs + 1)
+      record%largest_mean_pressure = largest(most_pairs + 2)
       do i = 1, size(flags)
          if (flags(i) > 0.5_wp) record%validity = ibset(record%validity, i - 1)
       end do

@@ -98,7 +98,8 @@ contains
       logical, intent(in) :: has_memory
       type(table_type) :: table
       type(increment_record) :: last(size(outcomes))
-      real(wp), dimension(size(outcomes)) :: turned, furthest, pressure, stiffness
+      real(wp), dimension(size(outcomes)) :: turned, furthest, pressure, mean_pressure, &
+         stiffness
       integer :: i, n
 
       do i = 1, size(outcomes)
@@ -108,10 +109,11 @@ contains
             turned(i) = maxval(abs(records%rotation))
             furthest(i) = records(maxloc(abs(records%pull_out), 1))%pull_out
             pressure(i) = largest_of(records)
+            mean_pressure(i) = maxval(records%largest_mean_pressure)
          end associate
          stiffness(i) = outcomes(i)%loops%skeleton(negative_side)%initial_stiffness
       end do
-      table = new_table(columns=13 + merge(1, 0, has_memory), rows=size(outcomes))
+      table = new_table(columns=14 + merge(1, 0, has_memory), rows=size(outcomes))
       call table%add_texts('model', model_names(outcomes%model))
       call table%add_numbers('initial_stiffness', 'kN m/rad', stiffness)
       call table%add_numbers('work_of_load', 'J', (last%work))
@@ -126,6 +128,7 @@ contains
       call table%add_numbers('largest_rotation', 'rad', turned, 4)
       call table%add_numbers('largest_pull_out', 'mm', furthest)
       call table%add_numbers('largest_pressure', 'MPa', pressure, 2)
+      call table%add_numbers('largest_mean_pressure', 'MPa', mean_pressure, 2)
       call table%add_numbers('plastic_strain', '-', (last%plastic_strain), 3)
    end function totals_table
 
