@@ -131,6 +131,8 @@ if(Python3_FOUND)
       WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
    add_test(NAME mutate_tests
       COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/test/mutate/test_fortran.py)
+   add_test(NAME solid_study_tests
+      COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/test/solid/test_extrapolate.py)
    add_test(NAME calculix_run_tests
       COMMAND ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/test/calculix/tools/test_run.py)
    add_test(NAME calculix_source_tests
