@@ -7,19 +7,20 @@ module asperity_program_commands_frame_command
    use asperity_program_commands_frame_outcome, only: frame_outcome
    use asperity_program_commands_frame_plots, only: frame_pictures
    use asperity_program_commands_frame_tables, only: frame_increments_table, joints_table
-   use asperity_program_commands_joint_solid_run, only: follow_model
+   use asperity_program_commands_joint_solid_run, only: follow_model, start_solver, stop_solver
    use asperity_program_commands_joint_tables, only: comparison_table, cycles_table, skeleton_table
    use asperity_program_commands_plots, only: picture_title
    use asperity_program_commands_solid_checkpoint, only: checkpoint_file, name_checkpoints
    use asperity_program_commands_solid_observer, only: run_observer, seconds_of
    use asperity_program_commands_solid_outcome, only: new_outcome, solid_outcome
-   use asperity_program_commands_solid_tables, only: amplitudes_table, sizes_table
+   use asperity_program_commands_solid_tables, only: amplitudes_table, sizes_table, &
+      times_table
    use asperity_program_commands_solid_vtk_files, only: check_vtk_folder
    use asperity_program_input_key, only: kind_place
    use asperity_program_input_key_list, only: key_list
    use asperity_program_report_report, only: named_table, report_type, turning_points
    use asperity_program_system_progress, only: clear_steps
-   use asperity_solid_engine_petsc, only: load_petsc, petsc_library, unload_petsc
+   use asperity_solid_engine_petsc, only: petsc_library
    use asperity_solid_model_model, only: solid_model
    use asperity_solid_solve_programme, only: solid_run
    implicit none
@@ -99,12 +100,10 @@ contains
       report%faces = self%case%joints%joint%faces%words()
       if (self%vtk /= '' .and. self%launch%rank == 0) call check_vtk_folder(self%vtk, error)
       if (allocated(error)) return
-      call load_petsc(petsc, error)
+      call start_solver(petsc, self%launch, error)
       if (allocated(error)) return
       call report_models(self, petsc, report, error)
-      call unload_petsc(petsc)
-      ! All ranks know it: rank 0 tells it
-      if (allocated(error) .and. self%launch%rank > 0) deallocate (error)
+      call stop_solver(petsc, error)
    end subroutine run
 
    !> Remove the checkpoints.
@@ -135,13 +134,14 @@ contains
          names == self%case%joints%contact .or. self%case%joints%contact == 'both')
       allocate (outcomes(size(models)), self%checkpoints(size(models)))
       call name_checkpoints(self%checkpoints, self%checkpoint, names(models), 'frame', &
-         self%resumes, report%keys, error)
+         self%resumes, report%keys, petsc%ranks, error)
       do i = 1, size(models)
          if (.not. allocated(error)) call run_model(self, petsc, models(i) == 1, &
             self%checkpoints(i), outcomes(i), error)
          call clear_steps()
+         call petsc%ranks%agree(error)
       end do
-      if (allocated(error)) return
+      if (allocated(error) .or. petsc%ranks%rank > 0) return
       call fill_report(report, outcomes, self%case%joints%joint%faces%has_memory, error)
    end subroutine report_models
 
@@ -159,6 +159,7 @@ contains
 
       allocate (model, run)
       call self%case%new_model(is_hard, model, error)
+      call petsc%ranks%agree(error)
       if (.not. allocated(error)) call follow_model(run, observer, model, petsc, 'frame', &
          checkpoint, self%resumes, self%vtk, error)
       if (allocated(error)) return
@@ -190,7 +191,8 @@ contains
          named_table('cycles', 'Cycles of base shear times height of the columns', &
          cycles_table(whole), 2 + 5*size(whole)), &
          named_table('skeleton', '', skeleton_table(whole)), &
-         named_table('analysis', 'Analysis', sizes_table(whole))]
+         named_table('analysis', 'Analysis', sizes_table(whole)), &
+         named_table('times', '', times_table(whole))]
       report%shows_table = .false.
       report%first_rows = [1]
       allocate (report%important(0))

@@ -8,17 +8,46 @@ module asperity_program_commands_joint_solid_run
    use asperity_program_commands_solid_checkpoint, only: checkpoint_file, is_there
    use asperity_program_commands_solid_observer, only: new_observer, run_observer, seconds_of
    use asperity_program_commands_solid_vtk_files, only: write_vtk_series
+   use asperity_program_system_launch, only: check_launch, launch_type
    use asperity_program_system_progress, only: tell_terminal
    use asperity_solid_contact_failed_point, only: failed_point, find_failed_point, keep_motions
-   use asperity_solid_engine_petsc, only: petsc_library
+   use asperity_solid_engine_petsc, only: load_petsc, petsc_library, unload_petsc
    use asperity_solid_engine_ranks, only: rank_team
    use asperity_solid_model_model, only: solid_model
    use asperity_solid_solve_programme, only: new_solid_run, run_programme, solid_run
+   use asperity_solid_solve_times, only: take_slowest
    implicit none
    private
-   public :: follow_model
+   public :: start_solver, stop_solver, follow_model
 
 contains
+
+   !> Start PETSc, and MPI with it. `error` is set when it is not installed, or has not joined the
+   !> ranks that the launcher has started.
+   subroutine start_solver(petsc, launch, error)
+      !> Result
+      type(petsc_library), intent(out) :: petsc
+      !> What the launcher says
+      type(launch_type), intent(in) :: launch
+      !> Set on failure
+      type(error_type), allocatable, intent(out) :: error
+
+      call load_petsc(petsc, error)
+      if (allocated(error)) return
+      call check_launch(launch, petsc%ranks%rank, petsc%ranks%size, error)
+      if (allocated(error)) call unload_petsc(petsc)
+   end subroutine start_solver
+
+   !> Stop it. An error, which all ranks know of, is left to the first one, which tells it.
+   subroutine stop_solver(petsc, error)
+      !> PETSc
+      type(petsc_library), intent(in) :: petsc
+      !> What has failed, if anything
+      type(error_type), allocatable, intent(inout) :: error
+
+      call unload_petsc(petsc)
+      if (allocated(error) .and. petsc%ranks%rank > 0) deallocate (error)
+   end subroutine stop_solver
 
    !> Follow a model. `error` is set when no increment is small enough, or a file cannot be written.
    subroutine follow_model(run, observer, model, petsc, command, checkpoint, resumes, vtk, error)
@@ -47,6 +76,7 @@ contains
       call new_observer(observer, command//': '//trim(legends(which)), checkpoint, vtk, &
          petsc%ranks%rank == 0)
       call begin(resumes, checkpoint, run, observer, error)
+      call petsc%ranks%agree(error)
       if (allocated(error)) return
       call run_programme(run, observer, error)
       if (allocated(error)) then
@@ -55,6 +85,7 @@ contains
             checkpoint%path//' with --resume'
          return
       end if
+      call take_slowest(run%system%times, petsc%ranks)
       if (.not. observer%is_first) return
       if (vtk /= '') call write_vtk_series(vtk, run, error)
       if (allocated(error)) return

@@ -10,9 +10,11 @@ module asperity_program_commands_solid_checkpoint
    use asperity_program_input_key_list, only: key_list
    use asperity_program_input_print_case, only: case_heading, case_text
    use asperity_program_system_atomic_files, only: open_target, output_file
+   use asperity_program_system_checksum, only: checksum
    use asperity_program_system_files, only: remove_file, rename_file
    use asperity_program_system_process, only: held_interrupts, hold_interrupts, release_interrupts
    use asperity_program_system_strings, only: newline
+   use asperity_solid_engine_ranks, only: rank_team
    use asperity_solid_solve_checkpoint, only: read_run, write_run
    use asperity_solid_solve_programme, only: solid_run
    implicit none
@@ -149,8 +151,9 @@ contains
    end subroutine remove
 
    !> Name the checkpoints of the models. `error` is set when one cannot be written, when one is
-   !> there that is not to be gone on from, or when there is none that is.
-   subroutine name_checkpoints(files, stem, names, command, resumes, keys, error)
+   !> there that is not to be gone on from, when there is none that is, and when a rank has another
+   !> case or finds other checkpoints than the first one.
+   subroutine name_checkpoints(files, stem, names, command, resumes, keys, ranks, error)
       !> The checkpoints, one for each model
       type(checkpoint_file), intent(inout) :: files(:)
       !> How their paths begin; the command unless given
@@ -161,6 +164,8 @@ contains
       logical, intent(in) :: resumes
       !> The input
       type(key_list), intent(in) :: keys
+      !> The ranks, of which the first writes
+      type(rank_team), intent(in) :: ranks
       !> Set then
       type(error_type), allocatable, intent(out) :: error
       logical :: are_there(size(names))
@@ -171,12 +176,13 @@ contains
          associate (file => files(i))
             file%path = stem//'.'//trim(names(i))//'.checkpoint'
             file%head = 'asperity '//version//newline//case_text(keys, case_heading(command))
-            call file%check_place(error)
-            if (allocated(error)) return
             are_there(i) = is_there(file%path)
+            if (ranks%rank == 0 .and. .not. allocated(error)) call file%check_place(error)
          end associate
       end do
-      if (resumes .and. .not. any(are_there)) then
+      if (allocated(error)) then
+         continue
+      else if (resumes .and. .not. any(are_there)) then
          call fatal_error(error, 'there is no '//files(1)%path//': begin without '// &
             '--resume, or name the checkpoints with --checkpoint', subject='resume')
       else if (any(are_there) .and. .not. resumes) then
@@ -184,6 +190,37 @@ contains
             ' is there, of a run that was interrupted or is under way: go on from it with '// &
             '--resume, remove it, or name others with --checkpoint', subject='checkpoint')
       end if
+      do i = 1, size(names)
+         call ranks%agree(error)
+         if (.not. allocated(error)) call check_ranks(files(i), ranks, error)
+      end do
+      call ranks%agree(error)
    end subroutine name_checkpoints
+
+   !> `error` is set on a rank that has another case than the first one, or does not find the file
+   !> where that does.
+   subroutine check_ranks(self, ranks, error)
+      type(checkpoint_file), intent(in) :: self
+      type(rank_team), intent(in) :: ranks
+      type(error_type), allocatable, intent(out) :: error
+      integer(int64) :: own(2), first(2)
+      character(len=8) :: digits
+      real(wp) :: values(2)
+      integer :: i
+
+      digits = checksum([(real(iachar(self%head(i:i)), wp), i=1, len(self%head))])
+      read (digits, '(z8)') own(1)
+      own(2) = merge(1_int64, 0_int64, is_there(self%path))
+      values = real(own, wp)
+      call ranks%take_first(values)
+      first = nint(values, int64)
+      if (own(1) /= first(1)) then
+         call fatal_error(error, 'its case is not that of rank 0, or its version: all ranks '// &
+            'must read the same file by the same program')
+      else if (own(2) /= first(2)) then
+         call fatal_error(error, 'it does not find checkpoint '//self%path//' as rank 0 does: '// &
+            'name one with --checkpoint where all ranks can read', subject='checkpoint')
+      end if
+   end subroutine check_ranks
 
 end module asperity_program_commands_solid_checkpoint

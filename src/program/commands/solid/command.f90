@@ -4,7 +4,7 @@ module asperity_program_commands_solid_command
    use asperity_base_error, only: error_type
    use asperity_deck_tenon_deck, only: tenon_deck
    use asperity_program_commands_command, only: command_type
-   use asperity_program_commands_joint_solid_run, only: follow_model
+   use asperity_program_commands_joint_solid_run, only: follow_model, start_solver, stop_solver
    use asperity_program_commands_opensees_joint, only: add_joint_material, check_history
    use asperity_program_commands_opensees_output, only: opensees_output
    use asperity_program_commands_solid_checkpoint, only: checkpoint_file, name_checkpoints
@@ -22,7 +22,7 @@ module asperity_program_commands_solid_command
    use asperity_program_system_progress, only: clear_steps
    use asperity_program_system_strings, only: string_type
    use asperity_replay_tenon_settings, only: complete_tenon_settings, tenon_settings
-   use asperity_solid_engine_petsc, only: load_petsc, petsc_library, unload_petsc
+   use asperity_solid_engine_petsc, only: petsc_library
    use asperity_solid_mesh_checks, only: mesh_remark
    use asperity_solid_model_model, only: new_solid_model, solid_model
    use asperity_solid_solve_programme, only: solid_run
@@ -114,12 +114,10 @@ contains
       report%faces = self%case%joint%faces%words()
       if (self%vtk /= '' .and. self%launch%rank == 0) call check_vtk_folder(self%vtk, error)
       if (allocated(error)) return
-      call load_petsc(petsc, error)
+      call start_solver(petsc, self%launch, error)
       if (allocated(error)) return
       call report_models(self, petsc, report, error)
-      call unload_petsc(petsc)
-      ! All ranks know it: rank 0 tells it
-      if (allocated(error) .and. self%launch%rank > 0) deallocate (error)
+      call stop_solver(petsc, error)
    end subroutine run
 
    !> Remove the checkpoints.
@@ -151,14 +149,16 @@ contains
       models = pack([1, 2], names == self%case%contact .or. self%case%contact == 'both')
       allocate (outcomes(size(models)), self%checkpoints(size(models)))
       call name_checkpoints(self%checkpoints, self%checkpoint, names(models), 'solid', &
-         self%resumes, report%keys, error)
+         self%resumes, report%keys, petsc%ranks, error)
       if (allocated(error)) return
       line%text = ''
       do i = 1, size(models)
          call run_model(self, petsc, models(i), self%checkpoints(i), outcomes(i), line%text, error)
          call clear_steps()
+         call petsc%ranks%agree(error)
          if (allocated(error)) return
       end do
+      if (petsc%ranks%rank > 0) return
       beside_paper = is_paper_joint(self%case%joint)
       call fill_report(report, outcomes, self%case%joint%faces%has_memory, beside_paper, error)
       if (.not. allocated(error)) &
@@ -185,6 +185,7 @@ contains
       allocate (deck, model, run)
       call self%case%deck_of(which == 1, deck, error)
       if (.not. allocated(error)) call new_solid_model(model, deck, self%case%settings, error)
+      call petsc%ranks%agree(error)
       if (allocated(error)) return
       if (remark == '') remark = trim(mesh_remark(deck))
       call follow_model(run, observer, model, petsc, 'solid', checkpoint, self%resumes, self%vtk, &

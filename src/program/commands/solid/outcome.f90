@@ -7,6 +7,7 @@ module asperity_program_commands_solid_outcome
    use asperity_solid_mesh_joint, only: solid_mesh
    use asperity_solid_solve_programme, only: solid_run
    use asperity_solid_solve_record, only: increment_record
+   use asperity_solid_solve_times, only: run_times
    implicit none
    private
    public :: solid_outcome, new_outcome, common_snapshots
@@ -24,6 +25,9 @@ module asperity_program_commands_solid_outcome
       !> Unknowns; increments, iterations and increments that were halved, with those before the
       !> strokes
       integer :: unknowns = 0, increments = 0, iterations = 0, cutbacks = 0
+      !> Ranks that shared the work, and where the time of the slowest went
+      integer :: ranks = 1
+      type(run_times) :: times
       !> Distance of the load from the column face, mm
       real(wp) :: arm = 0.0_wp
       !> Forces below this are none, N
@@ -66,6 +70,8 @@ contains
       outcome%iterations = run%iterations
       outcome%cutbacks = run%cutbacks
       outcome%seconds = seconds
+      outcome%ranks = run%system%solver%petsc%ranks%size
+      outcome%times = run%system%times
       call find_loops(outcome, error)
    end subroutine new_outcome
 

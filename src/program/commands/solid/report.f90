@@ -13,7 +13,7 @@ module asperity_program_commands_solid_report
    use asperity_program_commands_solid_outcome, only: solid_outcome
    use asperity_program_commands_solid_plots, only: solid_pictures
    use asperity_program_commands_solid_tables, only: amplitudes_table, increments_table, &
-      sizes_table, totals_table
+      sizes_table, times_table, totals_table
    use asperity_program_report_report, only: named_table, report_type, turning_points
    use asperity_program_system_strings, only: string_type
    implicit none
@@ -49,7 +49,8 @@ contains
          named_table('faces', 'Faces', face_table(solid_face_rows(outcomes))), &
          named_table('cycles', 'Cycles', cycles_table(outcomes), 2 + 5*size(outcomes)), &
          named_table('skeleton', '', skeleton_table(outcomes)), &
-         named_table('analysis', 'Analysis', sizes_table(outcomes))]
+         named_table('analysis', 'Analysis', sizes_table(outcomes)), &
+         named_table('times', '', times_table(outcomes))]
       report%remarks = solid_remarks(outcomes, beside_paper)
       report%has_contact = .false.
       report%shows_table = .false.

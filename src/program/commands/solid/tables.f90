@@ -11,7 +11,7 @@ module asperity_program_commands_solid_tables
    use asperity_solid_solve_record, only: increment_record
    implicit none
    private
-   public :: increments_table, totals_table, amplitudes_table, sizes_table
+   public :: increments_table, totals_table, amplitudes_table, sizes_table, times_table
 
    !> Rotations over each other that are those of one amplitude
    real(wp), parameter :: alike = 1.0e-6_wp
@@ -162,6 +162,24 @@ contains
       call table%add_codes('cutbacks', column_counts, (outcomes%cutbacks))
       call table%add_numbers('time', 's', (outcomes%seconds), 1)
    end function sizes_table
+
+   !> Where the time of the analyses went, since they began or were taken up again: each of the rank
+   !> that it took longest.
+   pure function times_table(outcomes) result(table)
+      !> The models
+      type(solid_outcome), intent(in) :: outcomes(:)
+      type(table_type) :: table
+
+      table = new_table(columns=8, rows=size(outcomes))
+      call table%add_texts('model', model_names(outcomes%model))
+      call table%add_codes('ranks', column_counts, (outcomes%ranks))
+      call table%add_numbers('elements_seconds', 's', (outcomes%times%elements), 3)
+      call table%add_numbers('contact_seconds', 's', (outcomes%times%contact), 3)
+      call table%add_numbers('exchange_seconds', 's', (outcomes%times%exchange), 3)
+      call table%add_numbers('patterns_seconds', 's', (outcomes%times%patterns), 3)
+      call table%add_numbers('factors_seconds', 's', (outcomes%times%factors), 3)
+      call table%add_numbers('solutions_seconds', 's', (outcomes%times%solutions), 3)
+   end function times_table
 
    !> First cycles of each amplitude: force on both sides, secant stiffness and energy of all
    !> models, and ratios of the rough law to hard contact.
