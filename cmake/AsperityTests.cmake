@@ -148,6 +148,16 @@ if(ASPERITY_BUILD_PROGRAM)
       add_test(NAME program_${name}_tests COMMAND bash test/program/run_tests.sh
          $<TARGET_FILE:asperity_program> ${name} WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
    endforeach()
+   # On several ranks, or left out; two of them want two cores
+   file(GLOB parts CONFIGURE_DEPENDS test/mpi/*.sh)
+   foreach(part IN LISTS parts)
+      get_filename_component(name ${part} NAME_WE)
+      if(NOT name MATCHES "^(run_tests|ranks)$")
+         add_test(NAME mpi_${name}_tests COMMAND bash test/mpi/run_tests.sh
+            $<TARGET_FILE:asperity_program> ${name} WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
+         set_tests_properties(mpi_${name}_tests PROPERTIES SKIP_RETURN_CODE 77 PROCESSORS 2)
+      endif()
+   endforeach()
    if(Python3_FOUND)
       add_test(NAME paper_tests COMMAND ${Python3_EXECUTABLE} test/docs/test_paper.py
          $<TARGET_FILE:asperity_program> WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})

@@ -1,0 +1,24 @@
+# Any number of ranks comes to the same joint, within what the tolerance leaves
+coarse=$(cd "$here/../.." && pwd)/examples/solid_joint/coarse.nml
+
+# To ten times the tolerance of an increment: both models, three cycles
+run solid "$coarse" --csv 1.csv
+check 'histories: one rank' is_quiet
+for n in 2 4; do
+   ranks $n solid "$coarse" --csv $n.csv
+   check "histories: $n ranks" is_quiet
+   check "histories: of the same joint" same_history 1.csv $n.csv 1e-2
+done
+
+# Where nothing is left to iterate: one cycle, every force and energy to a hundred millionth
+tight=(--mesh-size 60 --amplitudes 8 --tolerance 1e-11 --forcing 1e-12)
+for more in '--contact both' '--contact rough --unloading elastic' '--contact rough --through uinter'; do
+   # shellcheck disable=SC2086  # several words are meant
+   run solid "${tight[@]}" $more --csv 1.csv
+   for n in 2 4; do
+      # shellcheck disable=SC2086
+      ranks $n solid "${tight[@]}" $more --csv $n.csv
+      check "histories: $more, $n ranks" is_quiet
+      check 'histories: the same to 1e-8' same_history 1.csv $n.csv 1e-8
+   done
+done
