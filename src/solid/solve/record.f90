@@ -30,8 +30,8 @@ module asperity_solid_solve_record
       real(wp) :: normal_force(most_pairs) = 0.0_wp, largest_pressure(most_pairs) = 0.0_wp, &
          stick_area(most_pairs) = 0.0_wp, slip_area(most_pairs) = 0.0_wp, &
          friction_energy(most_pairs) = 0.0_wp
-      !> Largest force of a cell over its whole area, covered or not, MPa: the pressure of a cell
-      !> of which next to nothing is covered is of no weight
+      !> Largest force of a slave face over its area, MPa: what the element behind feels, whatever
+      !> its cells share and however little of them is covered
       real(wp) :: largest_mean_pressure = 0.0_wp
       !> Limits of the law that points have passed, flags
       integer :: validity = valid
@@ -86,8 +86,6 @@ contains
                      + halves*cell%area*cell%coverage*cell%trial%traction(1)
                   record%largest_pressure(face) = max(record%largest_pressure(face), &
                      cell%trial%traction(1))
-                  record%largest_mean_pressure = max(record%largest_mean_pressure, &
-                     cell%coverage*cell%trial%traction(1))
                   if (cell%trial%status == status_stick) &
                      record%stick_area(face) = record%stick_area(face) &
                      + halves*cell%area*cell%coverage
@@ -96,6 +94,10 @@ contains
                      + halves*cell%area*cell%coverage
                end associate
             end do
+            associate (cells => model%pairs(i)%faces(j)%cells)
+               record%largest_mean_pressure = max(record%largest_mean_pressure, &
+                  sum(cells%area*cells%coverage*cells%trial%traction(1))/sum(cells%area))
+            end associate
          end do
       end do
       call combine(record, ranks)
