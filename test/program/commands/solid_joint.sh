@@ -136,7 +136,7 @@ contact_cells 0 .*between 1.0 and 10.0
 penalty 0 .*above zero
 soft_overclosure 2 .*between 0.0 and 1.0 mm
 stroke_increments 0 .*between 1.0 and 10000.0
-tolerance 1 .*between 1.0E-8 and 0.1
+tolerance 1 .*between 1.0E-12 and 0.1
 forcing 0.9 .*between 1.0E-12 and 0.5
 most_iterations 3 .*between 4.0 and 1000.0
 rim_mesh_size 200 larger than mesh_size
