@@ -1,6 +1,7 @@
 # What the tests of several ranks share, besides test/program/harness.sh
 
-# More ranks than cores, each of one thread; a rank that waits lets others work. Root starts them where nobody else is there, as in containers
+# More ranks than cores, each of one thread; a rank that waits lets others work. Root may start them, who is
+# alone in containers
 export OMPI_MCA_rmaps_base_oversubscribe=1 OMPI_MCA_hwloc_base_binding_policy=none OMPI_MCA_mpi_yield_when_idle=1 \
    OPENBLAS_NUM_THREADS=1
 [ "$(id -u)" -ne 0 ] || export OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1
@@ -21,7 +22,7 @@ start() {
    local n=$1
    shift
    rm -f "$work"/process.*
-   mpirun -q -n "$n" "$work/start" "$@" >out 2>err </dev/null &
+   mpirun -q -n "$n" "$work/start" "$@" >out 2>all_err </dev/null &
    launcher=$!
 }
 
@@ -35,6 +36,7 @@ start_to_checkpoint() {
 finish() {
    wait "$launcher"
    status=$?
+   own_words all_err >err
 }
 
 # ranks N ARGUMENT...: run N ranks to their end
@@ -42,8 +44,9 @@ ranks() {
    local n=$1
    shift
    rm -f "$work"/process.*
-   limited mpirun -q -n "$n" "$work/start" "$@" >out 2>err </dev/null
+   limited mpirun -q -n "$n" "$work/start" "$@" >out 2>all_err </dev/null
    status=$?
+   own_words all_err >err
 }
 
 # on_rank N COMMAND: what that rank does before it begins; on_all_ranks: nothing any more

@@ -10,13 +10,16 @@ export COLUMNS=1000
 timeout=$(command -v timeout)
 limited() { "$timeout" -k 10 600 "$@"; }
 
-# run ARGUMENT...: run the program; leaves files out and err, and status. What gfortran's checks
-# (-fcheck=all) remark about copies of arrays is not the program's word. With `address_space`, in so
+# own_words FILE: what the program itself said, without what gfortran's checks (-fcheck=all) remark about
+# copies of arrays
+own_words() { sed '/^At line .* of file /{N;/Fortran runtime warning: An array temporary/d;}' "$1"; }
+
+# run ARGUMENT...: run the program; leaves files out and err, and status. With `address_space`, in so
 # many KiB
 run() {
    (if [ -n "${address_space:-}" ]; then ulimit -v "$address_space"; fi; limited "$program" "$@") >out 2>all_err </dev/null
    status=$?
-   sed '/^At line .* of file /{N;/Fortran runtime warning: An array temporary/d;}' all_err >err
+   own_words all_err >err
 }
 
 # check NAME COMMAND...: one test, passed if the command succeeds
