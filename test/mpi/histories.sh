@@ -22,3 +22,11 @@ for more in '--contact both' '--contact rough --unloading elastic' '--contact ro
       check 'histories: the same to 1e-8' same_history 1.csv $n.csv 1e-8
    done
 done
+
+# So does a frame; forces of its joints are a tenth of those that the tolerance is a share of
+frame=(frame "$(dirname "$coarse")/../frame/two_columns.nml" --contact rough --amplitudes 50 --mesh-size 100
+   --stroke-increments 3 --tolerance 1e-7)
+run "${frame[@]}" --csv 1.csv
+ranks 2 "${frame[@]}" --csv 2.csv
+check 'histories: a frame on two ranks' is_quiet
+check 'histories: of the same joints' same_history 1.csv 2.csv 1e-5
