@@ -25,6 +25,7 @@ contains
       call suite%addTest(TestMethod('forces do not depend on the increment', test_increments))
       call suite%addTest(TestMethod('down is up in a mirror', test_mirror))
       call suite%addTest(TestMethod('through UINTER', test_uinter))
+      call suite%addTest(TestMethod('by multigrid', test_multigrid))
       call suite%addTest(TestMethod('no shear where faces are open', test_open))
       call suite%addTest(TestMethod('what cannot be solved', test_failure))
       call suite%addTest(TestMethod('a matrix that cannot be factorised', test_matrix))
@@ -155,6 +156,24 @@ contains
       call assertEqual(direct%records%friction, through%records%friction, &
          tolerance=1.0e-10_wp*maxval(direct%records%friction), message='friction')
    end subroutine test_uinter
+
+   !> The same increments; forces as near as their tolerance lets them be.
+   subroutine test_multigrid()
+      type(joint_case) :: case
+      type(solid_run) :: factors, multigrid
+      real(wp) :: worst
+
+      case = joint_case(amplitudes=[16.0_wp])
+      call run_of(factors, case)
+      case%settings%uses_multigrid = .true.
+      call run_of(multigrid, case)
+      call assertTrue(multigrid%system%solver%is_multigrid, 'no matrix was left to factors')
+      call assertEqual(size(factors%records), size(multigrid%records), message='increments')
+      worst = maxval(abs(factors%records%force - multigrid%records%force)) &
+         /maxval(abs(factors%records%force))
+      call record('solid.joint.multigrid', worst)
+      call assertLessThan(worst, 10.0_wp*case%settings%tolerance, 'forces')
+   end subroutine test_multigrid
 
    !> At every turn: open cells bear neither pressure nor shear, and remember no elastic slip.
    subroutine test_open()

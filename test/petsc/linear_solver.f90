@@ -22,6 +22,8 @@ contains
       call suite%addTest(TestMethod('factors solve', test_factors))
       call suite%addTest(TestMethod('old factors and GMRES solve what has changed', test_iterate))
       call suite%addTest(TestMethod('GMRES says that it gives up', test_gives_up))
+      call suite%addTest(TestMethod('multigrid solves, the next matrix too', test_multigrid))
+      call suite%addTest(TestMethod('factors solve what multigrid does not', test_fallback))
       call suite%addTest(TestMethod('small pivots are no zeros', test_small))
       call suite%addTest(TestMethod('singular and NaN are refused', test_refused))
    end function suite_linear_solver
@@ -42,9 +44,11 @@ contains
    end subroutine test_processes
 
    !> Convection and diffusion on a square: unsymmetric, of a symmetric pattern.
-   subroutine fill(solver, convection, scale)
+   subroutine fill(solver, convection, scale, by_multigrid)
       type(linear_solver), intent(inout) :: solver
       real(wp), intent(in) :: convection, scale
+      logical, intent(in), optional :: by_multigrid
+      real(wp), allocatable :: constant(:, :)
       integer, allocatable :: row_start(:), columns(:)
       real(wp), allocatable :: values(:)
       type(error_type), allocatable :: error
@@ -65,7 +69,9 @@ contains
       row_start(side*side + 1) = size(columns)
       if (.not. associated(solver%values)) then
          solver%petsc = petsc
-         call solver%set_pattern(row_start, columns, [0, side*side], error)
+         ! without it there is no argument
+         if (present(by_multigrid)) allocate (constant(side*side, 1), source=1.0_wp/side)
+         call solver%set_pattern(row_start, columns, [0, side*side], error, constant)
          call assertFalse(allocated(error))
       end if
       solver%values = scale*values
@@ -151,6 +157,47 @@ contains
       call assertFalse(has_converged)
       call solver%release()
    end subroutine test_gives_up
+
+   subroutine test_multigrid()
+      type(linear_solver) :: solver
+      type(error_type), allocatable :: error
+      real(wp) :: x(side*side), b(side*side)
+      logical :: has_converged
+
+      call fill(solver, 0.3_wp, 1.0_wp, .true.)
+      call solver%factorise(error)
+      call assertFalse(allocated(error))
+      b = 1.0_wp
+      call solver%solve(b, x, error, 1.0e-10_wp)
+      call assertFalse(allocated(error))
+      call assertLessThan(norm2(times(solver, x) - b), 1.01e-10_wp*norm2(b))
+      call solver%solve(b, x, error)
+      call assertLessThan(norm2(times(solver, x) - b), 1.01e-8_wp*norm2(b))
+      call fill(solver, 0.2_wp, 1.5_wp)
+      call solver%iterate(b, x, 1.0e-6_wp, has_converged, error)
+      call assertTrue(has_converged)
+      call assertLessThan(norm2(times(solver, x) - b), 1.01e-6_wp*norm2(b))
+      call assertTrue(solver%is_multigrid)
+      call assertEqual(1, solver%n_factorisations)
+      call solver%release()
+   end subroutine test_multigrid
+
+   !> No number of vectors leaves nothing.
+   subroutine test_fallback()
+      type(linear_solver) :: solver
+      type(error_type), allocatable :: error
+      real(wp) :: x(side*side), b(side*side)
+
+      call fill(solver, 0.3_wp, 1.0_wp, .true.)
+      call solver%factorise(error)
+      b = 1.0_wp
+      call solver%solve(b, x, error, 0.0_wp)
+      call assertFalse(allocated(error))
+      call assertFalse(solver%is_multigrid)
+      call assertLessThan(norm2(times(solver, x) - b), 1.0e-12_wp*norm2(b))
+      call assertEqual(2, solver%n_factorisations)
+      call solver%release()
+   end subroutine test_fallback
 
    !> PETSc's own LU takes pivots below 2.2e-14 for zero, and returns what is not finite.
    subroutine test_small()

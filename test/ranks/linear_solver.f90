@@ -20,15 +20,17 @@ contains
       suite = TestSuite('linear solver')
       call suite%addTest(TestMethod('the sum of all parts is solved', test_solve))
       call suite%addTest(TestMethod('GMRES with factors of another matrix', test_iterate))
+      call suite%addTest(TestMethod('multigrid', test_multigrid))
       call suite%addTest(TestMethod('a rank without rows', test_empty))
       call suite%addTest(TestMethod('what one rank cannot bear, none can', test_refused))
    end function suite_linear_solver
 
    !> Links of the chain, dealt out to the ranks in turn; rows in blocks, or all with the first.
-   subroutine fill(solver, convection, all_with_first)
+   subroutine fill(solver, convection, all_with_first, by_multigrid)
       type(linear_solver), intent(inout) :: solver
       real(wp), intent(in) :: convection
-      logical, intent(in), optional :: all_with_first
+      logical, intent(in), optional :: all_with_first, by_multigrid
+      real(wp), allocatable :: constant(:, :)
       integer :: row_start(n + 1), columns(3*n), first_rows(0:petsc%ranks%size), i, j, k
       type(error_type), allocatable :: error
 
@@ -46,7 +48,9 @@ contains
       if (present(all_with_first)) first_rows(1:) = n
       if (.not. associated(solver%values)) then
          solver%petsc = petsc
-         call solver%set_pattern(row_start, columns(:k), first_rows, error)
+         ! without it there is no argument
+         if (present(by_multigrid)) allocate (constant(n, 1), source=1.0_wp/sqrt(real(n, wp)))
+         call solver%set_pattern(row_start, columns(:k), first_rows, error, constant)
          call assertFalse(allocated(error), 'pattern')
       end if
       solver%values = 0.0_wp
@@ -99,6 +103,26 @@ contains
       call assertLessThan(norm2(times(0.5_wp, x) - b), 1.0e-13_wp*norm2(b))
       call solver%release()
    end subroutine test_solve
+
+   subroutine test_multigrid()
+      type(linear_solver) :: solver
+      type(error_type), allocatable :: error
+      real(wp) :: x(n), b(n)
+      logical :: has_converged
+
+      call fill(solver, 0.5_wp, by_multigrid=.true.)
+      call solver%factorise(error)
+      call assertFalse(allocated(error), 'levels')
+      b = 1.0_wp
+      call solver%solve(b, x, error, 1.0e-10_wp)
+      call assertFalse(allocated(error), 'solved')
+      call assertLessThan(norm2(times(0.5_wp, x) - b), 1.01e-10_wp*norm2(b))
+      call fill(solver, 0.4_wp)
+      call solver%iterate(b, x, 1.0e-3_wp, has_converged, error)
+      call assertTrue(has_converged .and. solver%is_multigrid)
+      call assertLessThan(norm2(times(0.4_wp, x) - b), 1.01e-3_wp*norm2(b))
+      call solver%release()
+   end subroutine test_multigrid
 
    subroutine test_iterate()
       type(linear_solver) :: solver

@@ -23,6 +23,7 @@ program test_solid
    use test_solid_material_strengths, only: suite_material_strengths
    use test_solid_material_tangent, only: suite_material_tangent
    use test_solid_pattern, only: suite_pattern
+   use test_solid_rigid_motions, only: suite_rigid_motions
    use test_solid_small_matrices, only: suite_small_matrices
    use test_solid_wood_check, only: suite_wood_check
    implicit none
@@ -34,6 +35,7 @@ program test_solid
    call suite%addTest(suite_frame_mesh())
    call suite%addTest(suite_vtu())
    call suite%addTest(suite_pattern())
+   call suite%addTest(suite_rigid_motions())
    call suite%addTest(suite_wood_check())
    call suite%addTest(suite_material_elasticity())
    call suite%addTest(suite_material_strengths())

@@ -8,10 +8,9 @@ module asperity_solid_engine_convergence
    private
    public :: convergence_context, residual_is_small
 
-   !> Most vectors of GMRES; after so many it gives up when more than this share of the residual is
-   !> left
-   integer(c_int), parameter, public :: most_vectors = 10
-   integer(c_int), parameter :: trial_vectors = 4
+   !> After so many vectors GMRES gives up when more than this share of the residual is left, if it
+   !> may have more
+   integer(c_int), parameter, public :: trial_vectors = 4
    real(wp), parameter :: hopeless = 0.3_wp
 
    !> What the test is told: the residual that may be left, over the first, which it keeps.
@@ -20,6 +19,8 @@ module asperity_solid_engine_convergence
       real(c_double) :: tolerance
       !> Residual before the first vector
       real(c_double) :: first
+      !> Most vectors, and of the trial; more than the most for none
+      integer(c_int) :: most, trial
    end type convergence_context
 
 contains
@@ -41,9 +42,9 @@ contains
       reason = ksp_converged_iterating
       if (residual <= asked%tolerance*asked%first) then
          reason = ksp_converged_rtol
-      else if (iteration >= most_vectors .or. .not. residual <= huge(1.0_wp)) then
+      else if (iteration >= asked%most .or. .not. residual <= huge(1.0_wp)) then
          reason = ksp_diverged_its
-      else if (iteration == trial_vectors .and. residual > hopeless*asked%first) then
+      else if (iteration == asked%trial .and. residual > hopeless*asked%first) then
          reason = ksp_diverged_its
       end if
    end function residual_is_small

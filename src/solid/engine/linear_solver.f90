@@ -1,22 +1,20 @@
-!> The sparse matrix of a solid and its solver by PETSc: LU by MUMPS, which serves, while the matrix
-!> changes, as preconditioner of GMRES. Each rank has a share of the rows; what it adds to rows of
-!> others goes there, so that the matrix is the sum of all. Vectors are whole on every rank.
-!>
-!> MUMPS and not PETSc's own LU, which takes pivots below 2.2e-14 for zero. The pattern is
-!> symmetric and so is the order of elimination: no permutation by values, small pivots are kept.
+!> The sparse matrix of a solid and its solver by PETSc: GMRES, preconditioned while the matrix
+!> changes by LU of an earlier one or by multigrid. Each rank has a share of the rows; what it adds
+!> to rows of others goes there: the matrix is the sum of all. Vectors are whole on every rank.
 !> Libraries raise floating-point flags as they like: who calls them does not stop at that, and
 !> Fortran gives the caller its own way back.
 module asperity_solid_engine_linear_solver
    use, intrinsic :: ieee_exceptions, only: ieee_all, ieee_set_halting_mode
-   use, intrinsic :: iso_c_binding, only: c_associated, c_funloc, c_int, c_loc, c_null_char, &
-      c_null_funptr, c_null_ptr, c_ptr, c_ptrdiff_t
+   use, intrinsic :: iso_c_binding, only: c_associated, c_funloc, c_int, c_loc, c_null_funptr, &
+      c_null_ptr, c_ptr
    use asperity_base_error, only: computation_error, error_type, fatal_error
    use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
-   use asperity_solid_engine_convergence, only: convergence_context, most_vectors, &
-      residual_is_small
-   use asperity_solid_engine_petsc, only: insert_values, pc_right, petsc_false, petsc_library, &
-      petsc_true
+   use asperity_solid_engine_convergence, only: convergence_context, residual_is_small, &
+      trial_vectors
+   use asperity_solid_engine_krylov, only: most_vectors, new_krylov
+   use asperity_solid_engine_matrix, only: new_matrix, set_modes
+   use asperity_solid_engine_petsc, only: insert_values, petsc_false, petsc_library, petsc_true
    implicit none
    private
    public :: linear_solver
@@ -33,8 +31,13 @@ module asperity_solid_engine_linear_solver
       integer(c_int), pointer, contiguous :: columns(:) => null()
       !> The values
       real(wp), pointer, contiguous :: values(:) => null()
-      !> Whether there are factors, of these values or of earlier ones
-      logical :: has_factors = .false.
+      !> Whether multigrid preconditions, and not factors; whether there are factors, or levels of
+      !> multigrid, of these values or of earlier ones
+      logical :: is_multigrid = .false., has_factors = .false.
+      !> Whether they have not served yet
+      logical, private :: is_new = .false.
+      !> What multigrid must be able to follow, a column each
+      real(wp), pointer, contiguous, private :: modes(:, :) => null()
       !> How many patterns, factorisations, and solutions by factors alone
       integer :: n_patterns = 0, n_factorisations = 0, n_solutions = 0
       !> Room beyond the estimate that the factors take, %
@@ -55,16 +58,18 @@ module asperity_solid_engine_linear_solver
       procedure :: release
    end type linear_solver
 
-   !> Choices of MUMPS' manual: 6 permutation by values (0: none), 7 ordering (5: METIS), 8 scaling
-   !> (0: none), 14 room beyond the estimate (%); 1 threshold of partial pivoting
-   integer(c_int), parameter :: mumps_places(3) = [6, 7, 8], mumps_values(3) = [0, 5, 0], &
-      room_place = 14, first_room = 60, room_error = -9, largest_room = 1000
-   real(wp), parameter :: pivot_threshold = 1.0e-3_wp
+   !> Room that factors are given beyond MUMPS' estimate, %, and MUMPS' error when it is too little
+   integer(c_int), parameter :: first_room = 60, room_error = -9, largest_room = 1000
+   !> Most vectors of GMRES by factors of an earlier matrix, and by levels of an earlier one, which
+   !> cost no more than some tens of vectors
+   integer(c_int), parameter :: most_by_factors = 10, most_by_levels = 40
+   !> Residual that `solve` leaves by multigrid unless it is told otherwise
+   real(wp), parameter :: default_tolerance = 1.0e-8_wp
 
 contains
 
    !> Take a new pattern. The matrix has the union of those of all ranks.
-   subroutine set_pattern(self, row_start, columns, first_rows, error)
+   subroutine set_pattern(self, row_start, columns, first_rows, error, modes)
       !> The solver
       class(linear_solver), intent(inout) :: self
       !> Where each row begins, from 0, and one more; columns from 0, rising in each row
@@ -73,10 +78,14 @@ contains
       integer, intent(in) :: first_rows(0:)
       !> Set on failure
       type(error_type), allocatable, intent(out) :: error
+      !> Vectors at right angles that the matrix takes to next to nothing, a column each and whole:
+      !> multigrid is to precondition
+      real(wp), intent(in), optional :: modes(:, :)
       integer(c_int) :: code
 
       call ieee_set_halting_mode(ieee_all, .false.)
       call self%release()
+      self%is_multigrid = present(modes)
       self%n = size(row_start) - 1
       allocate (self%row_start(size(row_start)), source=int(row_start, c_int))
       allocate (self%columns(size(columns)), source=int(columns, c_int))
@@ -85,33 +94,19 @@ contains
          self%first = first_rows(rank)
          self%n_own = first_rows(rank + 1) - self%first
       end associate
-      code = new_matrix(self)
+      call new_matrix(self%petsc, self%n_own, self%row_start, self%columns, self%matrix, code)
+      if (present(modes)) then
+         allocate (self%modes, source=modes(self%first + 1:self%first + self%n_own, :))
+         if (code == 0) code = set_modes(self%petsc, self%matrix, self%modes)
+      end if
       self%room = first_room
-      if (code == 0) code = new_krylov(self)
+      if (code == 0) code = renew_krylov(self)
       call check(self, code, 'take the matrix', error)
       self%n_patterns = self%n_patterns + 1
    end subroutine set_pattern
 
-   !> PETSc's matrix of the pattern.
-   integer(c_int) function new_matrix(self) result(code)
-      type(linear_solver), intent(inout) :: self
-      integer(c_int), allocatable :: rows(:), columns(:)
-      integer :: i
-
-      allocate (rows(size(self%columns)), columns(size(self%columns)))
-      columns = self%columns
-      do i = 1, self%n
-         rows(self%row_start(i) + 1:self%row_start(i + 1)) = i - 1
-      end do
-      code = self%petsc%mat_create(self%petsc%world, self%matrix)
-      if (code == 0) code = self%petsc%mat_set_sizes(self%matrix, self%n_own, self%n_own, &
-         self%n, self%n)
-      if (code == 0) code = self%petsc%mat_set_type(self%matrix, 'aij'//c_null_char)
-      if (code == 0) code = self%petsc%mat_set_places(self%matrix, &
-         size(rows, kind=c_ptrdiff_t), rows, columns)
-   end function new_matrix
-
-   !> Factorise the matrix. `error` is set when it is singular or there is no memory.
+   !> Factorise the matrix, or find the levels of multigrid; where it has none, factors serve.
+   !> `error` is set when the matrix is singular or there is no memory.
    subroutine factorise(self, error)
       !> The solver
       class(linear_solver), intent(inout) :: self
@@ -128,21 +123,31 @@ contains
          return
       end if
       do
+         reason = 0
+         mumps_code = 0
          code = self%petsc%mat_set_values(self%matrix, self%values, insert_values)
          if (code == 0) code = self%petsc%pc_set_reuse(self%preconditioner, petsc_false)
          if (code == 0) code = self%petsc%pc_set_up(self%preconditioner)
          if (code == 0) code = self%petsc%pc_set_reuse(self%preconditioner, petsc_true)
          if (code == 0) code = self%petsc%pc_get_failed_reason(self%preconditioner, reason)
-         if (code == 0) code = self%petsc%pc_factor_get_matrix(self%preconditioner, factors)
-         if (code == 0) code = self%petsc%get_infog(factors, 1_c_int, mumps_code)
-         call check(self, code, 'factorise the matrix', error)
-         if (allocated(error)) return
+         if (self%is_multigrid) then
+            self%has_factors = .not. self%petsc%ranks%any(code /= 0 .or. reason /= 0)
+            if (.not. self%has_factors) call use_factors(self, error)
+            if (allocated(error)) return
+            if (.not. self%has_factors) cycle
+         else
+            if (code == 0) code = self%petsc%pc_factor_get_matrix(self%preconditioner, factors)
+            if (code == 0) code = self%petsc%get_infog(factors, 1_c_int, mumps_code)
+            call check(self, code, 'factorise the matrix', error)
+            if (allocated(error)) return
+            self%has_factors = reason == 0 .and. mumps_code >= 0
+         end if
          self%n_factorisations = self%n_factorisations + 1
-         self%has_factors = reason == 0 .and. mumps_code >= 0
+         self%is_new = .true.
          if (self%has_factors) exit
          ! PETSc's MUMPS does not factorise again where it has failed
          if (mumps_code == room_error .and. self%room < largest_room) self%room = 2*self%room
-         code = new_krylov(self)
+         code = renew_krylov(self)
          call check(self, code, 'begin again', error)
          if (allocated(error)) return
          if (mumps_code /= room_error .or. self%room > largest_room) exit
@@ -151,8 +156,8 @@ contains
          'MUMPS says '//to_text(mumps_code), computation_error)
    end subroutine factorise
 
-   !> Solve by the factors alone.
-   subroutine solve(self, right_side, solution, error)
+   !> Solve by the factors alone; by GMRES with multigrid, and by factors where that fails.
+   subroutine solve(self, right_side, solution, error, tolerance)
       !> The solver
       class(linear_solver), intent(inout) :: self
       !> Right side
@@ -161,9 +166,22 @@ contains
       real(wp), intent(out), contiguous, target :: solution(:)
       !> Set on failure
       type(error_type), allocatable, intent(out) :: error
+      !> What multigrid may leave of the residual, over the right side; 1e-8 unless given
+      real(wp), intent(in), optional :: tolerance
       integer(c_int) :: code
+      real(wp) :: left
+      logical :: has_converged
       type(c_ptr) :: b, x
 
+      if (self%is_multigrid) then
+         left = default_tolerance
+         if (present(tolerance)) left = tolerance
+         call self%iterate(right_side, solution, left, has_converged, error)
+         if (allocated(error) .or. has_converged) return
+         call use_factors(self, error)
+         if (.not. allocated(error)) call self%factorise(error)
+         if (allocated(error)) return
+      end if
       call ieee_set_halting_mode(ieee_all, .false.)
       solution = 0.0_wp
       code = new_vectors(self, right_side, solution, b, x)
@@ -175,8 +193,9 @@ contains
       if (.not. allocated(error)) call self%petsc%ranks%sum(solution)
    end subroutine solve
 
-   !> Solve with the present values by GMRES, preconditioned from the right by the factors. It gives
-   !> up after four vectors that leave more than 0.3 of the residual, or after ten.
+   !> Solve with the present values by GMRES, preconditioned from the right. By factors it gives up
+   !> after four vectors that leave more than 0.3 of the residual, or ten; by levels after forty,
+   !> or a hundred if they have not served before.
    subroutine iterate(self, right_side, solution, tolerance, has_converged, error)
       !> The solver
       class(linear_solver), intent(inout) :: self
@@ -196,12 +215,18 @@ contains
 
       call ieee_set_halting_mode(ieee_all, .false.)
       has_converged = .false.
-      context = convergence_context(tolerance, 0.0_wp)
+      context = convergence_context(tolerance, 0.0_wp, most_by_factors, trial_vectors)
+      if (self%is_multigrid) then
+         context%most = merge(most_vectors, most_by_levels, self%is_new)
+         context%trial = most_vectors
+      end if
+      self%is_new = .false.
       solution = 0.0_wp
       code = self%petsc%mat_set_values(self%matrix, self%values, insert_values)
       if (code == 0) code = self%petsc%ksp_set_tolerances(self%krylov, tolerance, tiny(1.0_wp), &
          huge(1.0_wp), most_vectors)
-      if (code == 0) code = set_test(self, context)
+      if (code == 0) code = self%petsc%ksp_set_convergence_test(self%krylov, &
+         c_funloc(residual_is_small), c_loc(context), c_null_funptr)
       if (code == 0) code = new_vectors(self, right_side, solution, b, x)
       if (code == 0) code = self%petsc%ksp_solve(self%krylov, b, x)
       if (code == 0) code = self%petsc%ksp_get_converged_reason(self%krylov, reason)
@@ -226,35 +251,28 @@ contains
       self%matrix = c_null_ptr
       self%preconditioner = c_null_ptr
       if (associated(self%values)) deallocate (self%row_start, self%columns, self%values)
+      if (associated(self%modes)) deallocate (self%modes)
       self%has_factors = .false.
    end subroutine release
 
    !> Krylov solver and preconditioner for the matrix, in place of any there are.
-   integer(c_int) function new_krylov(self) result(code)
+   integer(c_int) function renew_krylov(self) result(code)
       type(linear_solver), intent(inout) :: self
-      type(c_ptr) :: factors
-      integer :: i
 
-      code = 0
-      if (c_associated(self%krylov)) code = self%petsc%ksp_destroy(self%krylov)
-      if (code == 0) code = self%petsc%ksp_create(self%petsc%world, self%krylov)
-      if (code == 0) code = self%petsc%ksp_set_operators(self%krylov, self%matrix, self%matrix)
-      if (code == 0) code = self%petsc%ksp_set_type(self%krylov, 'gmres'//c_null_char)
-      if (code == 0) code = self%petsc%ksp_gmres_set_restart(self%krylov, most_vectors)
-      if (code == 0) code = self%petsc%ksp_set_pc_side(self%krylov, pc_right)
-      if (code == 0) code = self%petsc%ksp_get_pc(self%krylov, self%preconditioner)
-      if (code == 0) code = self%petsc%pc_set_type(self%preconditioner, 'lu'//c_null_char)
-      if (code == 0) code = self%petsc%pc_set_error_if_failure(self%preconditioner, petsc_false)
-      if (code == 0) code = self%petsc%pc_factor_set_solver(self%preconditioner, &
-         'mumps'//c_null_char)
-      if (code == 0) code = self%petsc%pc_factor_set_up_solver(self%preconditioner)
-      if (code == 0) code = self%petsc%pc_factor_get_matrix(self%preconditioner, factors)
-      do i = 1, size(mumps_places)
-         if (code == 0) code = self%petsc%set_icntl(factors, mumps_places(i), mumps_values(i))
-      end do
-      if (code == 0) code = self%petsc%set_icntl(factors, room_place, self%room)
-      if (code == 0) code = self%petsc%set_cntl(factors, 1_c_int, pivot_threshold)
-   end function new_krylov
+      call new_krylov(self%petsc, self%matrix, self%is_multigrid, self%room, self%krylov, &
+         self%preconditioner, code)
+   end function renew_krylov
+
+   !> Factors in place of multigrid, until there is another pattern.
+   subroutine use_factors(self, error)
+      type(linear_solver), intent(inout) :: self
+      type(error_type), allocatable, intent(out) :: error
+      integer(c_int) :: code
+
+      self%is_multigrid = .false.
+      code = renew_krylov(self)
+      call check(self, code, 'leave multigrid', error)
+   end subroutine use_factors
 
    !> Vectors of PETSc over this rank's parts of two arrays.
    integer(c_int) function new_vectors(self, right_side, solution, b, x) result(code)
@@ -266,15 +284,6 @@ contains
       if (code == 0) code = self%petsc%vec_place_array(b, right_side(self%first + 1:))
       if (code == 0) code = self%petsc%vec_place_array(x, solution(self%first + 1:))
    end function new_vectors
-
-   !> Let GMRES be stopped by `residual_is_small`.
-   integer(c_int) function set_test(self, context) result(code)
-      class(linear_solver), intent(in) :: self
-      type(convergence_context), intent(in), target :: context
-
-      code = self%petsc%ksp_set_convergence_test(self%krylov, c_funloc(residual_is_small), &
-         c_loc(context), c_null_funptr)
-   end function set_test
 
    !> Set `error` when a function of PETSc has failed, on whatever rank.
    subroutine check(solver, code, doing, error)

@@ -11,9 +11,10 @@ module asperity_solid_engine_petsc
    use asperity_replay_shared_library, only: find_data, find_procedure, open_library, &
       shared_library
    use asperity_solid_engine_petsc_functions, only: cntl_function, destroys, finds, gives_number, &
-      handler_function, icntl_function, infog_function, matrix_function, of_one, of_three, &
-      place_function, places_function, plain, sizes_function, test_function, tolerances_function, &
-      values_function, vectors_function, version_function, with_name, with_number
+      handler_function, icntl_function, infog_function, matrix_function, of_one, of_three, of_two, &
+      option_function, place_function, places_function, plain, sizes_function, space_function, &
+      test_function, tolerances_function, values_function, vectors_function, version_function, &
+      with_name, with_number
    use asperity_solid_engine_ranks, only: find_ranks, meet_ranks, rank_team
    implicit none
    private
@@ -41,12 +42,15 @@ module asperity_solid_engine_petsc
       procedure(with_number), pointer, nopass :: ksp_set_pc_side => null(), &
          ksp_gmres_set_restart => null(), pc_set_reuse => null(), &
          pc_set_error_if_failure => null()
+      procedure(space_function), pointer, nopass :: create_space => null()
+      procedure(of_two), pointer, nopass :: mat_set_near_null_space => null()
+      procedure(option_function), pointer, nopass :: set_option => null()
       procedure(destroys), pointer, nopass :: mat_destroy => null(), vec_destroy => null(), &
-         ksp_destroy => null()
+         ksp_destroy => null(), destroy_space => null()
       procedure(finds), pointer, nopass :: ksp_create => null(), ksp_get_pc => null(), &
          pc_factor_get_matrix => null()
       procedure(with_name), pointer, nopass :: mat_set_type => null(), ksp_set_type => null(), &
-         pc_set_type => null(), pc_factor_set_solver => null()
+         pc_set_type => null(), pc_set_prefix => null(), pc_factor_set_solver => null()
       procedure(of_one), pointer, nopass :: pc_factor_set_up_solver => null(), pc_set_up => null()
       procedure(of_three), pointer, nopass :: ksp_set_operators => null(), ksp_solve => null(), &
          pc_apply => null()
@@ -182,6 +186,10 @@ contains
       call c_f_procpointer(of('MatDestroy'), petsc%mat_destroy)
       call c_f_procpointer(of('VecPlaceArray'), petsc%vec_place_array)
       call c_f_procpointer(of('VecDestroy'), petsc%vec_destroy)
+      call c_f_procpointer(of('MatNullSpaceCreate'), petsc%create_space)
+      call c_f_procpointer(of('MatNullSpaceDestroy'), petsc%destroy_space)
+      call c_f_procpointer(of('MatSetNearNullSpace'), petsc%mat_set_near_null_space)
+      call c_f_procpointer(of('PetscOptionsSetValue'), petsc%set_option)
       call c_f_procpointer(of('KSPCreate'), petsc%ksp_create)
       call c_f_procpointer(of('KSPDestroy'), petsc%ksp_destroy)
       call c_f_procpointer(of('KSPSetOperators'), petsc%ksp_set_operators)
@@ -194,6 +202,7 @@ contains
       call c_f_procpointer(of('KSPSolve'), petsc%ksp_solve)
       call c_f_procpointer(of('KSPGetConvergedReason'), petsc%ksp_get_converged_reason)
       call c_f_procpointer(of('PCSetType'), petsc%pc_set_type)
+      call c_f_procpointer(of('PCSetOptionsPrefix'), petsc%pc_set_prefix)
       call c_f_procpointer(of('PCSetErrorIfFailure'), petsc%pc_set_error_if_failure)
       call c_f_procpointer(of('PCFactorSetMatSolverType'), petsc%pc_factor_set_solver)
       call c_f_procpointer(of('PCFactorSetUpMatSolverType'), petsc%pc_factor_set_up_solver)

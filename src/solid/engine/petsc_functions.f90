@@ -4,9 +4,9 @@ module asperity_solid_engine_petsc_functions
    implicit none
    private
    public :: cntl_function, destroys, finds, gives_number, handler_function, icntl_function, &
-      infog_function, matrix_function, of_one, of_three, place_function, places_function, plain, &
-      sizes_function, test_function, tolerances_function, values_function, vectors_function, &
-      version_function, with_name, with_number
+      infog_function, matrix_function, of_one, of_three, of_two, option_function, place_function, &
+      places_function, plain, sizes_function, space_function, test_function, tolerances_function, &
+      values_function, vectors_function, version_function, with_name, with_number
 
    abstract interface
       !> What takes nothing
@@ -18,6 +18,11 @@ module asperity_solid_engine_petsc_functions
          import :: c_int, c_ptr
          type(c_ptr), value :: object
       end function of_one
+      !> ... two objects
+      integer(c_int) function of_two(first, second) bind(c)
+         import :: c_int, c_ptr
+         type(c_ptr), value :: first, second
+      end function of_two
       !> ... three objects
       integer(c_int) function of_three(first, second, third) bind(c)
          import :: c_int, c_ptr
@@ -100,6 +105,20 @@ module asperity_solid_engine_petsc_functions
          type(c_ptr), value :: vector
          real(c_double), intent(in) :: values(*)
       end function place_function
+      !> The space of some vectors, and of constants if so
+      integer(c_int) function space_function(communicator, has_constants, n, vectors, space) bind(c)
+         import :: c_int, c_ptr
+         type(c_ptr), value :: communicator
+         integer(c_int), value :: has_constants, n
+         type(c_ptr), intent(in) :: vectors(*)
+         type(c_ptr), intent(out) :: space
+      end function space_function
+      !> An option in a data base: its name and value
+      integer(c_int) function option_function(options, name, value) bind(c)
+         import :: c_char, c_int, c_ptr
+         type(c_ptr), value :: options
+         character(kind=c_char), intent(in) :: name(*), value(*)
+      end function option_function
       !> Controls of MUMPS that are whole
       integer(c_int) function icntl_function(factors, place, value) bind(c)
          import :: c_int, c_ptr

@@ -30,6 +30,8 @@ module asperity_solid_model_settings
       real(wp) :: tolerance = 1.0e-3_wp
       !> Residual that GMRES leaves, over that of the iteration
       real(wp) :: forcing = 1.0e-2_wp
+      !> Whether multigrid preconditions GMRES, and not factors
+      logical :: uses_multigrid = .false.
       !> Most iterations of an increment
       integer :: most_iterations = 16
       !> Fewest increments of a stroke; twice as many beyond `large_amplitude`

@@ -5,6 +5,7 @@ module asperity_solid_solve_equations
    use asperity_solid_contact_pair, only: foresee_pattern
    use asperity_solid_engine_linear_solver, only: linear_solver
    use asperity_solid_model_model, only: solid_model
+   use asperity_solid_model_rigid_motions, only: rigid_motions
    use asperity_solid_solve_pattern, only: block_list, block_places, find_pattern
    use asperity_solid_solve_times, only: run_times, seconds_now
    implicit none
@@ -61,6 +62,7 @@ contains
       type(error_type), allocatable, intent(out) :: error
       type(block_list), allocatable :: blocks(:)
       integer, allocatable :: row_start(:), columns(:)
+      real(wp), allocatable :: motions(:, :)
       real(wp) :: began
       integer :: i, j, n, springs
 
@@ -94,7 +96,9 @@ contains
       end do
       model%pairs%has_grown = .false.
       call find_pattern(model%n_unknowns, blocks, row_start, columns, system%places)
-      call system%solver%set_pattern(row_start, columns, model%first_rows, error)
+      if (model%settings%uses_multigrid) &
+         motions = rigid_motions(model%mesh%nodes, model%numbers, model%n_unknowns)
+      call system%solver%set_pattern(row_start, columns, model%first_rows, error, motions)
       system%times%patterns = system%times%patterns + seconds_now() - began
    end subroutine renew_pattern
 

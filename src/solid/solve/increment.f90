@@ -149,18 +149,16 @@ contains
       !> The linear equations.
       subroutine solve_linear(solution)
          real(wp), intent(out) :: solution(:)
-         real(wp) :: began
+         real(wp) :: began, left
          logical :: has_converged
 
-         has_converged = .false.
+         left = merge(tight, model%settings%forcing, increment%is_soft)
          if (system%solver%has_factors) then
             began = seconds_now()
-            call system%solver%iterate(right_side, solution, &
-               merge(tight, model%settings%forcing, increment%is_soft), has_converged, error)
+            call system%solver%iterate(right_side, solution, left, has_converged, error)
             system%times%solutions = system%times%solutions + seconds_now() - began
-            if (allocated(error)) return
+            if (allocated(error) .or. has_converged) return
          end if
-         if (has_converged) return
          began = seconds_now()
          call system%solver%factorise(error)
          system%times%factors = system%times%factors + seconds_now() - began
@@ -170,7 +168,7 @@ contains
             deallocate (error)
          else
             began = seconds_now()
-            call system%solver%solve(right_side, solution, error)
+            call system%solver%solve(right_side, solution, error, left)
             system%times%solutions = system%times%solutions + seconds_now() - began
          end if
       end subroutine solve_linear

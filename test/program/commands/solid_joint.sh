@@ -63,11 +63,11 @@ refuses 'solid: contact of a deck is none of its own' 2 \
    "deck.nml:[0-9]+: contact = 'table' is unknown; known: hard, rough, both" solid deck.nml
 run solid --print-case
 check 'solid: its keys' sh -c 'for key in contact mesh_size strain contact_cells penalty soft_overclosure \
-   stroke_increments tolerance forcing most_iterations through criterion; do
+   stroke_increments tolerance forcing preconditioner most_iterations through criterion; do
    grep -q "^ *!* *$key *[=:]" out || { echo "$key"; exit 1; }; done'
 run solid --help
 check 'solid: help' sh -c 'for option in mesh-size rim-mesh-size strain contact-cells penalty soft-overclosure \
-   stroke-increments tolerance forcing most-iterations through criterion checkpoint resume vtk report; do
+   stroke-increments tolerance forcing preconditioner most-iterations through criterion checkpoint resume vtk report; do
    grep -Eq -- "^  --(\[no-\])?$option( |$)" out || { echo "$option"; exit 1; }; done'
 # UINTER evaluates the law itself, which is compiled here
 for through in direct uinter; do
@@ -148,6 +148,8 @@ young_modulus_r 0 .*above zero
 KEYS
 refuses 'solid: contact' 2 "--contact: contact = 'soft' is unknown; known: hard, rough, both" solid --contact soft
 refuses 'solid: strain' 2 "--strain: strain = 'green' is unknown; known: engineering, logarithmic" solid --strain green
+refuses 'solid: preconditioner' 2 "--preconditioner: preconditioner = 'ilu' is unknown; known: lu, multigrid" \
+   solid --preconditioner ilu
 refuses 'solid: through' 2 "--through: through = 'no' is unknown; known: direct, uinter" solid --through no
 refuses 'solid: criterion' 2 "--criterion: .* known: none, mises, hill, crushing" solid --criterion tresca
 refuses 'solid: mesh of the parts' 2 '--mesh-size: mesh_size = 400.* is larger than the part' solid --mesh-size 400 \

@@ -93,6 +93,8 @@ contains
             'residual over the forces of contact and load at which an increment is solved')
          call keys%real('forcing', s%forcing, '', &
             'residual that the linear solver leaves, over that of the iteration')
+         call keys%choice('preconditioner', s%uses_multigrid, 'lu multigrid', &
+            'what the linear solver is preconditioned with')
          call keys%whole('most_iterations', s%most_iterations, &
             'iterations after which an increment is halved')
          call keys%choice('through', s%through_uinter, 'direct uinter', &

@@ -53,6 +53,7 @@ module asperity_program_commands_solid_page_texts
       'force hardly moves'), &
       origin_type('tolerance', chosen//'a thousandth of the forces in play'), &
       origin_type('forcing', chosen//'cheaper than a new factorisation, and no more iterations'), &
+      origin_type('preconditioner', chosen//'both find the same; see docs/performance.md'), &
       origin_type('most_iterations', chosen//'what takes more is better halved'), &
       origin_type('through', chosen//'the same update as through UINTER, without its arrays')]
 
