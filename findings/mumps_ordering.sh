@@ -3,8 +3,8 @@
 #
 # A good guess: ICNTL(7) = 5 orders by METIS; where MUMPS is built without it that is an error or a warning
 # (INFOG(1)). Seen: INFOG(1) is 0, nothing is printed, and INFOG(7), the ordering used, is 2, approximate minimum
-# fill, for 900 equations and 4, PORD, for 14400. 3, Scotch, ends alike. The larger the problem in space, the more of
-# the factors' time hangs on it.
+# fill, for 900 equations and 4, PORD, for 14400. 3, Scotch, ends alike. Who compares orderings compares one with
+# itself.
 source "$(dirname "$0")/lib/setup.sh"
 version_is 5.5.1 dpkg-query -W -f '${Version}' libmumps-dev
 cat >ordering.c <<'C'
