@@ -45,7 +45,7 @@ module asperity_solid_model_settings
    !> Increments in which the beam swells between the sides
    integer, parameter, public :: fit_increments = 5
    !> An increment solved in so many iterations lets the next one be longer, by this factor; one
-   !> that takes all but a few of `most_iterations` makes it shorter
+   !> that takes all but a few of `most_iterations`, and more than half of them, makes it shorter
    integer, parameter, public :: easy_iterations = 6, few_iterations = 4
    real(wp), parameter, public :: growth = 1.5_wp, shrinkage = 0.7_wp
    !> Shortest increment, over the stroke

@@ -205,6 +205,7 @@ contains
       type(error_type), allocatable, intent(out) :: error
       type(increment_type) :: increment
       real(wp) :: from, way, done, length, longest, last_motion
+      integer :: hard
       logical :: is_fresh
 
       associate (turns => run%model%turns, settings => run%model%settings)
@@ -231,9 +232,10 @@ contains
                call keep(run, increment)
                call after_increment(run, observer, error)
                if (allocated(error)) return
-               if (increment%iterations > settings%most_iterations - few_iterations) then
-                  length = shrinkage*length
-               else if (increment%iterations <= easy_iterations) then
+               hard = max(settings%most_iterations - few_iterations, settings%most_iterations/2)
+               if (increment%iterations > hard) then
+                  length = max(shrinkage*length, shortest_increment)
+               else if (increment%iterations <= min(easy_iterations, hard)) then
                   length = min(growth*length, longest)
                end if
             else if (.not. is_fresh) then
