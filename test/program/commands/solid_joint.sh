@@ -174,6 +174,11 @@ ASPERITY_PETSC=$work/libpetsc.so refuses 'solid: a PETSc that is not there' 2 \
 refuses 'solid: no equilibrium at rest' 1 'the joint at rest has no equilibrium \(fit of the sides\): ' \
    solid --mesh-size 100 --contact hard --penalty 1e12 --amplitudes 8
 check 'solid: nothing to go on from' sh -c '! ls solid.* 2>/dev/null'
+# Hard increments get shorter, and no shorter than the shortest
+refuses 'solid: few iterations allowed' 1 'no increment is small enough in stroke 1 from 0.0 to 8.0 mm, at ' \
+   solid --mesh-size 60 --contact rough --amplitudes 8 --side-pressure 0 --column-load 0 --most-iterations 4 \
+   --tolerance 1e-8 --forcing 0.5
+rm -f solid.rough.checkpoint failed_point.*
 refuses 'solid: no equilibrium in a stroke' 1 'no increment is small enough in stroke 2 from 8.0 to -8.0 mm, at '\
 '-?[0-9.]+ mm: .*It begins again from solid.hard.checkpoint with --resume$' \
    solid --mesh-size 100 --contact hard --penalty 1e9 --amplitudes 8 --csv bad.csv
