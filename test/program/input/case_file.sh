@@ -97,12 +97,14 @@ for try in "${FC:-}" gfortran flang-new-19 flang; do
    [ -n "$try" ] && command -v "$try" >/dev/null && compiler=$try && break
 done
 
+commands=(curve press shear tenon table solid frame 'deck shear' 'deck tenon')
+
 # read_alike FILE...: READ finds in each file what --print-case of some command prints
 read_alike() {
    local file command
    for file in "$@"; do
       : >effective
-      for command in curve press shear tenon table "deck shear" "deck tenon"; do
+      for command in "${commands[@]}"; do
          limited "$program" $command "$file" --print-case >printed.nml 2>/dev/null </dev/null || continue
          ./read_case printed.nml >>effective || return
       done
@@ -118,7 +120,7 @@ read_alike() {
 
 if [ -z "$compiler" ]; then
    skip 'namelist READ' 'no Fortran compiler'
-elif ! { for command in curve press shear tenon table 'deck shear' 'deck tenon'; do "$program" help $command; done \
+elif ! { for command in "${commands[@]}"; do "$program" help $command; done \
       | awk -f "$here/input/read_case.awk" >read_case.f90 && "$compiler" read_case.f90 -o read_case; } >check.log 2>&1; then
    check "compile read_case.f90 with $compiler" false
 else
