@@ -1,5 +1,6 @@
 !> The ranks as a team: sums, largest values, errors that one of them has.
 module test_ranks_team
+   use, intrinsic :: iso_fortran_env, only: int64
    use asperity, only: computation_error, error_type, file_error, wp
    use asperity_base_error, only: fatal_error
    use asperity_base_number_text, only: to_text
@@ -53,7 +54,7 @@ contains
       call petsc%ranks%sum(values)
       first = values
       call petsc%ranks%take_first(first)
-      call assertTrue(all(transfer(values, [0_8]) == transfer(first, [0_8])), 'bits')
+      call assertTrue(all(transfer(values, [0_int64]) == transfer(first, [0_int64])), 'bits')
    end subroutine test_bits
 
    subroutine test_first()

@@ -36,8 +36,8 @@ module asperity_solid_model_model
       !> Number of each displacement, and of unknowns
       integer, allocatable :: numbers(:, :)
       integer :: n_unknowns = 0
-      !> Elements that this rank works on, and the first equation of each rank, from 0, and one more:
-      !> set when the work is shared
+      !> Elements that this rank works on, and the first equation of each rank, from 0, and one
+      !> more: set when the work is shared
       integer, allocatable :: own_elements(:), first_rows(:)
       !> Wood of column and beam, and what shoes are of
       type(solid_material) :: wood(n_parts)

@@ -16,8 +16,8 @@ module asperity_solid_model_share
 
 contains
 
-   !> Give each rank its share, all to a rank that is alone. Equations are numbered anew, so that those of a rank follow each
-   !> other. `error` is set when there are more ranks than elements.
+   !> Give each rank its share, all to a rank that is alone. Equations are numbered anew, so that
+   !> those of a rank follow each other. `error` is set when there are more ranks than elements.
    subroutine share_work(model, ranks, error)
       !> The joint, which is all this rank's
       type(solid_model), intent(inout) :: model

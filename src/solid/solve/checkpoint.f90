@@ -55,7 +55,8 @@ contains
       status = 1
       if (n_displacements /= size(run%displacement) .or. min(n_records, n_joints) < 0) return
       deallocate (run%records, run%joints)
-      allocate (run%records(n_records), run%joints(n_joints, n_records), stat=status)
+      allocate (run%records(n_records), stat=status)
+      if (status == 0) allocate (run%joints(n_joints, n_records), stat=status)
       if (status == 0) read (unit, iostat=status) run%displacement, run%ledger, &
          run%model%points, run%records, run%joints
       do i = 1, size(run%model%pairs)

@@ -35,8 +35,8 @@ contains
       call leave_to_first(model, ranks)
    end subroutine gather_model
 
-   !> Bring the master facets that faces have met to every rank, between two strokes: those that were
-   !> not met are forgotten, and the pattern is.
+   !> Bring the master facets that faces have met to every rank, between two strokes: those that
+   !> were not met are forgotten, and the pattern is.
    subroutine gather_met_facets(model, ranks)
       !> The joint
       type(solid_model), intent(inout) :: model
