@@ -1,5 +1,5 @@
-!> METIS, which parts meshes: loaded when there are ranks to part one for. It comes with the MUMPS of
-!> every PETSc that has one (32-bit indices, as Debian builds it).
+!> METIS, which parts meshes: loaded when there are ranks to part one for. Debian's PETSc brings it
+!> along (32-bit indices).
 module asperity_solid_engine_metis
    use, intrinsic :: ieee_exceptions, only: ieee_all, ieee_set_halting_mode
    use, intrinsic :: iso_c_binding, only: c_associated, c_f_procpointer, c_funptr, c_int, &

@@ -53,8 +53,8 @@ contains
       self%summary = 'plane frame with many tenon joints as one solid'
       self%usage = '[CASE.nml] [options]'
       self%purpose = 'Finite-element analysis of a plane frame of columns and of beams that '// &
-         'pass through them, all joints by the code of asperity solid. The heads sway together; '// &
-         'base shear, and moment, rotation and energy of each joint come out.'
+         'pass through them, all joints by the code of asperity solid. The heads sway '// &
+         'together; base shear, and moment, rotation and energy of each joint come out.'
    end subroutine describe
 
    !> Case, mesh, solver and outputs.
