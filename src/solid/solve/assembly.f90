@@ -71,7 +71,7 @@ contains
       call sum_over_ranks(system, forces, wants_tangent)
       if (system%is_inverted) return
       do i = 1, size(model%springs)
-         call add_spring(model%springs(i), size(system%places) - size(model%springs) + i)
+         call add_spring(model%springs(i), size(model%springs) - i)
       end do
       system%residual = 0.0_wp
       system%load_force = 0.0_wp
@@ -95,15 +95,15 @@ contains
    contains
 
       !> A spring to ground.
-      subroutine add_spring(spring, place)
+      subroutine add_spring(spring, behind)
          type(ground_spring), intent(in) :: spring
-         !> Of its block in the pattern, which the first rank has
-         integer, intent(in) :: place
+         !> How many blocks stand behind its own in the pattern, which the first rank has
+         integer, intent(in) :: behind
 
          forces(spring%direction, spring%node) = forces(spring%direction, spring%node) &
             + spring%stiffness*displacement(spring%direction, spring%node)
          if (.not. wants_tangent .or. system%solver%petsc%ranks%rank > 0) return
-         associate (at => system%places(place)%at(1, 1))
+         associate (at => system%places(size(system%places) - behind)%at(1, 1))
             if (at > 0) system%solver%values(at) = system%solver%values(at) + spring%stiffness
          end associate
       end subroutine add_spring
