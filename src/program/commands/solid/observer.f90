@@ -1,7 +1,6 @@
 !> Who watches a solid joint run: tells a terminal how far it is, keeps what the pictures show, and
 !> writes the checkpoint after every stroke.
 module asperity_program_commands_solid_observer
-   use, intrinsic :: iso_fortran_env, only: int64
    use asperity_base_error, only: error_type
    use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
@@ -12,6 +11,7 @@ module asperity_program_commands_solid_observer
    use asperity_program_system_progress, only: show_stage
    use asperity_solid_model_settings, only: fit_increments, large_amplitude
    use asperity_solid_solve_programme, only: solid_observer, solid_run
+   use asperity_solid_solve_times, only: seconds_now
    implicit none
    private
    public :: run_observer, new_observer, seconds_of
@@ -30,7 +30,7 @@ module asperity_program_commands_solid_observer
       type(solid_snapshot), allocatable :: snapshots(:)
       !> Time spent before this process, s, and when it began
       real(wp) :: seconds_before = 0.0_wp
-      integer(int64), private :: began = 0_int64
+      real(wp), private :: began = 0.0_wp
    contains
       procedure :: wants_whole, after_increment, after_stroke
    end type run_observer
@@ -55,17 +55,15 @@ contains
       observer%checkpoint = checkpoint
       observer%vtk = vtk
       allocate (observer%snapshots(0))
-      call system_clock(observer%began)
+      observer%began = seconds_now()
    end subroutine new_observer
 
    !> Time that a run has taken, s.
    real(wp) function seconds_of(observer)
       !> Its observer
       type(run_observer), intent(in) :: observer
-      integer(int64) :: now, rate
 
-      call system_clock(now, rate)
-      seconds_of = observer%seconds_before + real(now - observer%began, wp)/real(rate, wp)
+      seconds_of = observer%seconds_before + seconds_now() - observer%began
    end function seconds_of
 
    !> Whether pictures are made of an increment.
