@@ -7,8 +7,8 @@ module asperity_program_system_posix
    private
    public :: c_access, c_close, c_creat, c_errno_location, c_fchmod, c_fchown, c_ferror, c_fileno, &
       c_flock, c_fsync, c_ftruncate, c_fwrite, c_getpid, c_getppid, c_gmtime_r, c_ioctl, c_isatty, &
-      c_pclose, c_popen, c_readlink, c_realpath, c_rename, c_signal, c_sleep, c_statx, c_strerror, &
-      c_strftime, c_system, c_time, c_unlink, c_write, statx_type
+      c_pclose, c_popen, c_raise, c_readlink, c_realpath, c_rename, c_signal, c_sleep, c_statx, &
+      c_strerror, c_strftime, c_system, c_time, c_unlink, c_write, statx_type
 
    !> Signals
    integer(c_int), parameter, public :: sigkill = 9_c_int, sigpipe = 13_c_int, sigchld = 17_c_int, &
@@ -159,6 +159,10 @@ module asperity_program_system_posix
          integer(c_int), value :: number
          type(c_funptr), value :: action
       end function c_signal
+      integer(c_int) function c_raise(number) bind(c, name='raise')
+         import :: c_int
+         integer(c_int), value :: number
+      end function c_raise
       type(c_ptr) function c_errno_location() bind(c, name='__errno_location')
          import :: c_ptr
       end function c_errno_location

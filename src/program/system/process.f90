@@ -1,11 +1,11 @@
 !> Signals, and programs that the program runs.
 module asperity_program_system_process
-   use, intrinsic :: iso_c_binding, only: c_associated, c_funptr, c_int, c_intptr_t, c_null_char, &
-      c_null_funptr, c_null_ptr, c_ptr, c_size_t
+   use, intrinsic :: iso_c_binding, only: c_associated, c_funloc, c_funptr, c_int, c_intptr_t, &
+      c_null_char, c_null_funptr, c_null_ptr, c_ptr, c_size_t
    use asperity_base_number_text, only: to_text
    use asperity_program_system_errno, only: last_reason
-   use asperity_program_system_posix, only: c_fwrite, c_pclose, c_popen, c_signal, c_system, &
-      sigpipe, sigxfsz
+   use asperity_program_system_posix, only: c_fwrite, c_pclose, c_popen, c_raise, c_signal, &
+      c_system, sigpipe, sigxfsz
    implicit none
    private
    public :: open_shell, close_shell, run_shell, shell_type
@@ -27,6 +27,9 @@ module asperity_program_system_process
       type(c_ptr) :: stream = c_null_ptr
    end type shell_type
 
+   !> The interrupt that came while they were held, or 0: a handler has nowhere else to tell it
+   integer(c_int), volatile :: came = 0_c_int
+
 contains
 
    !> What signals do in this program. A reader that goes away (`| head`) ends it without a message,
@@ -38,28 +41,45 @@ contains
       before = c_signal(sigxfsz, ignored())
    end subroutine set_signals
 
-   !> Ignore interrupts while files are there under their temporary names.
+   !> Put interrupts off while files are there under their temporary names. What is ignored anyway,
+   !> as by nohup, stays so.
    subroutine hold_interrupts(held)
       !> What interrupts did before, for `release_interrupts`
       type(held_interrupts), intent(out) :: held
+      type(c_funptr) :: own
       integer :: i
 
       do i = 1, size(interrupts)
          held%before(i) = c_signal(interrupts(i), ignored())
+         if (c_associated(held%before(i), ignored())) cycle
+         own = c_signal(interrupts(i), c_funloc(note_interrupt))
       end do
    end subroutine hold_interrupts
 
-   !> Let interrupts do again what they did before.
+   !> Let interrupts do again what they did before, also the one that came meanwhile.
    subroutine release_interrupts(held)
       !> From `hold_interrupts`
       type(held_interrupts), intent(in) :: held
       type(c_funptr) :: own
+      integer(c_int) :: number, status
       integer :: i
 
       do i = 1, size(interrupts)
          own = c_signal(interrupts(i), held%before(i))
       end do
+      number = came
+      came = 0_c_int
+      if (number == 0_c_int) return
+      status = c_raise(number)
+      if (status /= 0_c_int) return
    end subroutine release_interrupts
+
+   !> Handler of an interrupt that is put off.
+   subroutine note_interrupt(number) bind(c, name='')
+      integer(c_int), value :: number
+
+      came = number
+   end subroutine note_interrupt
 
    !> Run a shell command; zero on success.
    integer function run_shell(command)
