@@ -156,6 +156,10 @@ if(ASPERITY_BUILD_PROGRAM)
          add_test(NAME mpi_${name}_tests COMMAND bash test/mpi/run_tests.sh
             $<TARGET_FILE:asperity_program> ${name} WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
          set_tests_properties(mpi_${name}_tests PROPERTIES SKIP_RETURN_CODE 77 PROCESSORS 2)
+         # Minutes, and left out by `./run test` without names
+         if(name MATCHES "^(histories|resume|interrupts)$")
+            set_tests_properties(mpi_${name}_tests PROPERTIES LABELS long)
+         endif()
       endif()
    endforeach()
    if(Python3_FOUND)

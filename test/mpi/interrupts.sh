@@ -23,7 +23,7 @@ for tenth in $(seq 10 2 24); do
    sleep "$((tenth/10)).$((tenth % 10))"
    kill -INT "$launcher" 2>/dev/null
    finish
-   if none_is_left && ! ls ./*.part 2>/dev/null; then ((clean += 1)); fi
+   if none_is_left && ! ls ./*.part 2>/dev/null; then ((clean += 1)); else echo "interrupted after $tenth tenths of a second"; fi
    rm -f solid.hard.checkpoint bad.csv
 done
 check 'interrupts: at any moment, no process and no part of a file is left' test "$clean" -eq 8
