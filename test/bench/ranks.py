@@ -2,10 +2,11 @@
 """`asperity solid` on several ranks: how the time of an iteration falls, and where it goes.
 
 usage: test/bench/ranks.py [--asperity PROGRAM] [--output FOLDER] [--mesh-size 20,15] [--ranks 1,2]
-                           [--repetitions 3] [--amplitude 8]
+                           [--repetitions 3] [--amplitude 8 | --stroke 48] [--with "OPTIONS"]
 
-One plastic cycle of the paper's joint under the rough law on each mesh, by all numbers of ranks in
-turn, one thread each. FOLDER/ranks.md is a table of medians with the least and the largest; a ratio is
+One plastic cycle of the paper's joint under the rough law on each mesh, or one stroke from rest, by all
+numbers of ranks in turn, one thread each. OPTIONS are those of `asperity solid`, for all runs, such as
+"--rim-mesh-size 5 --preconditioner multigrid". FOLDER/ranks.md is a table of medians with the least and the largest; a ratio is
 that of two runs that followed each other. Growth is the power of the number of equations that the time
 goes with between the smallest and the largest mesh.
 """
@@ -15,6 +16,7 @@ import json
 import math
 import os
 import resource
+import shlex
 import statistics
 import subprocess
 import sys
@@ -23,7 +25,7 @@ sys.dont_write_bytecode = True
 # pylint: disable=wrong-import-position
 from processes import heading, run, show, spread
 
-CASE = ["examples/tenon_joint/base.nml", "--cycles", "1", "--contact", "rough"]
+CASE = ["examples/tenon_joint/base.nml", "--contact", "rough"]
 # Of the JSON's times, each of the rank that it took longest; what is left is the rest
 SHARES = ["elements", "contact", "exchange", "patterns", "factors", "solutions"]
 LAUNCH = {"OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1", "OMPI_MCA_rmaps_base_oversubscribe": "1"}
@@ -40,13 +42,23 @@ def be_rank(folder, command):
     sys.exit(status)
 
 
+def programme(options):
+    """Options of what is done to the joint."""
+    if options.stroke is None:
+        return ["--amplitudes", options.amplitude, "--cycles", "1"]
+    path = os.path.join(options.output, "stroke.csv")
+    with open(path, "w", encoding="ascii") as file:
+        file.write(f"displacement (mm)\n0\n{options.stroke}\n")
+    return ["--history", path]
+
+
 def measure(options, mesh, ranks):
     """One run: its sizes, time an iteration, memory of the largest rank, and shares of its time."""
     stem = os.path.join(options.output, "ranks")
     for left in glob.glob(f"{stem}.*.checkpoint") + glob.glob(os.path.join(options.output, "memory.*")):
         os.remove(left)
     command = [sys.executable, __file__, "--rank", options.output, options.asperity, "solid", *CASE,
-               "--amplitudes", options.amplitude, "--mesh-size", mesh, "--checkpoint", stem,
+               *programme(options), "--mesh-size", mesh, *shlex.split(options.more), "--checkpoint", stem,
                "--json", f"{stem}.json"]
     run(["mpirun", "-q", "-n", str(ranks), *command], f"{stem}.log", LAUNCH)
     with open(f"{stem}.json", encoding="utf-8") as file:
@@ -104,6 +116,8 @@ def main():
     parser.add_argument("--ranks", default="1,2", metavar="N,...")
     parser.add_argument("--repetitions", type=int, default=3)
     parser.add_argument("--amplitude", default="8", metavar="MM")
+    parser.add_argument("--stroke", metavar="MM")
+    parser.add_argument("--with", dest="more", default="", metavar="OPTIONS")
     options = parser.parse_args()
     os.makedirs(options.output, exist_ok=True)
     numbers = [int(n) for n in options.ranks.split(",")]
@@ -114,7 +128,8 @@ def main():
             for ranks in numbers:
                 one = measure(options, mesh, ranks)
                 found[mesh][ranks].append(one)
-                print(f"{mesh} mm, {ranks} ranks: {one['seconds']:.3g} s an iteration", flush=True)
+                print(f"{mesh} mm, {ranks} ranks: {one['seconds']:.3g} s for each of "
+                      f"{one['iterations']} iterations, {one['memory']:.0f} MB", flush=True)
     names = [*SHARES, "rest"]
     lines = ["| mesh, elements, equations | ranks | iterations | time an iteration, s | "
              f"{numbers[0]} rank's over it | memory of a rank, MB | "
