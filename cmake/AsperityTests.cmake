@@ -63,17 +63,19 @@ asperity_test_suite(solid asperity_solid)
 # With PETSc, or left out
 asperity_test_suite(petsc asperity_solid)
 set_tests_properties(petsc_tests PROPERTIES SKIP_RETURN_CODE 77)
-# On one rank, and on three where there is MPI
+# On one rank, and on two and three where there is MPI
 asperity_test_suite(ranks asperity_solid)
 set_tests_properties(ranks_tests PROPERTIES SKIP_RETURN_CODE 77)
 find_program(ASPERITY_MPIRUN mpirun)
 mark_as_advanced(ASPERITY_MPIRUN)
 if(ASPERITY_MPIRUN)
-   add_test(NAME three_ranks_tests
-      COMMAND ${ASPERITY_MPIRUN} --oversubscribe -n 3 $<TARGET_FILE:asperity_ranks_tests>
-      WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
-   set_tests_properties(three_ranks_tests PROPERTIES SKIP_RETURN_CODE 77 PROCESSORS 2 ENVIRONMENT
-      "OMPI_ALLOW_RUN_AS_ROOT=1;OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1")
+   foreach(n IN ITEMS 2 3)
+      add_test(NAME ranks_${n}_tests
+         COMMAND ${ASPERITY_MPIRUN} --oversubscribe -n ${n} $<TARGET_FILE:asperity_ranks_tests>
+         WORKING_DIRECTORY ${PROJECT_SOURCE_DIR})
+      set_tests_properties(ranks_${n}_tests PROPERTIES SKIP_RETURN_CODE 77 PROCESSORS 2 ENVIRONMENT
+         "OMPI_ALLOW_RUN_AS_ROOT=1;OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1")
+   endforeach()
 endif()
 if(ASPERITY_BUILD_PROGRAM)
    asperity_test_suite(program_input asperity_commands)

@@ -1,9 +1,14 @@
-!> What of a joint each rank works on: elements in parts of like weight and short borders, slave
-!> faces with the element behind them, equations with their nodes.
+!> What of a joint each rank works on: elements and slave faces in parts of like weight and short
+!> borders, equations with their nodes.
+!>
+!> A slave face is parted as one more brick, between it and the master facet that it is nearest to:
+!> borders then do not run through contact, where ranks would have to exchange what they find and
+!> multigrid's smoothing would not see both sides.
 module asperity_solid_model_share
    use asperity_base_error, only: error_type, fatal_error
    use asperity_base_kinds, only: wp
    use asperity_base_number_text, only: to_text
+   use asperity_solid_contact_pair, only: contact_pair
    use asperity_solid_engine_metis, only: part_mesh
    use asperity_solid_engine_ranks, only: rank_team
    use asperity_solid_model_model, only: solid_model
@@ -11,8 +16,9 @@ module asperity_solid_model_share
    private
    public :: share_work
 
-   !> What an element weighs, and how much more one with a slave face: as the times they take
-   integer, parameter :: of_element = 2, of_face = 4
+   !> What an element and a slave face weigh: as the entries that they bring into the matrix, whose
+   !> equations take nearly all of the time
+   integer, parameter :: of_element = 2, of_face = 6
 
 contains
 
@@ -25,8 +31,8 @@ contains
       type(rank_team), intent(in) :: ranks
       !> Set when the joint cannot be shared
       type(error_type), allocatable, intent(out) :: error
-      integer, allocatable :: elements(:), nodes(:), element_behind(:)
-      integer :: weights(size(model%mesh%elements, 2)), i, j, n
+      integer, allocatable :: bricks(:, :), parts(:), nodes(:), weights(:)
+      integer :: i, j, n, first
 
       n = size(model%mesh%elements, 2)
       if (ranks%size == 1) then
@@ -39,22 +45,24 @@ contains
             ' elements of the mesh: start at most '//to_text(n)//', or take a smaller mesh_size')
          return
       end if
-      weights = of_element
+      allocate (weights(n), source=of_element)
+      bricks = model%mesh%elements
       do i = 1, size(model%pairs)
-         call find_elements_behind(model, i, element_behind)
-         weights(element_behind) = weights(element_behind) + of_face
+         bricks = append(bricks, bricks_between(model%pairs(i), model%mesh%nodes))
+         weights = [weights, (of_face, j=1, size(model%pairs(i)%faces))]
       end do
-      call part_mesh(model%mesh%elements, size(model%mesh%nodes, 2), weights, ranks%size, &
-         elements, nodes, error)
+      call part_mesh(bricks, size(model%mesh%nodes, 2), weights, ranks%size, parts, nodes, error)
       call ranks%agree(error)
       if (allocated(error)) return
-      call take_first(elements)
+      call take_first(parts)
       call take_first(nodes)
-      model%own_elements = pack([(i, i=1, n)], elements == ranks%rank)
+      model%own_elements = pack([(i, i=1, n)], parts(:n) == ranks%rank)
+      first = n
       do i = 1, size(model%pairs)
-         call find_elements_behind(model, i, element_behind)
          associate (pair => model%pairs(i))
-            pair%own = pack([(j, j=1, size(pair%faces))], elements(element_behind) == ranks%rank)
+            pair%own = pack([(j, j=1, size(pair%faces))], &
+               parts(first + 1:first + size(pair%faces)) == ranks%rank)
+            first = first + size(pair%faces)
          end associate
       end do
       call order_equations(model, nodes, ranks%size)
@@ -73,47 +81,46 @@ contains
 
    end subroutine share_work
 
-   !> The element of each slave face of a pair.
-   pure subroutine find_elements_behind(model, pair, elements)
-      type(solid_model), intent(in) :: model
-      integer, intent(in) :: pair
-      integer, allocatable, intent(out) :: elements(:)
-      integer, allocatable :: face_at(:, :)
-      integer :: i, j, k
+   !> Nodes of each slave face of a pair and of the master facet with the nearest middle.
+   pure function bricks_between(pair, places) result(bricks)
+      type(contact_pair), intent(in) :: pair
+      real(wp), intent(in) :: places(:, :)
+      integer :: bricks(8, size(pair%faces))
+      real(wp) :: middles(3, size(pair%master%facets, 2))
+      integer :: i
 
-      ! a facet has one corner that it is looked for at: up to four facets have the same
-      allocate (face_at(4, size(model%mesh%nodes, 2)), source=0)
-      associate (faces => model%pairs(pair)%faces)
-         do i = 1, size(faces)
-            associate (at => face_at(:, faces(i)%nodes(1)))
-               at(findloc(at, 0, 1)) = i
-            end associate
+      associate (facets => pair%master%facets)
+         do i = 1, size(facets, 2)
+            middles(:, i) = middle(facets(:, i))
          end do
-         allocate (elements(size(faces)), source=1)
-         do i = 1, size(model%mesh%elements, 2)
-            associate (nodes => model%mesh%elements(:, i))
-               do j = 1, 8
-                  do k = 1, 4
-                     if (face_at(k, nodes(j)) == 0) exit
-                     if (is_within(faces(face_at(k, nodes(j)))%nodes(:4), nodes)) &
-                        elements(face_at(k, nodes(j))) = i
-                  end do
-               end do
+         do i = 1, size(pair%faces)
+            associate (corners => pair%faces(i)%nodes(:4))
+               bricks(:4, i) = corners
+               bricks(5:, i) = facets(:, minloc(sum((middles - spread(middle(corners), 2, &
+                  size(middles, 2)))**2, 1), 1))
             end associate
          end do
       end associate
-   end subroutine find_elements_behind
 
-   !> Whether an element has all corners of a facet.
-   pure logical function is_within(facet, nodes)
-      integer, intent(in) :: facet(4), nodes(8)
-      integer :: i
+   contains
 
-      is_within = .true.
-      do i = 1, 4
-         is_within = is_within .and. any(nodes == facet(i))
-      end do
-   end function is_within
+      pure function middle(corners)
+         integer, intent(in) :: corners(4)
+         real(wp) :: middle(3)
+
+         middle = 0.25_wp*sum(places(:, corners), 2)
+      end function middle
+
+   end function bricks_between
+
+   !> Two lists of bricks as one.
+   pure function append(first, second) result(both)
+      integer, intent(in) :: first(:, :), second(:, :)
+      integer :: both(size(first, 1), size(first, 2) + size(second, 2))
+
+      both(:, :size(first, 2)) = first
+      both(:, size(first, 2) + 1:) = second
+   end function append
 
    !> Number the equations rank by rank.
    pure subroutine order_equations(model, part_of_node, ranks)
