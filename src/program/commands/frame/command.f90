@@ -7,16 +7,15 @@ module asperity_program_commands_frame_command
    use asperity_program_commands_frame_outcome, only: frame_outcome
    use asperity_program_commands_frame_plots, only: frame_pictures
    use asperity_program_commands_frame_tables, only: frame_increments_table, joints_table
+   use asperity_program_commands_joint_run_files, only: run_files
    use asperity_program_commands_joint_solid_run, only: follow_model, start_solver, stop_solver
    use asperity_program_commands_joint_tables, only: comparison_table, cycles_table, skeleton_table
    use asperity_program_commands_plots, only: picture_title
-   use asperity_program_commands_solid_checkpoint, only: checkpoint_file, name_checkpoints
+   use asperity_program_commands_solid_checkpoint, only: checkpoint_file
    use asperity_program_commands_solid_observer, only: run_observer, seconds_of
    use asperity_program_commands_solid_outcome, only: new_outcome, solid_outcome
    use asperity_program_commands_solid_tables, only: amplitudes_table, sizes_table, &
       times_table
-   use asperity_program_commands_solid_vtk_files, only: check_vtk_folder
-   use asperity_program_input_key, only: kind_place
    use asperity_program_input_key_list, only: key_list
    use asperity_program_report_report, only: named_table, report_type, turning_points
    use asperity_program_system_progress, only: clear_steps
@@ -31,12 +30,7 @@ module asperity_program_commands_frame_command
    type, extends(command_type) :: frame_command
       private
       type(frame_case) :: case
-      !> Folder of files for ParaView, and stem of the paths of checkpoints
-      character(len=:), allocatable :: vtk, checkpoint
-      !> Whether to go on from checkpoints
-      logical :: resumes = .false.
-      !> Checkpoints of the models, to be removed when the results are written
-      type(checkpoint_file), allocatable :: checkpoints(:)
+      type(run_files) :: files
    contains
       procedure :: describe, declare, check, run, finish
    end type frame_command
@@ -66,12 +60,7 @@ contains
 
       call self%case%declare(keys)
       call self%declare_outputs(keys, has_picture=.true.)
-      call keys%text('vtk', self%vtk, &
-         'folder in which the end of every stroke is written for ParaView, .vtu and .pvd', &
-         kind_place)
-      call keys%text('checkpoint', self%checkpoint, 'stem of the files from which a run that '// &
-         'was interrupted goes on; frame unless given', kind_place)
-      call keys%request('resume', self%resumes, 'go on from the checkpoints of an earlier run')
+      call self%files%declare(keys, 'frame')
       call self%declare_requests(keys)
    end subroutine declare
 
@@ -98,7 +87,7 @@ contains
 
       call self%declare(report%keys)
       report%faces = self%case%joints%joint%faces%words()
-      if (self%vtk /= '' .and. self%launch%rank == 0) call check_vtk_folder(self%vtk, error)
+      call self%files%check_folder(self%launch, error)
       if (allocated(error)) return
       call start_solver(petsc, self%launch, error)
       if (allocated(error)) return
@@ -112,11 +101,8 @@ contains
       class(frame_command), intent(inout) :: self
       !> Never set
       type(error_type), allocatable, intent(out) :: error
-      integer :: i
 
-      do i = 1, size(self%checkpoints)
-         call self%checkpoints(i)%remove()
-      end do
+      call self%files%remove()
    end subroutine finish
 
    !> Run what is asked for and report it.
@@ -125,19 +111,16 @@ contains
       type(petsc_library), intent(in) :: petsc
       type(report_type), intent(inout) :: report
       type(error_type), allocatable, intent(out) :: error
-      character(len=5), parameter :: names(2) = [character(len=5) :: 'hard', 'rough']
       type(frame_outcome), allocatable :: outcomes(:)
       integer, allocatable :: models(:)
       integer :: i
 
-      models = pack([1, 2], &
-         names == self%case%joints%contact .or. self%case%joints%contact == 'both')
-      allocate (outcomes(size(models)), self%checkpoints(size(models)))
-      call name_checkpoints(self%checkpoints, self%checkpoint, names(models), 'frame', &
-         self%resumes, report%keys, petsc%ranks, error)
+      call self%files%find_models(self%case%joints%contact, 'frame', report%keys, petsc%ranks, &
+         models, error)
+      allocate (outcomes(size(models)))
       do i = 1, size(models)
          if (.not. allocated(error)) call run_model(self, petsc, models(i) == 1, &
-            self%checkpoints(i), outcomes(i), error)
+            self%files%checkpoints(i), outcomes(i), error)
          call clear_steps()
          call petsc%ranks%agree(error)
       end do
@@ -161,7 +144,7 @@ contains
       call self%case%new_model(is_hard, model, error)
       call petsc%ranks%agree(error)
       if (.not. allocated(error)) call follow_model(run, observer, model, petsc, 'frame', &
-         checkpoint, self%resumes, self%vtk, error)
+         self%files, checkpoint, error)
       if (allocated(error)) return
       call new_outcome(outcome%whole, run, observer%snapshots, seconds_of(observer), error)
       call move_alloc(run%joints, outcome%joints)

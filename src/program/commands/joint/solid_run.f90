@@ -4,6 +4,7 @@ module asperity_program_commands_joint_solid_run
    use asperity_base_error, only: computation_error, error_type
    use asperity_base_number_text, only: to_text
    use asperity_program_commands_joint_loops, only: hard, legends, rough
+   use asperity_program_commands_joint_run_files, only: run_files
    use asperity_program_commands_replay_failed_point, only: keep_failed_point
    use asperity_program_commands_solid_checkpoint, only: checkpoint_file, is_there
    use asperity_program_commands_solid_observer, only: new_observer, run_observer, seconds_of
@@ -50,7 +51,7 @@ contains
    end subroutine stop_solver
 
    !> Follow a model. `error` is set when no increment is small enough, or a file cannot be written.
-   subroutine follow_model(run, observer, model, petsc, command, checkpoint, resumes, vtk, error)
+   subroutine follow_model(run, observer, model, petsc, command, files, checkpoint, error)
       !> The run, and who watched it
       type(solid_run), intent(out) :: run
       type(run_observer), intent(out) :: observer
@@ -60,11 +61,9 @@ contains
       type(petsc_library), intent(in) :: petsc
       !> The command
       character(len=*), intent(in) :: command
-      !> Where the run is kept, and whether it goes on from there
+      !> What it writes on its way, and where this run is kept
+      type(run_files), intent(in) :: files
       type(checkpoint_file), intent(in) :: checkpoint
-      logical, intent(in) :: resumes
-      !> Folder of files for ParaView, empty for none
-      character(len=*), intent(in) :: vtk
       !> Set on failure
       type(error_type), allocatable, intent(out) :: error
       integer :: which
@@ -73,9 +72,9 @@ contains
       call new_solid_run(run, model, petsc, error)
       if (allocated(error)) return
       deallocate (model)
-      call new_observer(observer, command//': '//trim(legends(which)), checkpoint, vtk, &
+      call new_observer(observer, command//': '//trim(legends(which)), checkpoint, files%vtk, &
          petsc%ranks%rank == 0)
-      call begin(resumes, checkpoint, run, observer, error)
+      call begin(files%resumes, checkpoint, run, observer, error)
       call petsc%ranks%agree(error)
       if (allocated(error)) return
       call run_programme(run, observer, error)
@@ -87,7 +86,7 @@ contains
       end if
       call take_slowest(run%system%times, petsc%ranks)
       if (.not. observer%is_first) return
-      if (vtk /= '') call write_vtk_series(vtk, run, error)
+      if (files%vtk /= '') call write_vtk_series(files%vtk, run, error)
       if (allocated(error)) return
       call tell_terminal(observer%name//': '//to_text(run%increments)//' increments, '// &
          to_text(run%iterations)//' iterations, '//to_text(seconds_of(observer), 3)//' s')

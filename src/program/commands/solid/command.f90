@@ -4,19 +4,19 @@ module asperity_program_commands_solid_command
    use asperity_base_error, only: error_type
    use asperity_deck_tenon_deck, only: tenon_deck
    use asperity_program_commands_command, only: command_type
+   use asperity_program_commands_joint_run_files, only: run_files
    use asperity_program_commands_joint_solid_run, only: follow_model, start_solver, stop_solver
    use asperity_program_commands_opensees_joint, only: add_joint_material, check_history
    use asperity_program_commands_opensees_output, only: opensees_output
-   use asperity_program_commands_solid_checkpoint, only: checkpoint_file, name_checkpoints
+   use asperity_program_commands_solid_checkpoint, only: checkpoint_file
    use asperity_program_commands_solid_keys, only: solid_case
    use asperity_program_commands_solid_observer, only: run_observer, seconds_of
    use asperity_program_commands_solid_outcome, only: new_outcome, solid_outcome
    use asperity_program_commands_solid_page, only: solid_page
    use asperity_program_commands_solid_report, only: fill_report
-   use asperity_program_commands_solid_vtk_files, only: check_vtk_folder
    use asperity_program_commands_tenon_history, only: follow_history, history_type, read_history
    use asperity_program_commands_tenon_paper_joint, only: is_paper_joint
-   use asperity_program_input_key, only: kind_picture, kind_place
+   use asperity_program_input_key, only: kind_picture
    use asperity_program_input_key_list, only: key_list
    use asperity_program_report_report, only: report_type
    use asperity_program_system_progress, only: clear_steps
@@ -34,14 +34,11 @@ module asperity_program_commands_solid_command
    type, extends(command_type) :: solid_command
       private
       type(solid_case) :: case
-      !> Path of the page, folder of files for ParaView, and stem of the paths of checkpoints
-      character(len=:), allocatable :: page, vtk, checkpoint
+      !> Path of the page
+      character(len=:), allocatable :: page
+      type(run_files) :: files
       !> Material for a frame program
       type(opensees_output) :: opensees
-      !> Whether to go on from checkpoints
-      logical :: resumes = .false.
-      !> Checkpoints of the models, to be removed when the results are written
-      type(checkpoint_file), allocatable :: checkpoints(:)
    contains
       procedure :: describe, declare, check, run, finish
    end type solid_command
@@ -73,13 +70,8 @@ contains
       call self%declare_outputs(keys, has_picture=.true.)
       call keys%text('report', self%page, &
          'write a page of case, tables and pictures, .html (needs gnuplot)', kind_picture)
-      call keys%text('vtk', self%vtk, &
-         'folder in which the end of every stroke is written for ParaView, .vtu and .pvd', &
-         kind_place)
-      call keys%text('checkpoint', self%checkpoint, 'stem of the files from which a run that '// &
-         'was interrupted goes on; solid unless given', kind_place)
+      call self%files%declare(keys, 'solid')
       call self%opensees%declare(keys)
-      call keys%request('resume', self%resumes, 'go on from the checkpoints of an earlier run')
       call self%declare_requests(keys)
    end subroutine declare
 
@@ -112,7 +104,7 @@ contains
       if (allocated(error)) return
       call self%declare(report%keys)
       report%faces = self%case%joint%faces%words()
-      if (self%vtk /= '' .and. self%launch%rank == 0) call check_vtk_folder(self%vtk, error)
+      call self%files%check_folder(self%launch, error)
       if (allocated(error)) return
       call start_solver(petsc, self%launch, error)
       if (allocated(error)) return
@@ -126,11 +118,8 @@ contains
       class(solid_command), intent(inout) :: self
       !> Never set
       type(error_type), allocatable, intent(out) :: error
-      integer :: i
 
-      do i = 1, size(self%checkpoints)
-         call self%checkpoints(i)%remove()
-      end do
+      call self%files%remove()
    end subroutine finish
 
    !> Run what is asked for and report it.
@@ -139,21 +128,20 @@ contains
       type(petsc_library), intent(in) :: petsc
       type(report_type), intent(inout) :: report
       type(error_type), allocatable, intent(out) :: error
-      character(len=5), parameter :: names(2) = [character(len=5) :: 'hard', 'rough']
       type(solid_outcome), allocatable :: outcomes(:)
       integer, allocatable :: models(:)
       type(string_type) :: line
       logical :: beside_paper
       integer :: i
 
-      models = pack([1, 2], names == self%case%contact .or. self%case%contact == 'both')
-      allocate (outcomes(size(models)), self%checkpoints(size(models)))
-      call name_checkpoints(self%checkpoints, self%checkpoint, names(models), 'solid', &
-         self%resumes, report%keys, petsc%ranks, error)
+      call self%files%find_models(self%case%contact, 'solid', report%keys, petsc%ranks, models, &
+         error)
       if (allocated(error)) return
+      allocate (outcomes(size(models)))
       line%text = ''
       do i = 1, size(models)
-         call run_model(self, petsc, models(i), self%checkpoints(i), outcomes(i), line%text, error)
+         call run_model(self, petsc, models(i), self%files%checkpoints(i), outcomes(i), line%text, &
+            error)
          call clear_steps()
          call petsc%ranks%agree(error)
          if (allocated(error)) return
@@ -188,8 +176,7 @@ contains
       call petsc%ranks%agree(error)
       if (allocated(error)) return
       if (remark == '') remark = trim(mesh_remark(deck))
-      call follow_model(run, observer, model, petsc, 'solid', checkpoint, self%resumes, self%vtk, &
-         error)
+      call follow_model(run, observer, model, petsc, 'solid', self%files, checkpoint, error)
       if (.not. allocated(error)) &
          call new_outcome(outcome, run, observer%snapshots, seconds_of(observer), error)
    end subroutine run_model
