@@ -150,7 +150,7 @@ contains
          if (allocated(error)) return
       end do
       if (delivery%standard /= '') call take_text(delivery%standard, report, text, error)
-      if (.not. allocated(error)) call write_files(delivery%files, error)
+      if (.not. allocated(error)) call write_files(delivery%files, error, is_ending=.true.)
       if (allocated(error)) return
       if (delivery%standard == '') then
          call write_standard_output(utf8_text(terminal_text(report, output_width())), error)

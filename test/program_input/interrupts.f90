@@ -42,6 +42,12 @@ contains
          call hold_interrupts(held)
          call release_interrupts(held)
          call assertEqual(1, heard, 'not again')
+         call hold_interrupts(held)
+         status = c_raise(numbers(i))
+         call release_interrupts(held, is_ending=.true.)
+         call hold_interrupts(held)
+         call release_interrupts(held)
+         call assertEqual(1, heard, 'forgotten at the end')
          own = c_signal(numbers(i), before(i))
       end do
    end subroutine test_put_off

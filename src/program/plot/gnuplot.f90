@@ -72,7 +72,7 @@ contains
             if (.not. allocated(reason)) call read_file(part%path, largest, picture, reason)
             call remove_file(part%path)
          end if
-         call release_interrupts(held)
+         call release_interrupts(held, is_ending=.true.)
       end if
       if (allocated(reason)) then
          call fatal_error(error, file%option//': '//file%path//' cannot be written: '//reason, &

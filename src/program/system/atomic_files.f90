@@ -92,11 +92,13 @@ contains
    end function descriptor_in
 
    !> Write all files, or none but devices.
-   subroutine write_files(files, error)
+   subroutine write_files(files, error, is_ending)
       !> The files
       type(output_file), intent(inout) :: files(:)
       !> Set on failure
       type(error_type), allocatable, intent(out) :: error
+      !> Whether the program is at its end: an interrupt meanwhile is then forgotten
+      logical, intent(in), optional :: is_ending
       type(held_interrupts) :: held
       character(len=:), allocatable :: reason
       integer :: i
@@ -119,7 +121,7 @@ contains
       do i = 1, size(files)
          if (allocated(files(i)%part)) call remove_file(files(i)%part)
       end do
-      call release_interrupts(held)
+      call release_interrupts(held, is_ending)
 
       do i = 1, size(files)
          if (allocated(error)) return

@@ -57,9 +57,11 @@ contains
    end subroutine hold_interrupts
 
    !> Let interrupts do again what they did before, also the one that came meanwhile.
-   subroutine release_interrupts(held)
+   subroutine release_interrupts(held, is_ending)
       !> From `hold_interrupts`
       type(held_interrupts), intent(in) :: held
+      !> Whether the program is at its end anyway, and so forgets the one that came; no unless given
+      logical, intent(in), optional :: is_ending
       type(c_funptr) :: own
       integer(c_int) :: number, status
       integer :: i
@@ -69,6 +71,9 @@ contains
       end do
       number = came
       came = 0_c_int
+      if (present(is_ending)) then
+         if (is_ending) return
+      end if
       if (number == 0_c_int) return
       status = c_raise(number)
       if (status /= 0_c_int) return
