@@ -14,7 +14,7 @@ program solid
       print '(2a)', 'solid: ', error%message
       stop
    end if
-   call solver%set_pattern([0, 2, 4], [0, 1, 0, 1], error)
+   call solver%set_pattern([0, 2, 4], [0, 1, 0, 1], [0, 2], error)
    if (allocated(error)) error stop 2
    solver%values = [2.0_wp, 1.0_wp, 1.0_wp, 3.0_wp]
    call solver%factorise(error)
