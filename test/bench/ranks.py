@@ -204,7 +204,7 @@ def main():
                         measure_beside(options, one, ranks, repetition)
     found = kept(folder)
     dates = sorted({one["date"] for of in found.values() for runs in of.values() for one in runs.values()})
-    lines = [f"Runs of {', '.join(dates)}; elements in mm, by LU unless the row says multigrid.\n",
+    lines = [f"Runs of {', '.join(dates)}; names are sizes of elements in mm, by LU unless they say multigrid.\n",
              "| run | elements | equations | ranks | iterations | time an iteration, s | first row's over it | "
              "memory of a rank, MB | " + " | ".join(f"{share}, %" for share in (*SHARES, "rest")) + " |",
              "|" + "---|"*15]
