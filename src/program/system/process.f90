@@ -50,9 +50,8 @@ contains
       integer :: i
 
       do i = 1, size(interrupts)
-         held%before(i) = c_signal(interrupts(i), ignored())
-         if (c_associated(held%before(i), ignored())) cycle
-         own = c_signal(interrupts(i), c_funloc(note_interrupt))
+         held%before(i) = c_signal(interrupts(i), c_funloc(note_interrupt))
+         if (c_associated(held%before(i), ignored())) own = c_signal(interrupts(i), ignored())
       end do
    end subroutine hold_interrupts
 
