@@ -78,6 +78,7 @@ def measure(options, name, ranks, repetition):
     iterations = found["iterations"][0]
     one = {"elements": found["elements"][0], "unknowns": found["unknowns"][0], "iterations": iterations,
            "seconds": found["time"][0]/iterations, "memory": max(memory), "date": time.strftime("%Y-%m-%d"),
+           "vectors": times["vectors"][0]/iterations,
            "shares": {share: times[f"{share}_seconds"][0]/iterations for share in SHARES}}
     one["shares"]["rest"] = one["seconds"] - sum(one["shares"].values())
     with open(f"{stem}.{ranks}.{repetition}.kept", "w", encoding="utf-8") as file:
@@ -147,7 +148,7 @@ def rows_of(name, by_ranks):
         lines.append(" | ".join([
             f"| {name.replace('-', ', ')}", str(runs[0]["elements"]), str(runs[0]["unknowns"]), str(ranks),
             spread([one["iterations"] for one in runs]), spread([one["seconds"] for one in runs]),
-            spread(ratios), spread([one["memory"] for one in runs]),
+            spread(ratios), spread([one["memory"] for one in runs]), spread([one["vectors"] for one in runs]),
             *(f"{100*statistics.median(one['shares'][share] for one in runs)/seconds:.0f}"
               for share in (*SHARES, "rest"))]) + " |")
     return lines
@@ -206,8 +207,8 @@ def main():
     dates = sorted({one["date"] for of in found.values() for runs in of.values() for one in runs.values()})
     lines = [f"Runs of {', '.join(dates)}; names are sizes of elements in mm, by LU unless they say multigrid.\n",
              "| run | elements | equations | ranks | iterations | time an iteration, s | first row's over it | "
-             "memory of a rank, MB | " + " | ".join(f"{share}, %" for share in (*SHARES, "rest")) + " |",
-             "|" + "---|"*15]
+             "memory of a rank, MB | vectors of GMRES an iteration | " + " | ".join(f"{share}, %" for share in (*SHARES, "rest")) + " |",
+             "|" + "---|"*16]
     for name, by_ranks in found.items():
         lines += rows_of(name, by_ranks)
     powers = growth(found)

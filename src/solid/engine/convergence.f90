@@ -21,6 +21,8 @@ module asperity_solid_engine_convergence
       real(c_double) :: first
       !> Most vectors, and of the trial; more than the most for none
       integer(c_int) :: most, trial
+      !> Vectors so far
+      integer(c_int) :: vectors
    end type convergence_context
 
 contains
@@ -39,6 +41,7 @@ contains
       if (.not. c_associated(krylov)) residual_is_small = 1
       call c_f_pointer(context, asked)
       if (iteration == 0) asked%first = residual
+      asked%vectors = iteration
       reason = ksp_converged_iterating
       if (residual <= asked%tolerance*asked%first) then
          reason = ksp_converged_rtol

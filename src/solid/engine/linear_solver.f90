@@ -38,8 +38,8 @@ module asperity_solid_engine_linear_solver
       logical, private :: is_new = .false.
       !> What multigrid must be able to follow, a column each
       real(wp), pointer, contiguous, private :: modes(:, :) => null()
-      !> How many patterns, factorisations, and solutions by factors alone
-      integer :: n_patterns = 0, n_factorisations = 0, n_solutions = 0
+      !> How many patterns, factorisations or sets of levels, and vectors of GMRES
+      integer :: n_patterns = 0, n_factorisations = 0, n_vectors = 0
       !> Room beyond the estimate that the factors take, %
       integer(c_int), private :: room = 0
       !> PETSc's matrix, Krylov solver and preconditioner
@@ -186,7 +186,6 @@ contains
       solution = 0.0_wp
       code = new_vectors(self, right_side, solution, b, x)
       if (code == 0) code = self%petsc%pc_apply(self%preconditioner, b, x)
-      self%n_solutions = self%n_solutions + 1
       if (code == 0) code = self%petsc%vec_destroy(b)
       if (code == 0) code = self%petsc%vec_destroy(x)
       call check(self, code, 'solve', error)
@@ -215,7 +214,7 @@ contains
 
       call ieee_set_halting_mode(ieee_all, .false.)
       has_converged = .false.
-      context = convergence_context(tolerance, 0.0_wp, most_by_factors, trial_vectors)
+      context = convergence_context(tolerance, 0.0_wp, most_by_factors, trial_vectors, 0)
       if (self%is_multigrid) then
          context%most = merge(most_vectors, most_by_levels, self%is_new)
          context%trial = most_vectors
@@ -230,6 +229,7 @@ contains
       if (code == 0) code = new_vectors(self, right_side, solution, b, x)
       if (code == 0) code = self%petsc%ksp_solve(self%krylov, b, x)
       if (code == 0) code = self%petsc%ksp_get_converged_reason(self%krylov, reason)
+      self%n_vectors = self%n_vectors + context%vectors
       if (code == 0) code = self%petsc%vec_destroy(b)
       if (code == 0) code = self%petsc%vec_destroy(x)
       call check(self, code, 'solve by GMRES', error)

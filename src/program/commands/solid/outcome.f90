@@ -28,6 +28,8 @@ module asperity_program_commands_solid_outcome
       !> Ranks that shared the work, and where the time of the slowest went
       integer :: ranks = 1
       type(run_times) :: times
+      !> Factorisations of the matrix, or sets of levels, and vectors of GMRES
+      integer :: factorisations = 0, vectors = 0
       !> Distance of the load from the column face, mm
       real(wp) :: arm = 0.0_wp
       !> Forces below this are none, N
@@ -70,8 +72,12 @@ contains
       outcome%iterations = run%iterations
       outcome%cutbacks = run%cutbacks
       outcome%seconds = seconds
-      outcome%ranks = run%system%solver%petsc%ranks%size
       outcome%times = run%system%times
+      associate (solver => run%system%solver)
+         outcome%ranks = solver%petsc%ranks%size
+         outcome%factorisations = solver%n_factorisations
+         outcome%vectors = solver%n_vectors
+      end associate
       call find_loops(outcome, error)
    end subroutine new_outcome
 

@@ -164,13 +164,13 @@ contains
    end function sizes_table
 
    !> Where the time of the analyses went, since they began or were taken up again: each of the rank
-   !> that it took longest.
+   !> that it took longest; and how often the matrix was factorised, and vectors of GMRES.
    pure function times_table(outcomes) result(table)
       !> The models
       type(solid_outcome), intent(in) :: outcomes(:)
       type(table_type) :: table
 
-      table = new_table(columns=8, rows=size(outcomes))
+      table = new_table(columns=10, rows=size(outcomes))
       call table%add_texts('model', model_names(outcomes%model))
       call table%add_codes('ranks', column_counts, (outcomes%ranks))
       call table%add_numbers('elements_seconds', 's', (outcomes%times%elements), 3)
@@ -179,6 +179,8 @@ contains
       call table%add_numbers('patterns_seconds', 's', (outcomes%times%patterns), 3)
       call table%add_numbers('factors_seconds', 's', (outcomes%times%factors), 3)
       call table%add_numbers('solutions_seconds', 's', (outcomes%times%solutions), 3)
+      call table%add_codes('factorisations', column_counts, (outcomes%factorisations))
+      call table%add_codes('vectors', column_counts, (outcomes%vectors))
    end function times_table
 
    !> First cycles of each amplitude: force on both sides, secant stiffness and energy of all
