@@ -32,6 +32,16 @@ else
    skip 'output: progress' 'there is no script'
 fi
 
+# Borders between ranks do not spoil multigrid
+by_multigrid=(--mesh-size 60 --contact rough --amplitudes 8 --preconditioner multigrid)
+run solid "${by_multigrid[@]}" --json alone.json
+ranks 8 solid "${by_multigrid[@]}" --json ranks.json
+check 'output: no more than twice as many vectors on eight ranks' python3 -c "
+import json
+alone, ranks = (json.load(open(f'{name}.json'))['times']['vectors'][0] for name in ('alone', 'ranks'))
+print(alone, ranks)
+assert 0 < ranks <= 2*alone"
+
 # Wrong input is told once, wherever it is found
 tells() { # NAME STATUS PATTERN ARGUMENT...
    local name=$1 expected=$2 pattern=$3
