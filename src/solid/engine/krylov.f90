@@ -23,8 +23,8 @@ module asperity_solid_engine_krylov
    !> Options of multigrid: smoothing by incomplete factors of this rank's rows, once before and
    !> once after each coarser level: twice needs a tenth fewer vectors, each of twice the time.
    !> Small aggregates leave empty rows on coarse levels, which the shift lets pass.
-   !> On several ranks the rows next to a rank's own are smoothed with them: without, eight ranks need
-   !> some nine times the vectors of one, with them less than twice.
+   !> On several ranks the rows next to a rank's own are smoothed with them: without, eight ranks
+   !> need some nine times the vectors of one, with them less than twice.
    character(len=*), parameter :: prefix = 'asperity_', options(*) = [character(len=36) :: &
       'mg_levels_ksp_type', 'mg_levels_ksp_max_it', 'mg_levels_sub_pc_type', &
       'mg_levels_sub_pc_factor_shift_type', 'mg_levels_pc_type'], choices(*) = &
