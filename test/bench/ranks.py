@@ -207,7 +207,8 @@ def main():
     dates = sorted({one["date"] for of in found.values() for runs in of.values() for one in runs.values()})
     lines = [f"Runs of {', '.join(dates)}; names are sizes of elements in mm, by LU unless they say multigrid.\n",
              "| run | elements | equations | ranks | iterations | time an iteration, s | first row's over it | "
-             "memory of a rank, MB | vectors of GMRES an iteration | " + " | ".join(f"{share}, %" for share in (*SHARES, "rest")) + " |",
+             "memory of a rank, MB | vectors of GMRES an iteration | "
+             + " | ".join(f"{share}, %" for share in (*SHARES, "rest")) + " |",
              "|" + "---|"*16]
     for name, by_ranks in found.items():
         lines += rows_of(name, by_ranks)
