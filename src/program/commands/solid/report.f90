@@ -1,12 +1,8 @@
 !> The report of `asperity solid`: its tables, pictures and remarks.
 module asperity_program_commands_solid_report
    use asperity_base_error, only: error_type
-   use asperity_base_kinds, only: wp
-   use asperity_base_number_text, only: to_text
-   use asperity_hysteresis_analysis, only: negative_side, positive_side
-   use asperity_program_commands_hysteresis_remarks, only: excess_words
    use asperity_program_commands_joint_face_rows, only: face_table
-   use asperity_program_commands_joint_loops, only: legends
+   use asperity_program_commands_joint_remarks, only: analysis_remarks
    use asperity_program_commands_joint_tables, only: comparison_table, cycles_table, skeleton_table
    use asperity_program_commands_plots, only: picture_title
    use asperity_program_commands_solid_face_rows, only: solid_face_rows
@@ -19,11 +15,6 @@ module asperity_program_commands_solid_report
    implicit none
    private
    public :: fill_report
-
-   !> Work that is not accounted for, over all work, that is worth a word
-   real(wp), parameter :: unbalanced = 0.01_wp
-   !> Plastic strain that is no small one
-   real(wp), parameter :: large_strain = 0.2_wp
 
 contains
 
@@ -82,51 +73,12 @@ contains
       type(solid_outcome), intent(in) :: outcomes(:)
       logical, intent(in) :: beside_paper
       type(string_type), allocatable :: lines(:)
-      character(len=:), allocatable :: text, name
-      integer :: i, side
 
-      text = 'A prediction, not a fit to a test: '
-      if (beside_paper) text = 'A prediction from chosen sizes, not a fit to the paper: '
-      text = text//'compare ratios to hard contact, not moments.'
-      allocate (lines(0))
-      call add_line(lines, text)
-      do i = 1, size(outcomes)
-         name = trim(legends(outcomes(i)%model))
-         associate (last => outcomes(i)%records(size(outcomes(i)%records)))
-            if (.not. outcomes(i)%has_moment) then
-               text = name//': there is no moment in any increment'
-               call add_line(lines, text)
-            end if
-            if (last%plastic_strain > large_strain .and. .not. outcomes(i)%is_logarithmic) then
-               text = name//': the wood''s plastic strain reaches '// &
-                  to_text(last%plastic_strain, 2)//', which is past small strains: '// &
-                  'strain = logarithmic bears it; a smaller mesh_size raises it'
-               call add_line(lines, text)
-            end if
-            if (abs(last%balance) > unbalanced*abs(last%work)) then
-               text = name//': '//to_text(last%balance, 3)//' of '//to_text(last%work, 4)// &
-                  ' J of work are not accounted for; larger stroke_increments leave less'
-               call add_line(lines, text)
-            end if
-            do side = positive_side, negative_side
-               text = excess_words(outcomes(i)%loops%skeleton(side), 'kN m')
-               if (text == '') cycle
-               text = name//': the analysis has '//text// &
-                  ' than its skeleton through the tips of first cycles'
-               call add_line(lines, text)
-            end do
-         end associate
-      end do
+      allocate (lines(1))
+      lines(1)%text = 'A prediction, not a fit to a test: '
+      if (beside_paper) lines(1)%text = 'A prediction from chosen sizes, not a fit to the paper: '
+      lines(1)%text = lines(1)%text//'compare ratios to hard contact, not moments.'
+      lines = [lines, analysis_remarks(outcomes)]
    end function solid_remarks
-
-   !> One line more.
-   pure subroutine add_line(lines, text)
-      type(string_type), allocatable, intent(inout) :: lines(:)
-      character(len=*), intent(in) :: text
-      type(string_type) :: line
-
-      line%text = text
-      lines = [lines, line]
-   end subroutine add_line
 
 end module asperity_program_commands_solid_report
