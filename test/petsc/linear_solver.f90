@@ -24,6 +24,7 @@ contains
       call suite%addTest(TestMethod('GMRES says that it gives up', test_gives_up))
       call suite%addTest(TestMethod('multigrid solves, the next matrix too', test_multigrid))
       call suite%addTest(TestMethod('factors solve what multigrid does not', test_fallback))
+      call suite%addTest(TestMethod('factors in place of multigrid fail', test_fallback_fails))
       call suite%addTest(TestMethod('small pivots are no zeros', test_small))
       call suite%addTest(TestMethod('singular and NaN are refused', test_refused))
    end function suite_linear_solver
@@ -179,6 +180,7 @@ contains
       call assertLessThan(norm2(times(solver, x) - b), 1.01e-6_wp*norm2(b))
       call assertTrue(solver%is_multigrid)
       call assertEqual(1, solver%n_factorisations)
+      call assertEqual(0, solver%n_multigrid_failures)
       call solver%release()
    end subroutine test_multigrid
 
@@ -196,8 +198,25 @@ contains
       call assertFalse(solver%is_multigrid)
       call assertLessThan(norm2(times(solver, x) - b), 1.0e-12_wp*norm2(b))
       call assertEqual(2, solver%n_factorisations)
+      call assertEqual(1, solver%n_multigrid_failures)
       call solver%release()
    end subroutine test_fallback
+
+   !> Nor can what takes multigrid's place do anything with a matrix of nothing.
+   subroutine test_fallback_fails()
+      type(linear_solver) :: solver
+      type(error_type), allocatable :: error
+      real(wp) :: x(side*side), b(side*side)
+
+      call fill(solver, 0.3_wp, 0.0_wp, .true.)
+      b = 1.0_wp
+      call solver%factorise(error)
+      if (.not. allocated(error)) call solver%solve(b, x, error)
+      call assertTrue(allocated(error))
+      if (allocated(error)) call assertTrue(index(error%message, &
+         ', where multigrid has not converged') > 0, error%message)
+      call solver%release()
+   end subroutine test_fallback_fails
 
    !> PETSc's own LU takes pivots below 2.2e-14 for zero, and returns what is not finite.
    subroutine test_small()

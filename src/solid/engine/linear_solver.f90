@@ -40,6 +40,8 @@ module asperity_solid_engine_linear_solver
       real(wp), pointer, contiguous, private :: modes(:, :) => null()
       !> How many patterns, factorisations or sets of levels, and vectors of GMRES
       integer :: n_patterns = 0, n_factorisations = 0, n_vectors = 0
+      !> How often multigrid has not converged, so that factors serve until there is another pattern
+      integer :: n_multigrid_failures = 0
       !> Room beyond the estimate that the factors take, %
       integer(c_int), private :: room = 0
       !> PETSc's matrix, Krylov solver and preconditioner
@@ -152,8 +154,11 @@ contains
          if (allocated(error)) return
          if (mumps_code /= room_error .or. self%room > largest_room) exit
       end do
-      if (.not. self%has_factors) call fatal_error(error, 'the matrix cannot be factorised: '// &
-         'MUMPS says '//to_text(mumps_code), computation_error)
+      if (self%has_factors) return
+      call fatal_error(error, 'the matrix cannot be factorised: MUMPS says '// &
+         to_text(mumps_code), computation_error)
+      if (associated(self%modes)) error%message = error%message// &
+         ', where multigrid has not converged'
    end subroutine factorise
 
    !> Solve by the factors alone; by GMRES with multigrid, and by factors where that fails.
@@ -263,13 +268,14 @@ contains
          self%preconditioner, code)
    end function renew_krylov
 
-   !> Factors in place of multigrid, until there is another pattern.
+   !> Factors in place of multigrid, which has failed, until there is another pattern.
    subroutine use_factors(self, error)
       type(linear_solver), intent(inout) :: self
       type(error_type), allocatable, intent(out) :: error
       integer(c_int) :: code
 
       self%is_multigrid = .false.
+      self%n_multigrid_failures = self%n_multigrid_failures + 1
       code = renew_krylov(self)
       call check(self, code, 'leave multigrid', error)
    end subroutine use_factors

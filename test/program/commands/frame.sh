@@ -8,6 +8,7 @@ if grep -q 'PETSc is not installed' err; then
 fi
 check 'frame' is_quiet
 check 'frame: JSON holds the same figures' same_csv_and_json f.csv f.json
+check 'frame: what is to be known beside its figures' has out 'are not accounted for; larger stroke_increments'
 check 'frame: numbers in full' sh -c '! grep -E "[Nn]a[Nn]|[Ii]nf" f.csv f.json'
 check 'frame: nothing stays but what was asked for' sh -c '! ls frame.*checkpoint 2>/dev/null'
 refuses 'frame: a beam without a column' 2 '--beam-to: beam 1 goes from column 1 to 3' frame --beam-to 3

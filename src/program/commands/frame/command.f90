@@ -7,6 +7,7 @@ module asperity_program_commands_frame_command
    use asperity_program_commands_frame_outcome, only: frame_outcome
    use asperity_program_commands_frame_plots, only: frame_pictures
    use asperity_program_commands_frame_tables, only: frame_increments_table, joints_table
+   use asperity_program_commands_joint_remarks, only: analysis_remarks
    use asperity_program_commands_joint_run_files, only: run_files
    use asperity_program_commands_joint_solid_run, only: follow_model, start_solver, stop_solver
    use asperity_program_commands_joint_tables, only: comparison_table, cycles_table, skeleton_table
@@ -176,6 +177,7 @@ contains
          named_table('skeleton', '', skeleton_table(whole)), &
          named_table('analysis', 'Analysis', sizes_table(whole)), &
          named_table('times', '', times_table(whole))]
+      report%remarks = analysis_remarks(whole)
       report%shows_table = .false.
       report%first_rows = [1]
       allocate (report%important(0))

@@ -45,6 +45,12 @@ contains
                   ' J of work are not accounted for; larger stroke_increments leave less'
                call add_line(lines, text)
             end if
+            if (outcomes(i)%multigrid_failures > 0) then
+               text = name//': multigrid did not converge ('// &
+                  to_text(outcomes(i)%multigrid_failures)//'); factors took its place until '// &
+                  'contact met other faces, with the memory of preconditioner = lu'
+               call add_line(lines, text)
+            end if
             do side = positive_side, negative_side
                text = excess_words(outcomes(i)%loops%skeleton(side), 'kN m')
                if (text == '') cycle

@@ -30,6 +30,8 @@ module asperity_program_commands_solid_outcome
       type(run_times) :: times
       !> Factorisations of the matrix, or sets of levels, and vectors of GMRES
       integer :: factorisations = 0, vectors = 0
+      !> How often multigrid has not converged, so that factors took its place
+      integer :: multigrid_failures = 0
       !> Distance of the load from the column face, mm
       real(wp) :: arm = 0.0_wp
       !> Forces below this are none, N
@@ -77,6 +79,7 @@ contains
          outcome%ranks = solver%petsc%ranks%size
          outcome%factorisations = solver%n_factorisations
          outcome%vectors = solver%n_vectors
+         outcome%multigrid_failures = solver%n_multigrid_failures
       end associate
       call find_loops(outcome, error)
    end subroutine new_outcome

@@ -164,13 +164,14 @@ contains
    end function sizes_table
 
    !> Where the time of the analyses went, since they began or were taken up again: each of the rank
-   !> that it took longest; and how often the matrix was factorised, and vectors of GMRES.
+   !> that it took longest; how often the matrix was factorised, vectors of GMRES, and how often
+   !> multigrid did not converge.
    pure function times_table(outcomes) result(table)
       !> The models
       type(solid_outcome), intent(in) :: outcomes(:)
       type(table_type) :: table
 
-      table = new_table(columns=10, rows=size(outcomes))
+      table = new_table(columns=11, rows=size(outcomes))
       call table%add_texts('model', model_names(outcomes%model))
       call table%add_codes('ranks', column_counts, (outcomes%ranks))
       call table%add_numbers('elements_seconds', 's', (outcomes%times%elements), 3)
@@ -181,6 +182,7 @@ contains
       call table%add_numbers('solutions_seconds', 's', (outcomes%times%solutions), 3)
       call table%add_codes('factorisations', column_counts, (outcomes%factorisations))
       call table%add_codes('vectors', column_counts, (outcomes%vectors))
+      call table%add_codes('multigrid_failures', column_counts, (outcomes%multigrid_failures))
    end function times_table
 
    !> First cycles of each amplitude: force on both sides, secant stiffness and energy of all
