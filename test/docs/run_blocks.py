@@ -119,12 +119,30 @@ def check_names(pages, source):
     return checks, wrong
 
 
+def paragraphs(prose):
+    """The first line's number and the text of what stands between blank lines: links may be broken."""
+    first = last = 0
+    lines = []
+    for number, line in prose.items():
+        if lines and (number != last + 1 or not line.strip()):
+            yield first, "\n".join(lines)
+            lines = []
+        if line.strip():
+            first = first if lines else number
+            lines.append(line)
+        last = number
+    if lines:
+        yield first, "\n".join(lines)
+
+
 def check_links(pages):
     """Follow the links between files; return the number of checks and what is wrong."""
     links, wrong, reached = 0, [], {next(iter(pages))}
     for path, (_, prose) in pages.items():
-        for number, line in prose.items():
-            for link in LINK.finditer(re.sub(r"`[^`]*`", "", line)):
+        for first, paragraph in paragraphs(prose):
+            text = re.sub(r"`[^`]*`", "", paragraph)
+            for link in LINK.finditer(text):
+                number = first + text.count("\n", 0, link.end())
                 if re.match(r"[a-z]+:", link["target"]):
                     continue
                 links += 1

@@ -80,7 +80,7 @@ contains
       else if (cell < indentation) then
          remark = 'elements of '//to_text(cell, 4)// &
             ' mm at the rims are smaller than the indentation, about '//to_text(indentation, 3)// &
-            ' mm: strains there are not small, and steps are cut'
+            ' mm: strains there are not small, and increments may be cut'
       else if (cell > coarse*indentation .and. indentation > elastic) then
          remark = 'elements of '//to_text(cell, 4)// &
             ' mm at the rims are coarse for an indentation of about '//to_text(indentation, 3)// &
