@@ -39,7 +39,7 @@ contains
       character(len=*), intent(in) :: words
       type(string_type), allocatable :: lines(:)
 
-      lines = analysis_remarks(outcomes)
+      allocate (lines, source=analysis_remarks(outcomes))
       call assertEqual(merge(0, 1, words == ''), size(lines), words)
       if (size(lines) == 1) call assertEqual(words, lines(1)%text)
    end subroutine assert_said
@@ -104,7 +104,7 @@ contains
       outcomes(hard) = made_outcome(hard, 1.0_wp)
       outcomes(rough) = made_outcome(rough, 1.0_wp)
       outcomes%has_moment = .false.
-      lines = analysis_remarks(outcomes)
+      allocate (lines, source=analysis_remarks(outcomes))
       call assertEqual(2, size(lines))
       call assertTrue(index(lines(hard)%text, 'hard contact: ') == 1)
       call assertTrue(index(lines(rough)%text, 'rough law: ') == 1)
