@@ -1,17 +1,21 @@
 """A number found on meshes of falling size, extrapolated to elements of no size."""
 
-from typing import NamedTuple
+from typing import NamedTuple, Optional
 
-# Orders between which a fitted one is believed: first order at kinks of contact and plastic rims, second
-# of the elements in smooth fields
-ORDERS = (1.0, 2.0)
+# Orders that an extrapolation can use: from a half (Oberkampf and Roy, Verification and Validation in Scientific
+# Computing, 2010, section 8.7) to the second of linear elements in smooth fields; from the first on, that of kinks
+# of contact and plastic rims, the fitted order is believed
+LOWEST, BELIEVED, HIGHEST = 0.5, 1.0, 2.0
+# Factors of the grid convergence index (Roache, J. Fluids Eng. 116, 1994, 405): of an order that is believed, and
+# of another one or none
+BELIEVED_FACTOR, FACTOR = 1.25, 3.0
 
 
 class Limit(NamedTuple):
-    """What a number tends to: the value, how far it may be off, and the order that was taken."""
-    value: float
-    uncertainty: float
-    order: float
+    """What a number tends to: the value, how far it may be off, and the order; None is what cannot be told."""
+    value: Optional[float]
+    uncertainty: Optional[float]
+    order: Optional[float]
 
 
 def at_order(sizes, values, order):
@@ -21,20 +25,15 @@ def at_order(sizes, values, order):
 
 
 def fitted_order(sizes, values):
-    """The order at which the last three values lie on limit + constant*size**order; None where none does
-    or it is not within ORDERS."""
-    if len(values) < 3 or values[-1] == values[-2]:
-        return None
-    ratio = (values[-3] - values[-2])/(values[-2] - values[-1])
+    """The order, between 0 and 10, at which three values that go one way lie on limit + constant*size**order."""
+    ratio = (values[0] - values[1])/(values[1] - values[2])
 
     def excess(order):
-        first, second, third = (size**order for size in sizes[-3:])
+        first, second, third = (size**order for size in sizes)
         return (first - second)/(second - third) - ratio
 
-    low, high = ORDERS
+    low, high = 1e-6, 10.0
     # it rises with the order
-    if not excess(low) <= 0.0 <= excess(high):
-        return None
     while high - low > 1e-12:
         middle = 0.5*(low + high)
         low, high = (middle, high) if excess(middle) < 0.0 else (low, middle)
@@ -42,17 +41,26 @@ def fitted_order(sizes, values):
 
 
 def limit(sizes, values):
-    """Richardson's extrapolation of values on meshes of falling sizes, two at least.
+    """What values on meshes of falling sizes tend to, from the last three, or from two.
 
-    The order is fitted to the last three; where that is not possible, or it is not between 1 and 2, it is
-    1, which goes furthest. The uncertainty is the larger one of the distance between the finest value and
-    the limit, and that between the limits of orders 1 and 2."""
+    Three values that go one way have an order. From LOWEST to HIGHEST it gives the limit by Richardson's
+    extrapolation, uncertain by BELIEVED_FACTOR or FACTOR times what the finest value is off. Below it nothing can be
+    told. Where it is higher, or values turn, the finest one stands, uncertain by FACTOR times their range (Eca and
+    Hoekstra, J. Mar. Sci. Technol. 13, 2008, 328). Two values have order BELIEVED and FACTOR."""
     if len(values) < 2 or len(sizes) != len(values) or any(b >= a for a, b in zip(sizes, sizes[1:])):
         raise ValueError("values on two meshes at least, of falling sizes")
-    order = fitted_order(sizes, values) or ORDERS[0]
+    sizes, values = sizes[-3:], values[-3:]
+    if len(values) == 2:
+        value = at_order(sizes, values, BELIEVED)
+        return Limit(value, FACTOR*abs(values[-1] - value), None)
+    goes_one_way = (values[0] - values[1])*(values[1] - values[2]) > 0.0
+    order = fitted_order(sizes, values) if goes_one_way else None
+    if order is None or order > HIGHEST:
+        return Limit(values[-1], FACTOR*(max(values) - min(values)), None)
+    if order < LOWEST:
+        return Limit(None, None, None)
     value = at_order(sizes, values, order)
-    first, second = (at_order(sizes, values, each) for each in ORDERS)
-    return Limit(value, max(abs(values[-1] - value), abs(first - second)), order)
+    return Limit(value, (BELIEVED_FACTOR if order >= BELIEVED else FACTOR)*abs(values[-1] - value), order)
 
 
 def interpolate(places, values, place):
