@@ -8,9 +8,7 @@ module asperity_solid_engine_convergence
    private
    public :: convergence_context, residual_is_small
 
-   !> After so many vectors GMRES gives up when more than this share of the residual is left, if it
-   !> may have more
-   integer(c_int), parameter, public :: trial_vectors = 4
+   !> Share of the residual with which GMRES gives up after its trial, if more is left
    real(wp), parameter :: hopeless = 0.3_wp
 
    !> What the test is told: the residual that may be left, over the first, which it keeps.
@@ -19,7 +17,7 @@ module asperity_solid_engine_convergence
       real(c_double) :: tolerance
       !> Residual before the first vector
       real(c_double) :: first
-      !> Most vectors, and of the trial; more than the most for none
+      !> Most vectors, and of the trial
       integer(c_int) :: most, trial
       !> Vectors so far
       integer(c_int) :: vectors
