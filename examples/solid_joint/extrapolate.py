@@ -3,11 +3,11 @@
 from typing import NamedTuple, Optional
 
 # Orders that an extrapolation can use: from a half (Oberkampf and Roy, Verification and Validation in Scientific
-# Computing, 2010, section 8.7) to the second of linear elements in smooth fields; from the first on, that of kinks
-# of contact and plastic rims, the fitted order is believed
+# Computing, 2010, chapter 8) to the second of linear elements in smooth fields; from the first on, that of kinks of
+# contact and plastic rims, it is believed
 LOWEST, BELIEVED, HIGHEST = 0.5, 1.0, 2.0
 # Factors of the grid convergence index (Roache, J. Fluids Eng. 116, 1994, 405): of an order that is believed, and
-# of another one or none
+# of another one
 BELIEVED_FACTOR, FACTOR = 1.25, 3.0
 
 
@@ -16,12 +16,6 @@ class Limit(NamedTuple):
     value: Optional[float]
     uncertainty: Optional[float]
     order: Optional[float]
-
-
-def at_order(sizes, values, order):
-    """The limit of values that differ from it by a constant times size**order, from the last two."""
-    coarse, fine = (size**order for size in sizes[-2:])
-    return values[-1] + (values[-1] - values[-2])*fine/(coarse - fine)
 
 
 def fitted_order(sizes, values):
@@ -41,26 +35,23 @@ def fitted_order(sizes, values):
 
 
 def limit(sizes, values):
-    """What values on meshes of falling sizes tend to, from the last three, or from two.
+    """What values on three meshes of falling sizes tend to.
 
-    Three values that go one way have an order. From LOWEST to HIGHEST it gives the limit by Richardson's
-    extrapolation, uncertain by BELIEVED_FACTOR or FACTOR times what the finest value is off. Below it nothing can be
-    told. Where it is higher, or values turn, the finest one stands, uncertain by FACTOR times their range (Eca and
-    Hoekstra, J. Mar. Sci. Technol. 13, 2008, 328). Two values have order BELIEVED and FACTOR."""
-    if len(values) < 2 or len(sizes) != len(values) or any(b >= a for a, b in zip(sizes, sizes[1:])):
-        raise ValueError("values on two meshes at least, of falling sizes")
-    sizes, values = sizes[-3:], values[-3:]
-    if len(values) == 2:
-        value = at_order(sizes, values, BELIEVED)
-        return Limit(value, FACTOR*abs(values[-1] - value), None)
+    Values that go one way have an order. From LOWEST to HIGHEST it gives the limit by Richardson's extrapolation,
+    uncertain by BELIEVED_FACTOR or FACTOR times what the finest value is off. Below it nothing can be told. Where it is
+    higher, or values turn, the finest one stands, uncertain by FACTOR times their range (Eca and Hoekstra, J. Mar. Sci.
+    Technol. 13, 2008, 328)."""
+    if len(values) != 3 or len(sizes) != 3 or any(b >= a for a, b in zip(sizes, sizes[1:])):
+        raise ValueError("values on three meshes, of falling sizes")
     goes_one_way = (values[0] - values[1])*(values[1] - values[2]) > 0.0
     order = fitted_order(sizes, values) if goes_one_way else None
     if order is None or order > HIGHEST:
         return Limit(values[-1], FACTOR*(max(values) - min(values)), None)
     if order < LOWEST:
         return Limit(None, None, None)
-    value = at_order(sizes, values, order)
-    return Limit(value, (BELIEVED_FACTOR if order >= BELIEVED else FACTOR)*abs(values[-1] - value), order)
+    coarse, fine = (size**order for size in sizes[1:])
+    change = (values[2] - values[1])*fine/(coarse - fine)
+    return Limit(values[2] + change, (BELIEVED_FACTOR if order >= BELIEVED else FACTOR)*abs(change), order)
 
 
 def interpolate(places, values, place):
