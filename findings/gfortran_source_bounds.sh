@@ -2,10 +2,9 @@
 # gfortran 12.2: allocate (x, source=a(list)) begins x at 0 where list is a vector.
 #
 # A good guess: x begins at 1, as the bounds of SOURCE= are those of an expression that is no whole array
-# (Fortran 2018, 9.7.1.2 and 16.9.109); flang 19.1.7 does so. Seen: a vector
-# subscript, in any dimension, makes all lower bounds 0, so that x(1) is the second value; no warning from
-# -Wall -Wextra, nothing from -fcheck=all before the last element is asked for. Sections a(2:) and expressions
-# begin at 1.
+# (Fortran 2018, 9.7.1.2 and 16.9.109); flang 19.1.7 does so. Seen: a vector subscript, in any dimension,
+# makes all lower bounds 0, so that x(1) is the second value; no warning from -Wall -Wextra, nothing from
+# -fcheck=all before the last element is asked for. Sections a(2:) and expressions begin at 1.
 source "$(dirname "$0")/lib/setup.sh"
 version_is 12.2 gfortran --version
 version_is 19.1.7 flang-new-19 --version
