@@ -1,8 +1,12 @@
 !> The solver of solids: factors, GMRES with factors of another matrix, what it refuses.
 module test_petsc_linear_solver
-   use, intrinsic :: ieee_arithmetic, only: ieee_quiet_nan, ieee_value
+   use, intrinsic :: ieee_arithmetic, only: ieee_positive_inf, ieee_quiet_nan, ieee_value
+   use, intrinsic :: iso_c_binding, only: c_int, c_loc
    use asperity, only: error_type, wp
+   use asperity_solid_engine_convergence, only: convergence_context, residual_is_small
    use asperity_solid_engine_linear_solver, only: linear_solver
+   use asperity_solid_engine_petsc, only: ksp_converged_iterating, ksp_converged_rtol, &
+      ksp_diverged_its
    use test_petsc_engine, only: petsc
    use funit, only: assertEqual, assertFalse, assertLessThan, assertTrue, TestMethod, TestSuite
    implicit none
@@ -22,6 +26,7 @@ contains
       call suite%addTest(TestMethod('factors solve', test_factors))
       call suite%addTest(TestMethod('old factors and GMRES solve what has changed', test_iterate))
       call suite%addTest(TestMethod('GMRES says that it gives up', test_gives_up))
+      call suite%addTest(TestMethod('GMRES gives up at its bounds', test_bounds))
       call suite%addTest(TestMethod('multigrid solves, the next matrix too', test_multigrid))
       call suite%addTest(TestMethod('factors solve what multigrid does not', test_fallback))
       call suite%addTest(TestMethod('factors in place of multigrid fail', test_fallback_fails))
@@ -43,6 +48,42 @@ contains
       close (unit)
       call assertEqual('', trim(children))
    end subroutine test_processes
+
+   !> At each bound and beside it: of 1000 at first, 10 is enough and 300 hopeless after 20 vectors,
+   !> and there are 40 at most.
+   subroutine test_bounds()
+      type(convergence_context), target :: context
+      integer, target :: krylov
+
+      context = convergence_context(1.0e-2_wp, 0.0_wp, 40, 20, 0)
+      call assertEqual(ksp_converged_iterating, reason_at(0, 1000.0_wp), 'at first')
+      call assertEqual(ksp_converged_iterating, reason_at(19, 1000.0_wp), 'before the trial')
+      call assertEqual(ksp_converged_iterating, reason_at(20, 300.0_wp), 'of use')
+      call assertEqual(ksp_diverged_its, reason_at(20, nearest(300.0_wp, 1.0_wp)), 'of no use')
+      call assertEqual(ksp_converged_iterating, reason_at(21, 1000.0_wp), 'after the trial')
+      call assertEqual(ksp_converged_iterating, reason_at(39, 1000.0_wp), 'one is left')
+      call assertEqual(ksp_diverged_its, reason_at(40, 1000.0_wp), 'none is left')
+      call assertEqual(ksp_converged_rtol, reason_at(40, 10.0_wp), 'the last one was enough')
+      call assertEqual(ksp_converged_iterating, reason_at(1, nearest(10.0_wp, 1.0_wp)), &
+         'not enough')
+      call assertEqual(ksp_diverged_its, reason_at(1, ieee_value(1.0_wp, ieee_positive_inf)), &
+         'no number')
+      call assertEqual(1, context%vectors)
+
+   contains
+
+      integer function reason_at(iteration, residual)
+         integer, intent(in) :: iteration
+         real(wp), intent(in) :: residual
+         integer(c_int) :: code, reason
+
+         code = residual_is_small(c_loc(krylov), int(iteration, c_int), residual, reason, &
+            c_loc(context))
+         call assertEqual(0, int(code))
+         reason_at = int(reason)
+      end function reason_at
+
+   end subroutine test_bounds
 
    !> Convection and diffusion on a square: unsymmetric, of a symmetric pattern.
    subroutine fill(solver, convection, scale, by_multigrid)
